@@ -1,0 +1,2 @@
+//! The standalone demo.
+fn main() {}
