@@ -1,1 +1,205 @@
-fn main() {}
+//! `glsl/*.comp` → SPIR-V (Vulkan 1.1) → reflection → `shaders.rs`, with compile-time asserts that the Rust twins of GLSL blocks agree.
+//!
+//! With the feature `shaderc` the GLSL is compiled here. Without it the SPIR-V and the table under `glsl/spirv/` are used, after a hash of
+//! the GLSL was compared with the one that they were made from. `ATROUS_UPDATE_SPIRV=1 cargo build` renews them.
+
+use std::{env, error::Error, fs, path::Path, process};
+
+fn main() {
+    println!("cargo:rerun-if-changed=glsl");
+    println!("cargo:rerun-if-env-changed=ATROUS_UPDATE_SPIRV");
+    if let Err(error) = build() {
+        eprintln!("{error}");
+        process::exit(1);
+    }
+}
+
+fn build() -> Result<(), Box<dyn Error>> {
+    let root = env::var("CARGO_MANIFEST_DIR")?;
+    let glsl = Path::new(&root).join("glsl");
+    let checked_in = glsl.join("spirv");
+    let hash = hash_of_sources(&glsl)?;
+    let current = fs::read_to_string(checked_in.join("sources.hash")).is_ok_and(|stored| stored.trim() == hash);
+    #[cfg(feature = "shaderc")]
+    let table = {
+        let out = Path::new(&env::var("OUT_DIR")?).join("spirv");
+        compile::all(&glsl, &out)?;
+        if env::var("ATROUS_UPDATE_SPIRV").is_ok_and(|v| v == "1") {
+            let _ = fs::remove_dir_all(&checked_in);
+            fs::create_dir_all(&checked_in)?;
+            for entry in fs::read_dir(&out)? {
+                let entry = entry?;
+                fs::copy(entry.path(), checked_in.join(entry.file_name()))?;
+            }
+            fs::write(checked_in.join("sources.hash"), format!("{hash}\n"))?;
+        } else if !current {
+            println!("cargo:warning=glsl/spirv is older than the GLSL: renew it with ATROUS_UPDATE_SPIRV=1 cargo build");
+        }
+        out
+    };
+    #[cfg(not(feature = "shaderc"))]
+    let table = {
+        if !current {
+            return Err("glsl/spirv was not made from this GLSL: run `ATROUS_UPDATE_SPIRV=1 cargo build --features shaderc`".into());
+        }
+        checked_in
+    };
+    println!("cargo:rustc-env=ATROUS_SHADERS={}", table.join("shaders.rs").display());
+    Ok(())
+}
+
+/// FNV-1a over the names and lines of every source, sorted; line ends do not count, since a checkout may change them.
+fn hash_of_sources(glsl: &Path) -> Result<String, Box<dyn Error>> {
+    let mut sources = Vec::new();
+    for folder in [glsl.to_path_buf(), glsl.join("include")] {
+        for entry in fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))? {
+            let path = entry?.path();
+            if path.extension().is_some_and(|e| e == "comp" || e == "glsl") {
+                sources.push((path.file_name().unwrap_or_default().to_owned(), fs::read_to_string(&path)?));
+            }
+        }
+    }
+    sources.sort();
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut eat = |byte: u8| hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    for (name, text) in &sources {
+        name.as_encoded_bytes().iter().copied().for_each(&mut eat);
+        text.lines().flat_map(|line| line.bytes().chain([b'\n'])).for_each(&mut eat);
+    }
+    Ok(format!("{hash:016x}"))
+}
+
+#[cfg(feature = "shaderc")]
+mod compile {
+    use super::{fs, Error, Path};
+    use shaderc::{CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv};
+    use spirq::{prelude::*, ty::DescriptorType, ty::Type, var::Variable};
+    use std::fmt::Write as _;
+
+    /// Compiles every variant of every shader into `out`, with the table `shaders.rs` beside them.
+    pub fn all(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
+        let _ = fs::remove_dir_all(out);
+        fs::create_dir_all(out)?;
+        let mut files: Vec<_> = fs::read_dir(glsl)?.filter_map(|e| Some(e.ok()?.path())).collect();
+        files.retain(|p| p.extension().is_some_and(|e| e == "comp"));
+        files.sort();
+        let (mut table, mut names) = (String::new(), Vec::new());
+        let compiler = Compiler::new()?;
+        for file in files {
+            let source = fs::read_to_string(&file)?;
+            let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+            for variant in variants(&source) {
+                let name = if variant.is_empty() {
+                    stem.clone()
+                } else {
+                    format!("{stem}_{}", variant.replace('=', "_").replace(',', "_").to_lowercase())
+                };
+                let spirv = |optimise| module(&compiler, &source, &file, &variant, optimise);
+                fs::write(out.join(format!("{name}.spv")), spirv(true)?.as_binary_u8())?;
+                entry(&mut table, &name, spirv(false)?.as_binary())?;
+                names.push(name.to_uppercase());
+            }
+        }
+        writeln!(table, "pub(crate) static ALL: &[&Shader] = &[{}];", names.iter().map(|n| format!("&{n}, ")).collect::<String>())?;
+        fs::write(out.join("shaders.rs"), table)?;
+        Ok(())
+    }
+
+    /// `// variants: A=1 A=2,B=1`: the macro sets that a shader is compiled with; one empty set without that line.
+    fn variants(source: &str) -> Vec<String> {
+        let line = source.lines().find_map(|l| l.strip_prefix("// variants:"));
+        line.map_or(vec![String::new()], |l| l.split_whitespace().map(str::to_owned).collect())
+    }
+
+    fn module(
+        compiler: &Compiler,
+        source: &str,
+        file: &Path,
+        variant: &str,
+        optimise: bool,
+    ) -> Result<shaderc::CompilationArtifact, String> {
+        let mut options = CompileOptions::new().map_err(|e| e.to_string())?;
+        options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
+        options.set_warnings_as_errors();
+        // The optimiser strips names, and reflection needs them: so each module is made twice.
+        options.set_optimization_level(if optimise { OptimizationLevel::Performance } else { OptimizationLevel::Zero });
+        for (name, value) in variant.split(',').filter_map(|d| d.split_once('=')) {
+            options.add_macro_definition(name, Some(value));
+        }
+        let include = file.parent().unwrap_or(Path::new(".")).join("include");
+        options.set_include_callback(move |name, _, from, _| {
+            let path = include.join(name);
+            let content = fs::read_to_string(&path).map_err(|e| format!("{from} includes {}: {e}", path.display()))?;
+            Ok(ResolvedInclude { resolved_name: path.to_string_lossy().into_owned(), content })
+        });
+        compiler
+            .compile_into_spirv(source, ShaderKind::Compute, &file.to_string_lossy(), "main", Some(&options))
+            .map_err(|e| format!("{} [{variant}]:\n{e}", file.display()))
+    }
+
+    /// The table entry of one module, and the asserts for the blocks that have a Rust twin.
+    fn entry(table: &mut String, name: &str, spirv: &[u32]) -> Result<(), Box<dyn Error>> {
+        let entry_points = ReflectConfig::new().spv(spirv).ref_all_rscs(true).combine_img_samplers(false).reflect()?;
+        let entry_point = entry_points.first().ok_or_else(|| format!("{name}: no entry point"))?;
+        let (mut bindings, mut push_constant_bytes) = (Vec::new(), 0);
+        for variable in &entry_point.vars {
+            match variable {
+                Variable::Descriptor { name: binding, desc_bind, desc_ty, ty, .. } => {
+                    bindings.push((desc_bind.bind(), kind(desc_ty, ty)?, binding.clone().unwrap_or_default()));
+                    asserts(table, ty)?;
+                }
+                Variable::PushConstant { ty, .. } => {
+                    push_constant_bytes = ty.nbyte().unwrap_or(0);
+                    asserts(table, ty)?;
+                }
+                _ => {}
+            }
+        }
+        bindings.sort();
+        if !bindings.iter().enumerate().all(|(i, b)| b.0 as usize == i) {
+            return Err(format!("{name}: bindings must be numbered from 0 without a gap, they are {bindings:?}").into());
+        }
+        writeln!(
+            table,
+            "pub(crate) static {}: Shader = Shader {{ name: {name:?}, spirv: include_bytes!({:?}),",
+            name.to_uppercase(),
+            format!("{name}.spv")
+        )?;
+        writeln!(table, "    push_constant_bytes: {push_constant_bytes}, bindings: &[")?;
+        for (_, kind, binding) in bindings {
+            writeln!(table, "        ShaderBinding {{ name: {binding:?}, kind: {kind} }},")?;
+        }
+        writeln!(table, "    ] }};")?;
+        Ok(())
+    }
+
+    fn kind(descriptor: &DescriptorType, ty: &Type) -> Result<String, String> {
+        Ok(match (descriptor, ty) {
+            (DescriptorType::UniformBuffer(), _) => "BindingKind::UniformBuffer".into(),
+            (DescriptorType::StorageBuffer(access), _) => format!("BindingKind::StorageBuffer(BindingAccess::{access:?})"),
+            (DescriptorType::StorageImage(access), Type::StorageImage(image)) => {
+                format!("BindingKind::StorageImage(TexelFormat::{:?}, BindingAccess::{access:?})", image.fmt)
+            }
+            (DescriptorType::SampledImage(), Type::SampledImage(image)) => match image.scalar_ty.to_string().as_str() {
+                "f32" => "BindingKind::SampledImage(Component::Float)".into(),
+                "u32" => "BindingKind::SampledImage(Component::Uint)".into(),
+                other => return Err(format!("sampled image of {other}")),
+            },
+            other => return Err(format!("a binding of this kind is not used here: {other:?}")),
+        })
+    }
+
+    /// A block named like a Rust struct of the crate must have its layout.
+    fn asserts(table: &mut String, ty: &Type) -> Result<(), Box<dyn Error>> {
+        let Type::Struct(block) = ty else { return Ok(()) };
+        let Some(name) = block.name().filter(|n| ["FrameConstants", "PushConstants"].contains(n)) else { return Ok(()) };
+        for member in &block.members {
+            let (field, offset) = (member.name.as_deref().unwrap_or_default(), member.offset.unwrap_or(0));
+            let assert = format!("const _: () = assert!(std::mem::offset_of!({name}, {field}) == {offset});\n");
+            if !table.contains(&assert) {
+                table.push_str(&assert);
+            }
+        }
+        Ok(())
+    }
+}

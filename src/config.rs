@@ -1,0 +1,212 @@
+//! What is decided once: extents, preset, signals, and how the host encodes its guides. Changing it re-declares every resource.
+
+use crate::error::Error;
+
+/// Which lighting components are filtered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Signals {
+    /// One image, `noisy_radiance`: direct and indirect light together.
+    #[default]
+    Together,
+    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as [SVGF] does. Keeps shadow edges that the sum blurs.
+    Apart,
+}
+
+/// How `depth` is encoded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum DepthEncoding {
+    /// View-space depth along the view axis, positive, in scene units.
+    #[default]
+    Linear = 0,
+    /// What a depth buffer holds. `FrameParams::clip_from_view` says how: reversed, infinite and orthographic projections all work.
+    Device = 1,
+    /// Distance from the camera to the surface along the ray.
+    RayLength = 2,
+}
+
+/// How `normal` is encoded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum NormalEncoding {
+    /// xyz in −1..1; need not be of unit length.
+    #[default]
+    Xyz = 0,
+    /// xyz stored as v·0.5 + 0.5.
+    XyzUnorm = 1,
+    /// Octahedral xy in −1..1.
+    Octahedral = 2,
+    /// Octahedral xy stored as v·0.5 + 0.5.
+    OctahedralUnorm = 3,
+}
+
+/// In which space normals are.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NormalSpace {
+    /// World space.
+    #[default]
+    World,
+    /// View space of the current frame.
+    View,
+}
+
+/// Unit of `motion`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum MotionUnit {
+    /// Pixels of the render extent.
+    Pixels = 0,
+    /// Fractions of the render extent.
+    #[default]
+    Uv = 1,
+    /// Normalised device coordinates: two across the image.
+    Ndc = 2,
+}
+
+/// Sign of `motion`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MotionDirection {
+    /// Previous position minus current position.
+    #[default]
+    PreviousMinusCurrent,
+    /// Current position minus previous position.
+    CurrentMinusPrevious,
+}
+
+/// What the z component of `motion` is (2.5D motion).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum MotionDepth {
+    /// Nothing: the previous depth is computed from the matrices, which is right for what does not move along the view axis by itself.
+    #[default]
+    None = 0,
+    /// Previous linear depth minus current linear depth.
+    Difference = 1,
+    /// The previous linear depth itself.
+    Absolute = 2,
+}
+
+/// Which way the camera looks in view space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ViewForward {
+    /// Along −z (right-handed; OpenGL, glTF).
+    #[default]
+    NegativeZ,
+    /// Along +z (left-handed; Direct3D).
+    PositiveZ,
+}
+
+/// How the host encodes its guides. Only the stage `import` knows them; behind it there is one encoding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conventions {
+    /// Depth.
+    pub depth: DepthEncoding,
+    /// Linear depths from here on are background. Default: infinity.
+    pub background_depth: f32,
+    /// Normal encoding.
+    pub normal: NormalEncoding,
+    /// Normal space.
+    pub normal_space: NormalSpace,
+    /// Motion unit.
+    pub motion_unit: MotionUnit,
+    /// Motion sign.
+    pub motion_direction: MotionDirection,
+    /// Whether y of the motion points up. Default: false.
+    pub motion_y_up: bool,
+    /// Whether the motion includes the change of jitter. Default: false.
+    pub motion_jittered: bool,
+    /// z of the motion.
+    pub motion_depth: MotionDepth,
+    /// View direction.
+    pub view_forward: ViewForward,
+}
+
+impl Default for Conventions {
+    fn default() -> Self {
+        Self {
+            depth: DepthEncoding::default(),
+            background_depth: f32::INFINITY,
+            normal: NormalEncoding::default(),
+            normal_space: NormalSpace::default(),
+            motion_unit: MotionUnit::default(),
+            motion_direction: MotionDirection::default(),
+            motion_y_up: false,
+            motion_jittered: false,
+            motion_depth: MotionDepth::default(),
+            view_forward: ViewForward::default(),
+        }
+    }
+}
+
+/// What is done after the denoised radiance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PostProcess {
+    /// Nothing: the host tone maps.
+    #[default]
+    None,
+    /// Tone map into `display`.
+    ToneMap,
+    /// Tone map, then temporal anti-aliasing into `display`.
+    ToneMapTaa,
+}
+
+/// What is decided once. [`crate::Tuning`] holds what may change from frame to frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Config {
+    /// Width and height that images are allocated with; each frame renders into its top left part.
+    pub allocated_extent: [u32; 2],
+    /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
+    pub frames_in_flight: u32,
+    /// Signals.
+    pub signals: Signals,
+    /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
+    pub levels: u32,
+    /// Whether the host has an image of surface ids. Default: true.
+    pub surface_id: bool,
+    /// Whether the host has object-space normals, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
+    pub object_normal: bool,
+    /// Post-process.
+    pub post_process: PostProcess,
+    /// Encodings.
+    pub conventions: Conventions,
+}
+
+impl Config {
+    /// Largest side of an extent.
+    pub const MAX_SIDE: u32 = 16384;
+
+    /// Defaults for an extent.
+    pub fn new(allocated_extent: [u32; 2]) -> Self {
+        Self {
+            allocated_extent,
+            frames_in_flight: 2,
+            signals: Signals::default(),
+            levels: 5,
+            surface_id: true,
+            object_normal: false,
+            post_process: PostProcess::default(),
+            conventions: Conventions::default(),
+        }
+    }
+
+    /// Checks every field.
+    ///
+    /// # Errors
+    /// [`Error::Extent`] or [`Error::Config`] for the first field that is out of range.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_extent("Config::allocated_extent", self.allocated_extent)?;
+        for (name, given, min, max) in [("frames_in_flight", self.frames_in_flight, 1, 8), ("levels", self.levels, 1, 10)] {
+            if !(min..=max).contains(&given) {
+                return Err(Error::Config { name, given, min, max });
+            }
+        }
+        Ok(())
+    }
+}
+
+pub(crate) fn check_extent(what: &'static str, given: [u32; 2]) -> Result<(), Error> {
+    if given.iter().any(|side| !(1..=Config::MAX_SIDE).contains(side)) {
+        return Err(Error::Extent { what, given, max: Config::MAX_SIDE });
+    }
+    Ok(())
+}

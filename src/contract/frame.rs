@@ -1,0 +1,177 @@
+//! What a host says once per frame, what is remembered of the frame before, and the block that every pass reads.
+
+use super::Tuning;
+use crate::config::{check_extent, Config};
+use crate::error::Error;
+use crate::frame_constants::{Flags, FrameConstants};
+use glam::Mat4;
+
+/// Why all history is dropped for one frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum ResetReason {
+    /// The first frame after creation or [`FrameState::invalidate`]; forced, a host need not say it.
+    Created = 1,
+    /// The camera jumped.
+    CameraCut = 2,
+    /// The images changed size.
+    Resize = 3,
+    /// Another scene.
+    SceneLoad = 4,
+    /// The origin of world space moved.
+    OriginShift = 5,
+    /// Exposure changed by more than `exposure_ratio` can carry.
+    ExposureJump = 6,
+}
+
+/// Once per frame, from the host.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameParams {
+    /// Below `Config::frames_in_flight`; GPU work recorded earlier with the same slot is complete.
+    pub frame_slot: u32,
+    /// Drops all history for this frame.
+    pub reset: Option<ResetReason>,
+    /// Pixels rendered this frame, anchored top left; at most the allocated extent.
+    pub render_extent: [u32; 2],
+    /// World to view, column-major, column vectors.
+    pub view_from_world: [[f32; 4]; 4],
+    /// View to Vulkan clip space (y down, depth 0..1), unjittered, column-major.
+    pub clip_from_view: [[f32; 4]; 4],
+    /// Offset of this frame's samples from the pixel centres, pixels, −1 to 1.
+    pub jitter: [f32; 2],
+    /// This frame's exposure divided by the previous frame's, where the host's radiance is pre-exposed. Scales the history. Default: 1.
+    pub exposure_ratio: f32,
+}
+
+impl FrameParams {
+    /// A frame without jitter, reset or exposure change, seen through identity matrices.
+    pub fn new(render_extent: [u32; 2]) -> Self {
+        let identity = Mat4::IDENTITY.to_cols_array_2d();
+        Self {
+            frame_slot: 0,
+            reset: None,
+            render_extent,
+            view_from_world: identity,
+            clip_from_view: identity,
+            jitter: [0.0; 2],
+            exposure_ratio: 1.0,
+        }
+    }
+
+    fn validate(&self, config: &Config) -> Result<(), Error> {
+        check_extent("FrameParams::render_extent", self.render_extent)?;
+        if (0..2).any(|i| self.render_extent[i] > config.allocated_extent[i]) {
+            return Err(Error::RenderExtent { render: self.render_extent, allocated: config.allocated_extent });
+        }
+        if self.frame_slot >= config.frames_in_flight {
+            return Err(Error::FrameSlot { given: self.frame_slot, frames_in_flight: config.frames_in_flight });
+        }
+        let invertible = |m: &[[f32; 4]; 4]| {
+            let m = Mat4::from_cols_array_2d(m);
+            m.is_finite() && m.inverse().is_finite()
+        };
+        for (name, matrix) in [("view_from_world", &self.view_from_world), ("clip_from_view", &self.clip_from_view)] {
+            if !invertible(matrix) {
+                return Err(Error::FrameParams { name, problem: "has no inverse; give a finite, invertible, column-major matrix" });
+            }
+        }
+        if !self.jitter.iter().all(|j| (-1.0..=1.0).contains(j)) {
+            return Err(Error::FrameParams { name: "jitter", problem: "must be -1 to 1, in pixels" });
+        }
+        if !(self.exposure_ratio > 0.0 && self.exposure_ratio.is_finite()) {
+            return Err(Error::FrameParams {
+                name: "exposure_ratio",
+                problem: "must be positive and finite; 1 where exposure did not change",
+            });
+        }
+        Ok(())
+    }
+}
+
+/// What every pass of one frame sees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameContext {
+    /// Counts frames from 0; its parity says which copy of a history is current.
+    pub index: u64,
+    /// As in [`FrameParams::frame_slot`].
+    pub slot: u32,
+    /// As in [`FrameParams::render_extent`].
+    pub render_extent: [u32; 2],
+    /// Why history is dropped this frame, if it is.
+    pub reset: Option<ResetReason>,
+    /// What the first pass uploads.
+    pub constants: FrameConstants,
+}
+
+impl FrameContext {
+    /// Which of the two copies of a history a use refers to: 0 or 1.
+    pub const fn history_copy(&self, frame: super::UseFrame) -> usize {
+        ((self.index & 1) as usize) ^ matches!(frame, super::UseFrame::Previous) as usize
+    }
+}
+
+/// Remembers what the next frame needs of this one. Host-side state only.
+#[derive(Clone, Debug, Default)]
+pub struct FrameState {
+    frames: u64,
+    last: Option<FrameParams>,
+}
+
+impl FrameState {
+    /// Starts a frame.
+    ///
+    /// # Errors
+    /// Names the field of `params` or `tuning` that is unusable; nothing is changed then.
+    pub fn begin(&mut self, config: &Config, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        params.validate(config)?;
+        tuning.validate()?;
+        let reset = params.reset.or(if self.last.is_none() { Some(ResetReason::Created) } else { None });
+        let before = if reset.is_some() { *params } else { self.last.unwrap_or(*params) };
+        let index = self.frames;
+        let constants = constants(config, params, &before, tuning, index, reset.is_some());
+        self.last = Some(*params);
+        self.frames += 1;
+        Ok(FrameContext { index, slot: params.frame_slot, render_extent: params.render_extent, reset, constants })
+    }
+
+    /// The next frame drops all history: after images were re-created or lost.
+    pub fn invalidate(&mut self) {
+        self.last = None;
+    }
+}
+
+fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &Tuning, index: u64, reset: bool) -> FrameConstants {
+    let mat = |m: &[[f32; 4]; 4]| Mat4::from_cols_array_2d(m);
+    let (view, clip) = (mat(&now.view_from_world), mat(&now.clip_from_view));
+    let (previous_view, previous_clip) = (mat(&before.view_from_world), mat(&before.clip_from_view));
+    let columns = |m: Mat4| m.to_cols_array_2d();
+    FrameConstants {
+        clip_from_view: now.clip_from_view,
+        world_from_clip: columns(view.inverse() * clip.inverse()),
+        world_from_view: columns(view.inverse()),
+        previous_clip_from_world: columns(previous_clip * previous_view),
+        previous_view_from_world: columns(previous_view),
+        render_extent: now.render_extent,
+        previous_render_extent: before.render_extent,
+        jitter: now.jitter,
+        previous_jitter: before.jitter,
+        frame_index: index as u32,
+        flags: Flags::of(config, reset),
+        exposure_ratio: now.exposure_ratio,
+        background_depth: config.conventions.background_depth,
+        alpha: tuning.alpha,
+        alpha_moments: tuning.alpha_moments,
+        max_history_length: tuning.max_history_length,
+        spatial_variance_frames: tuning.spatial_variance_frames,
+        sigma_l: tuning.sigma_l,
+        sigma_n: tuning.sigma_n,
+        sigma_z: tuning.sigma_z,
+        depth_tolerance: tuning.depth_tolerance,
+        normal_tolerance: tuning.normal_tolerance,
+        exposure: tuning.exposure,
+        taa_alpha: tuning.taa_alpha,
+        taa_gamma: tuning.taa_gamma,
+        tone_curve: tuning.tone_curve as u32,
+        padding: [0; 3],
+    }
+}

@@ -1,0 +1,141 @@
+//! Per-frame numbers with ranges and defaults; changing one never drops the history.
+
+use crate::error::Error;
+
+/// What a tunable is: for user interfaces and for error messages.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TuningField {
+    /// Name of the field in [`Tuning`].
+    pub name: &'static str,
+    /// What it is and what raising it does.
+    pub doc: &'static str,
+    /// Unit, empty for a plain number.
+    pub unit: &'static str,
+    /// Smallest legal value.
+    pub min: f32,
+    /// Largest legal value.
+    pub max: f32,
+    /// Default.
+    pub default: f32,
+}
+
+/// The curve of the tone map.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum ToneCurve {
+    /// Fit of the ACES reference curve [Narkowicz 2015].
+    #[default]
+    Aces = 0,
+    /// `x / (1 + luminance)`, which keeps hues.
+    Reinhard = 1,
+    /// Exposure and clamp alone.
+    Linear = 2,
+}
+
+macro_rules! tuning {
+    ($($(#[doc = $doc:literal])+ $name:ident: $unit:literal, $min:literal ..= $max:literal, $default:literal;)+) => {
+        /// Per-frame numbers. Every field documents unit, range, default and what raising it does; see [`Tuning::FIELDS`] for the same as data.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Tuning {
+            $($(#[doc = $doc])+ #[doc = concat!("\n\nUnit: ", $unit, ". Range: ", stringify!($min), " to ", stringify!($max), ". Default: ", stringify!($default), ".")] pub $name: f32,)+
+            /// Curve of the tone map. Default: [`ToneCurve::Aces`].
+            pub tone_curve: ToneCurve,
+        }
+
+        impl Default for Tuning {
+            fn default() -> Self {
+                Self { $($name: $default,)+ tone_curve: ToneCurve::Aces }
+            }
+        }
+
+        impl Tuning {
+            /// Every number, in order.
+            pub const FIELDS: &'static [TuningField] = &[
+                $(TuningField { name: stringify!($name), doc: concat!($($doc),+), unit: $unit, min: $min, max: $max, default: $default },)+
+            ];
+
+            /// The value of a field by its name.
+            pub fn get(&self, name: &str) -> Option<f32> {
+                match name { $(stringify!($name) => Some(self.$name),)+ _ => None }
+            }
+
+            /// Sets a field by its name.
+            ///
+            /// # Errors
+            /// [`Error::UnknownTuning`] for a name that does not exist, [`Error::Tuning`] for a value that is out of range.
+            pub fn set(&mut self, name: &str, value: f32) -> Result<(), Error> {
+                let mut changed = *self;
+                match name { $(stringify!($name) => changed.$name = value,)+ _ => return Err(Error::UnknownTuning(name.to_owned())) }
+                changed.validate()?;
+                *self = changed;
+                Ok(())
+            }
+        }
+    };
+}
+
+tuning! {
+    /// Smallest weight of the new sample in the accumulated irradiance [SVGF 4.1]. Raising it reacts faster to changed light and leaves more noise.
+    alpha: "1", 0.0 ..= 1.0, 0.2;
+    /// The same for the moments of luminance, from which the variance comes. Raising it follows changes faster and makes the filter width unsteady.
+    alpha_moments: "1", 0.0 ..= 1.0, 0.2;
+    /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the running mean.
+    max_history_length: "frames", 1.0 ..= 1024.0, 256.0;
+    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood [SVGF 4.2]. Raising it blurs longer after a disocclusion.
+    spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
+    /// Luminance edge stopping: tolerated difference in standard deviations [SVGF eq. 5]. Raising it blurs more.
+    sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
+    /// Normal edge stopping: exponent of the cosine [SVGF eq. 4]. Raising it keeps finer relief and leaves more noise on curved surfaces.
+    sigma_n: "1", 0.0 ..= 1024.0, 128.0;
+    /// Depth edge stopping: tolerated departure from the local plane [SVGF eq. 3]. Raising it blurs across depth steps.
+    sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
+    /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks ghosts.
+    depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
+    /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy surfaces.
+    normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
+    /// Scale of the radiance before the tone curve. Raising it brightens the picture.
+    exposure: "1", 0.0 ..= 65504.0, 1.0;
+    /// Weight of the new frame in temporal anti-aliasing [Karis 2014]. Raising it is sharper in motion and jitters more.
+    taa_alpha: "1", 0.01 ..= 1.0, 0.1;
+    /// Size of the colour box that clips the history of temporal anti-aliasing. Raising it flickers less and ghosts more.
+    taa_gamma: "standard deviations", 0.0 ..= 8.0, 1.25;
+}
+
+impl Tuning {
+    /// Checks every field against its range.
+    ///
+    /// # Errors
+    /// [`Error::Tuning`] names the first field that is out of range or NaN.
+    pub fn validate(&self) -> Result<(), Error> {
+        for field in Self::FIELDS {
+            let value = self.get(field.name).unwrap_or(field.default);
+            if !(field.min..=field.max).contains(&value) {
+                return Err(Error::Tuning { name: field.name, value, min: field.min, max: field.max, default: field.default });
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn defaults_are_in_range() {
+        Tuning::default().validate().expect("defaults");
+    }
+
+    #[test]
+    fn a_value_out_of_range_is_named_and_not_kept() {
+        let mut tuning = Tuning::default();
+        for bad in [1.5, -0.1, f32::NAN, f32::INFINITY] {
+            let message = tuning.set("alpha", bad).expect_err("out of range").to_string();
+            assert!(message.contains("alpha") && message.contains("0 to 1"), "{message}");
+        }
+        assert_eq!(tuning, Tuning::default());
+        assert!(tuning.set("alfa", 0.5).expect_err("unknown").to_string().contains("alfa"));
+        tuning.set("alpha", 0.5).expect("in range");
+        assert_eq!(tuning.get("alpha"), Some(0.5));
+    }
+}

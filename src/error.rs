@@ -1,0 +1,135 @@
+//! One error for the whole crate.
+
+use ash::vk;
+
+/// Everything that can go wrong. A message says what was given, what is allowed and what to do.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// An extent is zero or too large.
+    #[error("{what} is {given:?} pixels; each side must be 1 to {max}. Give the extent of the image that is filtered")]
+    Extent {
+        /// Which extent.
+        what: &'static str,
+        /// Width and height as given.
+        given: [u32; 2],
+        /// Largest legal side.
+        max: u32,
+    },
+    /// The render extent does not fit into the allocated one.
+    #[error("render_extent {render:?} is larger than allocated_extent {allocated:?}; create the denoiser with a larger Config::allocated_extent")]
+    RenderExtent {
+        /// Render extent as given.
+        render: [u32; 2],
+        /// Extent that images were allocated with.
+        allocated: [u32; 2],
+    },
+    /// A structural setting is out of range.
+    #[error("Config::{name} is {given}; allowed is {min} to {max}")]
+    Config {
+        /// Field of [`crate::Config`].
+        name: &'static str,
+        /// Value as given.
+        given: u32,
+        /// Smallest legal value.
+        min: u32,
+        /// Largest legal value.
+        max: u32,
+    },
+    /// A tunable is out of range.
+    #[error("Tuning::{name} is {value}; allowed is {min} to {max}, the default is {default}")]
+    Tuning {
+        /// Field of [`crate::Tuning`].
+        name: &'static str,
+        /// Value as given.
+        value: f32,
+        /// Smallest legal value.
+        min: f32,
+        /// Largest legal value.
+        max: f32,
+        /// Default.
+        default: f32,
+    },
+    /// No tunable has this name.
+    #[error("no tunable is called `{0}`; Tuning::FIELDS lists them")]
+    UnknownTuning(String),
+    /// The frame slot does not exist.
+    #[error("frame_slot is {given}, but Config::frames_in_flight is {frames_in_flight}; use frame_index modulo frames_in_flight")]
+    FrameSlot {
+        /// Slot as given.
+        given: u32,
+        /// Slots that exist.
+        frames_in_flight: u32,
+    },
+    /// A matrix, jitter or ratio of [`crate::FrameParams`] is unusable.
+    #[error("FrameParams::{name} {problem}")]
+    FrameParams {
+        /// Field.
+        name: &'static str,
+        /// What is wrong and what is expected.
+        problem: &'static str,
+    },
+    /// The device cannot run the passes.
+    #[error("this device cannot run the denoiser: {}", missing.join("; "))]
+    Unsupported {
+        /// Each missing version, feature, limit or format.
+        missing: Vec<String>,
+    },
+    /// No Vulkan loader or device.
+    #[error("no Vulkan device: {0}. Install a driver, e.g. Debian's mesa-vulkan-drivers (software), or check VK_DRIVER_FILES")]
+    NoDevice(String),
+    /// A resource has no image or buffer bound to it.
+    #[error("resource `{0}` has nothing bound to it; bind an image or buffer, or leave only optional inputs out")]
+    NotBound(String),
+    /// No resource has this name.
+    #[error("no resource is called `{given}`; this denoiser has: {known}")]
+    UnknownResource {
+        /// Name as given.
+        given: String,
+        /// Names that exist.
+        known: String,
+    },
+    /// An image with a wrong format.
+    #[error("resource `{resource}` was given an image of format {given:?}; it takes {allowed}")]
+    Format {
+        /// Resource.
+        resource: String,
+        /// Format as given.
+        given: vk::Format,
+        /// What it takes.
+        allowed: String,
+    },
+    /// An image or a slice of texels with a wrong size.
+    #[error("resource `{resource}` was given {given}; it needs {needed}")]
+    Size {
+        /// Resource.
+        resource: String,
+        /// As given.
+        given: String,
+        /// As needed.
+        needed: String,
+    },
+    /// Memory ran out.
+    #[error("out of memory while allocating {bytes} bytes for {what}; lower the allocated extent or free memory on the device")]
+    OutOfMemory {
+        /// For what.
+        what: String,
+        /// How much.
+        bytes: u64,
+    },
+    /// A Vulkan call failed.
+    #[error("{call} failed with {result}")]
+    Vulkan {
+        /// Vulkan function.
+        call: &'static str,
+        /// Its result.
+        result: vk::Result,
+    },
+}
+
+impl Error {
+    /// For `map_err` on a Vulkan call.
+    pub(crate) fn vulkan(call: &'static str) -> impl FnOnce(vk::Result) -> Self {
+        move |result| Self::Vulkan { call, result }
+    }
+}

@@ -1,0 +1,80 @@
+//! The uniform block that every pass reads, and the bits of its flags.
+
+use crate::config::{Config, MotionDirection, NormalSpace, ViewForward};
+
+/// The uniform block that every pass reads: the Rust twin of `FrameConstants` in `glsl/include/frame.glsl`.
+/// The build asserts that the offsets are equal.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[allow(missing_docs)] // the GLSL block documents every member
+pub struct FrameConstants {
+    pub clip_from_view: [[f32; 4]; 4],
+    pub world_from_clip: [[f32; 4]; 4],
+    pub world_from_view: [[f32; 4]; 4],
+    pub previous_clip_from_world: [[f32; 4]; 4],
+    pub previous_view_from_world: [[f32; 4]; 4],
+    pub render_extent: [u32; 2],
+    pub previous_render_extent: [u32; 2],
+    pub jitter: [f32; 2],
+    pub previous_jitter: [f32; 2],
+    pub frame_index: u32,
+    pub flags: u32,
+    pub exposure_ratio: f32,
+    pub background_depth: f32,
+    pub alpha: f32,
+    pub alpha_moments: f32,
+    pub max_history_length: f32,
+    pub spatial_variance_frames: f32,
+    pub sigma_l: f32,
+    pub sigma_n: f32,
+    pub sigma_z: f32,
+    pub depth_tolerance: f32,
+    pub normal_tolerance: f32,
+    pub exposure: f32,
+    pub taa_alpha: f32,
+    pub taa_gamma: f32,
+    pub tone_curve: u32,
+    pub padding: [u32; 3],
+}
+
+/// Bits of [`FrameConstants::flags`]: the reset, and the host's conventions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Flags;
+
+impl Flags {
+    /// No previous image may be read.
+    pub const RESET: u32 = 1;
+    /// Two bits: `DepthEncoding`.
+    pub const DEPTH_SHIFT: u32 = 1;
+    /// Two bits: `NormalEncoding`.
+    pub const NORMAL_SHIFT: u32 = 3;
+    /// Normals are in view space.
+    pub const NORMAL_VIEW: u32 = 1 << 5;
+    /// Two bits: `MotionUnit`.
+    pub const MOTION_UNIT_SHIFT: u32 = 6;
+    /// Motion is current minus previous.
+    pub const MOTION_NEGATED: u32 = 1 << 8;
+    /// y of the motion points up.
+    pub const MOTION_Y_UP: u32 = 1 << 9;
+    /// Motion includes jitter.
+    pub const MOTION_JITTERED: u32 = 1 << 10;
+    /// Two bits: `MotionDepth`.
+    pub const MOTION_DEPTH_SHIFT: u32 = 11;
+    /// The camera looks along +z.
+    pub const VIEW_POSITIVE_Z: u32 = 1 << 13;
+
+    pub(crate) fn of(config: &Config, reset: bool) -> u32 {
+        let c = &config.conventions;
+        let bit = |on: bool, flag: u32| if on { flag } else { 0 };
+        bit(reset, Self::RESET)
+            | (c.depth as u32) << Self::DEPTH_SHIFT
+            | (c.normal as u32) << Self::NORMAL_SHIFT
+            | bit(c.normal_space == NormalSpace::View, Self::NORMAL_VIEW)
+            | (c.motion_unit as u32) << Self::MOTION_UNIT_SHIFT
+            | bit(c.motion_direction == MotionDirection::CurrentMinusPrevious, Self::MOTION_NEGATED)
+            | bit(c.motion_y_up, Self::MOTION_Y_UP)
+            | bit(c.motion_jittered, Self::MOTION_JITTERED)
+            | (c.motion_depth as u32) << Self::MOTION_DEPTH_SHIFT
+            | bit(c.view_forward == ViewForward::PositiveZ, Self::VIEW_POSITIVE_Z)
+    }
+}
