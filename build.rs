@@ -100,7 +100,11 @@ mod compile {
                 names.push(name.to_uppercase());
             }
         }
-        writeln!(table, "pub(crate) static ALL: &[&Shader] = &[{}];", names.iter().map(|n| format!("&{n}, ")).collect::<String>())?;
+        writeln!(
+            table,
+            "#[cfg(test)]\npub(crate) static ALL: &[&Shader] = &[{}];",
+            names.iter().map(|n| format!("&{n}, ")).collect::<String>()
+        )?;
         fs::write(out.join("shaders.rs"), table)?;
         Ok(())
     }
@@ -141,17 +145,14 @@ mod compile {
     fn entry(table: &mut String, name: &str, spirv: &[u32]) -> Result<(), Box<dyn Error>> {
         let entry_points = ReflectConfig::new().spv(spirv).ref_all_rscs(true).combine_img_samplers(false).reflect()?;
         let entry_point = entry_points.first().ok_or_else(|| format!("{name}: no entry point"))?;
-        let (mut bindings, mut push_constant_bytes) = (Vec::new(), 0);
+        let mut bindings = Vec::new();
         for variable in &entry_point.vars {
             match variable {
                 Variable::Descriptor { name: binding, desc_bind, desc_ty, ty, .. } => {
                     bindings.push((desc_bind.bind(), kind(desc_ty, ty)?, binding.clone().unwrap_or_default()));
                     asserts(table, ty)?;
                 }
-                Variable::PushConstant { ty, .. } => {
-                    push_constant_bytes = ty.nbyte().unwrap_or(0);
-                    asserts(table, ty)?;
-                }
+                Variable::PushConstant { ty, .. } => asserts(table, ty)?,
                 _ => {}
             }
         }
@@ -165,7 +166,7 @@ mod compile {
             name.to_uppercase(),
             format!("{name}.spv")
         )?;
-        writeln!(table, "    push_constant_bytes: {push_constant_bytes}, bindings: &[")?;
+        writeln!(table, "    bindings: &[")?;
         for (_, kind, binding) in bindings {
             writeln!(table, "        ShaderBinding {{ name: {binding:?}, kind: {kind} }},")?;
         }

@@ -79,8 +79,18 @@ pub enum Error {
     #[error("no Vulkan device: {0}. Install a driver, e.g. Debian's mesa-vulkan-drivers (software), or check VK_DRIVER_FILES")]
     NoDevice(String),
     /// A resource has no image or buffer bound to it.
-    #[error("resource `{0}` has nothing bound to it; bind an image or buffer, or leave only optional inputs out")]
+    #[error("resource `{0}` has nothing that fits bound to it; bind an image to an image and a buffer to a buffer, and leave out optional inputs alone")]
     NotBound(String),
+    /// A pass was given a wrong number of bindings.
+    #[error("pass `{pass}` was given {given} bindings, it needs {needed}: one for each of its uses, in their order")]
+    Bindings {
+        /// Name of the pass.
+        pass: String,
+        /// Bindings as given.
+        given: usize,
+        /// Bindings as needed.
+        needed: usize,
+    },
     /// No resource has this name.
     #[error("no resource is called `{given}`; this denoiser has: {known}")]
     UnknownResource {

@@ -3,12 +3,19 @@
 
 pub mod config;
 pub mod contract;
+mod denoiser;
 mod error;
 mod frame_constants;
+mod nodes;
+mod pipeline;
+mod presets;
 pub mod reference;
+mod requirements;
 mod shaders;
 
 pub use config::Config;
 pub use contract::*;
+pub use denoiser::{Binding, Denoiser, Device};
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};
+pub use requirements::Requirements;

@@ -13,10 +13,13 @@ mod alias;
 pub(crate) use alias::{alias, Span};
 
 pub use access::{Access, BufferAccess, ImageAccess};
+pub(crate) use declaration::Work;
 pub use declaration::{
     Boundary, BoundaryUse, Declaration, Lifetime, Memory, PassDecl, Phase, ResourceDecl, ResourceId, ResourceMemory, Shape, Use,
     UseFrame,
 };
+#[cfg(test)]
+pub(crate) use format::component_of;
 pub use format::{Component, ImageFormat};
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};
 pub use tuning::{ToneCurve, Tuning, TuningField};

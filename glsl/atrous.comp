@@ -1,0 +1,124 @@
+#version 450
+// One level of the edge-avoiding à-trous wavelet transform, guided by variance, which it filters along.
+// Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
+// In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
+// variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "geometry_weights.glsl"
+#include "luminance.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 3) uniform texture2D input_0;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
+#if SIGNALS == 2
+layout(set = 0, binding = 5) uniform texture2D input_1;
+layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
+#endif
+
+const float KERNEL[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
+const float LUMINANCE_EPSILON = 1e-4;
+
+struct Sum {
+    vec3 irradiance;
+    float variance;
+    float weight;
+};
+
+struct Centre {
+    float luminance;
+    float tolerance;  // of luminance: eq. 5's denominator
+};
+
+bool is_surface(ivec2 q) { return is_inside(q) && unpack_depth(texelFetch(guide, q, 0)) != 0.0; }
+
+// g3x3: a steadier variance for the luminance weight alone.
+vec2 smoothed_variances(ivec2 p) {
+    vec2 sum = vec2(0.0);
+    float weight_sum = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 q = p + ivec2(x, y);
+            if (!is_surface(q)) continue;
+            float weight = 0.25 / float(1 << (abs(x) + abs(y)));
+            float deviation = texelFetch(input_0, q, 0).a;
+            sum.x += weight * deviation * deviation;
+#if SIGNALS == 2
+            deviation = texelFetch(input_1, q, 0).a;
+            sum.y += weight * deviation * deviation;
+#endif
+            weight_sum += weight;
+        }
+    return sum / weight_sum;
+}
+
+Centre centre_of(vec4 value, float variance) {
+    return Centre(luminance(value.rgb), frame.sigma_l * sqrt(variance) + LUMINANCE_EPSILON);
+}
+
+void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float depth_exponent, float kernel) {
+    float weight = kernel * geometry * exp(-depth_exponent - abs(luminance(value.rgb) - centre.luminance) / centre.tolerance);
+    sum.irradiance += weight * value.rgb;
+    sum.variance += weight * weight * value.a * value.a;
+    sum.weight += weight;
+}
+
+Sum start(vec4 value) {
+    float kernel = KERNEL[0] * KERNEL[0];
+    return Sum(kernel * value.rgb, kernel * kernel * value.a * value.a, kernel);
+}
+
+vec4 result(Sum sum) { return vec4(storable(sum.irradiance / sum.weight), min(sqrt(sum.variance) / sum.weight, 65504.0)); }
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    vec4 value_0 = texelFetch(input_0, p, 0);
+#if SIGNALS == 2
+    vec4 value_1 = texelFetch(input_1, p, 0);
+#endif
+    uvec4 packed = texelFetch(guide, p, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0) {
+        imageStore(output_0, p, value_0);
+#if SIGNALS == 2
+        imageStore(output_1, p, value_1);
+#endif
+        return;
+    }
+    vec3 n = unpack_normal(packed);
+    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    vec2 variances = smoothed_variances(p);
+    Centre centre_0 = centre_of(value_0, variances.x);
+    Sum sum_0 = start(value_0);
+#if SIGNALS == 2
+    Centre centre_1 = centre_of(value_1, variances.y);
+    Sum sum_1 = start(value_1);
+#endif
+    int step_size = 1 << push.level;
+    for (int y = -2; y <= 2; ++y)
+        for (int x = -2; x <= 2; ++x) {
+            ivec2 offset = ivec2(x, y) * step_size;
+            ivec2 q = p + offset;
+            if ((x == 0 && y == 0) || !is_inside(q)) continue;
+            uvec4 packed_q = texelFetch(guide, q, 0);
+            float z_q = unpack_depth(packed_q);
+            if (z_q == 0.0) continue;
+            float kernel = KERNEL[abs(x)] * KERNEL[abs(y)];
+            float geometry = normal_weight(n, unpack_normal(packed_q));
+            float depth_exponent = depth_weight_exponent(z, z_q, gradient, vec2(offset));
+            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, geometry, depth_exponent, kernel);
+#if SIGNALS == 2
+            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, geometry, depth_exponent, kernel);
+#endif
+        }
+    imageStore(output_0, p, result(sum_0));
+#if SIGNALS == 2
+    imageStore(output_1, p, result(sum_1));
+#endif
+}

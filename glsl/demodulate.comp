@@ -1,0 +1,50 @@
+#version 450
+// Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
+// Source: [SVGF] section 3, demodulation by the albedo.
+// In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Out: filter_ping per signal: irradiance, 0.
+// variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "statistics.glsl"
+#include "guide.glsl"
+#include "luminance.glsl"
+#include "demodulation.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 2) uniform utexture2D guide;
+layout(set = 0, binding = 3) uniform texture2D albedo;
+layout(set = 0, binding = 4) uniform texture2D noisy_0;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
+#if SIGNALS == 2
+layout(set = 0, binding = 6) uniform texture2D noisy_1;
+layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
+#endif
+
+vec3 divisor_at(ivec2 p) {
+    if (!is_present(3u) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
+    vec3 a = texelFetch(albedo, p, 0).rgb;
+    if (!is_finite(a)) count_bad(BAD_ALBEDO);
+    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
+    return a;
+}
+
+vec4 demodulated(vec3 radiance, vec3 divisor) {
+    if (!is_finite(radiance)) {
+        count_bad(BAD_RADIANCE);
+        return vec4(0.0);
+    }
+    return vec4(storable(radiance / divisor), 0.0);
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    vec3 divisor = divisor_at(p);
+    imageStore(irradiance_0, p, demodulated(texelFetch(noisy_0, p, 0).rgb, divisor));
+#if SIGNALS == 2
+    imageStore(irradiance_1, p, demodulated(texelFetch(noisy_1, p, 0).rgb, divisor));
+#endif
+}

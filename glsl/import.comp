@@ -1,0 +1,218 @@
+#version 450
+// Turns the host's guides into one packed encoding, and stops values that are not finite.
+// Source: the encodings are the host's (Conventions); the depth gradient is that of [SVGF] eq. 3.
+// In:  depth, normal, motion, roughness, surface_id, object_normal as the host encodes them;
+//      instance_transforms: previous from current world space by surface_id, three rows of four.
+// Out: guide, surface_motion, depth_gradient, object_normal_guide (docs/stages.md).
+// variants: SURFACE_ID=0,OBJECT_NORMAL=0 SURFACE_ID=1,OBJECT_NORMAL=0 SURFACE_ID=0,OBJECT_NORMAL=1 SURFACE_ID=1,OBJECT_NORMAL=1
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "statistics.glsl"
+#include "surface_motion.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 2) uniform texture2D depth;
+layout(set = 0, binding = 3) uniform texture2D normal;
+layout(set = 0, binding = 4) uniform texture2D motion;
+layout(set = 0, binding = 5) uniform texture2D roughness;
+layout(set = 0, binding = 6, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
+layout(set = 0, binding = 7, rgba16ui) uniform writeonly uimage2D guide;
+layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D surface_motion;
+layout(set = 0, binding = 9, r32ui) uniform writeonly uimage2D depth_gradient;
+#if SURFACE_ID
+layout(set = 0, binding = 10) uniform utexture2D surface_id;
+#endif
+#if OBJECT_NORMAL
+layout(set = 0, binding = 10 + SURFACE_ID) uniform texture2D object_normal;
+layout(set = 0, binding = 11 + SURFACE_ID, r32ui) uniform writeonly uimage2D object_normal_guide;
+#endif
+
+const uint DEPTH_DEVICE = 1u;
+const uint DEPTH_RAY_LENGTH = 2u;
+const uint NORMAL_XYZ_UNORM = 1u;
+const uint NORMAL_OCTAHEDRAL = 2u;
+const uint NORMAL_OCTAHEDRAL_UNORM = 3u;
+const uint MOTION_PIXELS = 0u;
+const uint MOTION_UV = 1u;
+const uint MOTION_DEPTH_DIFFERENCE = 1u;
+const uint MOTION_DEPTH_ABSOLUTE = 2u;
+
+uint convention(uint shift) { return frame.flags >> shift & 3u; }
+
+uint id_at(ivec2 p) {
+#if SURFACE_ID
+    return texelFetch(surface_id, p, 0).x;
+#else
+    return 1u;
+#endif
+}
+
+vec2 ndc_of(ivec2 p) { return (vec2(p) + 0.5 + frame.jitter) / vec2(frame.render_extent) * 2.0 - 1.0; }
+
+// View-space z of unit linear depth.
+float forward_sign() { return has_flag(FLAG_VIEW_POSITIVE_Z) ? 1.0 : -1.0; }
+
+// Length of the view ray of a pixel per unit of linear depth.
+float ray_length_scale(ivec2 p) {
+    vec2 xy = ndc_of(p);
+    mat4 clip = frame.clip_from_view;
+    if (clip[2][3] == 0.0) return 1.0;
+    float z = forward_sign();
+    float w = clip[2][3] * z + clip[3][3];
+    vec2 view = (xy * w - vec2(clip[2][0], clip[2][1]) * z - vec2(clip[3][0], clip[3][1])) / vec2(clip[0][0], clip[1][1]);
+    return length(vec3(view, z));
+}
+
+// Linear depth, 0 for the background.
+float depth_at(ivec2 p, bool count) {
+    float d = texelFetch(depth, p, 0).x;
+    float z = d;
+    uint encoding = convention(FLAG_DEPTH_SHIFT);
+    if (encoding == DEPTH_DEVICE) {
+        mat4 clip = frame.clip_from_view;
+        float denominator = clip[2][2] - d * clip[2][3];
+        z = denominator == 0.0 ? 0.0 : abs((d * clip[3][3] - clip[3][2]) / denominator);
+    } else if (encoding == DEPTH_RAY_LENGTH) {
+        z = d / ray_length_scale(p);
+    }
+    if (count && is_nan(d)) count_bad(BAD_DEPTH);
+    bool background = !is_finite(z) || z <= 0.0 || z >= frame.background_depth || id_at(p) == 0u;
+    return background ? 0.0 : z;
+}
+
+vec3 decode_normal(vec3 v) {
+    uint encoding = convention(FLAG_NORMAL_SHIFT);
+    if (encoding == NORMAL_XYZ_UNORM || encoding == NORMAL_OCTAHEDRAL_UNORM) v = v * 2.0 - 1.0;
+    if (encoding >= NORMAL_OCTAHEDRAL) v = from_octahedral(v.xy);
+    return v;
+}
+
+vec3 world_normal(ivec2 p, bool background) {
+    vec3 towards_camera = normalize(mat3(frame.world_from_view) * vec3(0.0, 0.0, -forward_sign()));
+    vec3 v = texelFetch(normal, p, 0).xyz;
+    if (!is_finite(v)) {
+        if (!background) count_bad(BAD_NORMAL);
+        return towards_camera;
+    }
+    vec3 n = decode_normal(v);
+    if (has_flag(FLAG_NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
+    float squared = dot(n, n);
+    return is_finite(squared) && squared >= 1e-8 ? n * inversesqrt(squared) : towards_camera;
+}
+
+// The surface point of a pixel in world space; homogeneous, so that the background lies at infinity.
+vec4 world_position(ivec2 p, float z) {
+    mat4 clip = frame.clip_from_view;
+    float view_z = forward_sign() * z;
+    float device_depth = (clip[2][2] * view_z + clip[3][2]) / (clip[2][3] * view_z + clip[3][3]);
+    vec4 world = frame.world_from_clip * vec4(ndc_of(p), device_depth, 1.0);
+    return world / world.w;
+}
+
+vec4 background_direction(ivec2 p) {
+    mat4 clip = frame.clip_from_view;
+    vec4 near = frame.world_from_clip * vec4(ndc_of(p), 0.75, 1.0);
+    vec4 far = frame.world_from_clip * vec4(ndc_of(p), 0.25, 1.0);
+    vec3 d = normalize(near.xyz / near.w - far.xyz / far.w);
+    // Which of the two is farther depends on the projection; a direction is enough up to its sign.
+    return vec4(dot(d, mat3(frame.world_from_view) * vec3(0.0, 0.0, forward_sign())) < 0.0 ? -d : d, 0.0);
+}
+
+vec4 carry(vec4 world, uint id, inout vec3 n) {
+    uint row = id * 3u;
+    if (!is_present(6u) || world.w == 0.0 || row + 2u >= uint(instance_transforms.rows.length())) return world;
+    vec4 x = instance_transforms.rows[row], y = instance_transforms.rows[row + 1u], z = instance_transforms.rows[row + 2u];
+    vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
+    float squared = dot(turned, turned);
+    if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
+    vec4 carried = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
+    return is_finite(carried.xyz) ? carried : world;
+}
+
+// Motion in pixels of the previous frame, from the host's image. False: there is none that can be used.
+bool host_motion(ivec2 p, out vec3 m) {
+    if (!is_present(4u)) return false;
+    m = texelFetch(motion, p, 0).xyz;
+    if (!is_finite(m.xy)) {
+        count_bad(BAD_MOTION);
+        return false;
+    }
+    vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
+    uint unit = convention(FLAG_MOTION_UNIT_SHIFT);
+    vec2 scale = unit == MOTION_PIXELS ? previous_extent / extent : unit == MOTION_UV ? previous_extent : previous_extent * 0.5;
+    m.xy *= scale;
+    if (has_flag(FLAG_MOTION_NEGATED)) m.xy = -m.xy;
+    if (has_flag(FLAG_MOTION_Y_UP)) m.y = -m.y;
+    if (has_flag(FLAG_MOTION_JITTERED)) m.xy -= frame.previous_jitter - frame.jitter;
+    return true;
+}
+
+// From the matrices: right for everything that stands still or has a transform.
+vec2 matrix_motion(ivec2 p, vec4 previous_world) {
+    vec4 clip = frame.previous_clip_from_world * previous_world;
+    vec2 position = (clip.xy / clip.w * 0.5 + 0.5) * vec2(frame.previous_render_extent);
+    vec2 current = (vec2(p) + 0.5 + frame.jitter) * (vec2(frame.previous_render_extent) / vec2(frame.render_extent));
+    vec2 m = position - current;
+    return clip.w > 0.0 && is_finite(m) ? m : vec2(16384.0);
+}
+
+float previous_depth(vec4 previous_world, float z, bool from_host, float host_z) {
+    uint kind = convention(FLAG_MOTION_DEPTH_SHIFT);
+    float previous = forward_sign() * (frame.previous_view_from_world * previous_world).z;
+    if (from_host && kind == MOTION_DEPTH_DIFFERENCE) previous = z + host_z;
+    if (from_host && kind == MOTION_DEPTH_ABSOLUTE) previous = host_z;
+    return is_finite(previous) && previous > 0.0 ? previous : z;
+}
+
+SurfaceMotion motion_of(ivec2 p, float z, uint id, vec3 n) {
+    SurfaceMotion result = SurfaceMotion(vec2(0.0), 0.0, n);
+    bool background = z == 0.0;
+    vec4 world = background ? background_direction(p) : world_position(p, z);
+    vec4 previous_world = background ? world : carry(world, id, result.previous_normal);
+    vec3 m;
+    bool from_host = host_motion(p, m);
+    result.motion = clamp(from_host ? m.xy : matrix_motion(p, previous_world), -16384.0, 16384.0);
+    if (!background) result.depth_ratio = previous_depth(previous_world, z, from_host, m.z) / z - 1.0;
+    return result;
+}
+
+// Of the two one-sided differences the smaller one, which does not look across an edge.
+float gradient_along(ivec2 p, ivec2 axis, float z) {
+    float best = 0.0;
+    bool found = false;
+    for (int side = -1; side <= 1; side += 2) {
+        ivec2 q = p + axis * side;
+        if (!is_inside(q) || id_at(q) != id_at(p)) continue;
+        float z_q = depth_at(q, false);
+        float difference = (z_q - z) * float(side);
+        if (z_q > 0.0 && (!found || abs(difference) < abs(best))) {
+            best = difference;
+            found = true;
+        }
+    }
+    return clamp(best, -65504.0, 65504.0);
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    uint id = id_at(p);
+    float z = depth_at(p, true);
+    bool background = z == 0.0;
+    vec3 n = world_normal(p, background);
+    float rough = is_present(5u) ? texelFetch(roughness, p, 0).x : 1.0;
+    rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
+    imageStore(guide, p, pack_guide(Guide(z, n, rough, background ? 0u : fold_id(id))));
+    imageStore(surface_motion, p, pack_surface_motion(motion_of(p, z, id, n)));
+    vec2 gradient = background ? vec2(0.0) : vec2(gradient_along(p, ivec2(1, 0), z), gradient_along(p, ivec2(0, 1), z));
+    imageStore(depth_gradient, p, uvec4(packHalf2x16(gradient), 0u, 0u, 0u));
+#if OBJECT_NORMAL
+    vec3 o = texelFetch(object_normal, p, 0).xyz;
+    float squared = dot(o, o);
+    bool usable = is_finite(o) && is_finite(squared) && squared >= 1e-8;
+    imageStore(object_normal_guide, p, uvec4(pack_octahedral(usable ? o * inversesqrt(squared) : vec3(0.0, 0.0, 1.0), 511.0, 10u), 0u, 0u, 0u));
+#endif
+}

@@ -1,0 +1,58 @@
+// Packing of the per-pixel features that steer the filters. Bits: docs/stages.md. Twin: src/reference/guide.rs.
+#ifndef GUIDE_GLSL
+#define GUIDE_GLSL
+
+struct Guide {
+    float linear_depth;  // scene units; 0: background
+    vec3 normal;         // world space
+    float roughness;     // 0..1
+    uint id8;            // folded surface_id
+};
+
+uint half_bits(float x) { return packHalf2x16(vec2(x, 0.0)) & 0xffffu; }
+float half_value(uint bits) { return unpackHalf2x16(bits).x; }
+
+vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
+
+vec2 octahedral(vec3 n) {
+    vec2 e = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
+    return n.z < 0.0 ? (1.0 - abs(e.yx)) * sign_not_zero(e) : e;
+}
+
+vec3 from_octahedral(vec2 e) {
+    vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
+    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * sign_not_zero(n.xy);
+    return normalize(n);
+}
+
+// An even number of steps, so that 0 and thereby the axes are exact.
+uint pack_octahedral(vec3 n, float half_steps, uint bits) {
+    uvec2 u = uvec2(floor(octahedral(n) * half_steps + (half_steps + 0.5)));
+    return u.x | u.y << bits;
+}
+
+vec3 unpack_octahedral(uint packed, float half_steps, uint bits) {
+    uint mask = (1u << bits) - 1u;
+    return from_octahedral(vec2(packed & mask, packed >> bits & mask) / half_steps - 1.0);
+}
+
+uint pcg(uint v) {
+    uint state = v * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
+    return word >> 22 ^ word;
+}
+
+// 8 bits of a surface id: exact up to 255, folded above; 0 stays the background.
+uint fold_id(uint id) { return id <= 255u ? id : 1u + pcg(id) % 255u; }
+
+uvec4 pack_guide(Guide g) {
+    uint depth = floatBitsToUint(g.linear_depth);
+    uint rest = pack_octahedral(g.normal, 511.0, 10u) | uint(floor(g.roughness * 15.0 + 0.5)) << 20 | g.id8 << 24;
+    return uvec4(depth & 0xffffu, depth >> 16, rest & 0xffffu, rest >> 16);
+}
+
+float unpack_depth(uvec4 packed) { return uintBitsToFloat(packed.x | packed.y << 16); }
+uint unpack_id(uvec4 packed) { return packed.w >> 8; }
+vec3 unpack_normal(uvec4 packed) { return unpack_octahedral(packed.z | packed.w << 16, 511.0, 10u); }
+
+#endif

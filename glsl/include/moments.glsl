@@ -1,0 +1,29 @@
+// Mean and standard deviation of luminance with the history length. Bits: docs/stages.md. Twin: src/reference/guide.rs.
+// Mean and deviation instead of E[l] and E[l^2]: their difference would cancel in half precision and overflow above 255.
+#ifndef MOMENTS_GLSL
+#define MOMENTS_GLSL
+#include "guide.glsl"
+
+struct Moments {
+    float mean;
+    float deviation;
+    float history_length;  // frames
+    uint reason;           // REASON_*
+};
+
+const uint REASON_NONE = 0u;
+const uint REASON_OFF_SCREEN = 1u;
+const uint REASON_ID = 2u;
+const uint REASON_DEPTH = 3u;
+const uint REASON_NORMAL = 4u;
+const uint REASON_RESET = 5u;
+
+uvec4 pack_moments(Moments m) {
+    return uvec4(half_bits(min(m.mean, 65504.0)), half_bits(min(m.deviation, 65504.0)), half_bits(m.history_length), m.reason);
+}
+
+Moments unpack_moments(uvec4 packed) {
+    return Moments(half_value(packed.x), half_value(packed.y), half_value(packed.z), packed.w);
+}
+
+#endif

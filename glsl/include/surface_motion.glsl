@@ -1,0 +1,27 @@
+// Where a pixel's surface was in the previous frame. Bits: docs/stages.md. Twin: src/reference/guide.rs.
+#ifndef SURFACE_MOTION_GLSL
+#define SURFACE_MOTION_GLSL
+#include "guide.glsl"
+
+struct SurfaceMotion {
+    vec2 motion;          // pixels of the previous frame
+    float depth_ratio;    // previous linear depth / linear depth - 1
+    vec3 previous_normal; // world space of the previous frame
+};
+
+uvec4 pack_surface_motion(SurfaceMotion m) {
+    return uvec4(half_bits(m.motion.x), half_bits(m.motion.y), half_bits(clamp(m.depth_ratio, -1.0, 65504.0)),
+                 pack_octahedral(m.previous_normal, 127.0, 8u));
+}
+
+SurfaceMotion unpack_surface_motion(uvec4 packed) {
+    return SurfaceMotion(vec2(half_value(packed.x), half_value(packed.y)), half_value(packed.z),
+                         unpack_octahedral(packed.w, 127.0, 8u));
+}
+
+// Position in the previous frame, pixels; pixel centres lie at +0.5.
+vec2 previous_position(ivec2 p, vec2 motion, uvec2 extent, uvec2 previous_extent) {
+    return (vec2(p) + 0.5) * (vec2(previous_extent) / vec2(extent)) + motion;
+}
+
+#endif

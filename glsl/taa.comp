@@ -1,0 +1,108 @@
+#version 450
+// Temporal anti-aliasing: the jittered frames of the past, fetched by motion, clipped to the colours around, and blended.
+// Source: [Karis 2014] High Quality Temporal Supersampling; the clip is the variance clip of [Salvi 2016] in YCoCg.
+// In:  tone_mapped and taa_history, display-referred linear; guide; surface_motion. Out: taa_history, display.
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "surface_motion.glsl"
+#include "luminance.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform utexture2D surface_motion;
+layout(set = 0, binding = 3) uniform texture2D tone_mapped;
+layout(set = 0, binding = 4) uniform texture2D previous_history;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D taa_history;
+layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D display;
+
+vec3 ycocg(vec3 c) { return vec3(dot(c, vec3(0.25, 0.5, 0.25)), dot(c, vec3(0.5, 0.0, -0.5)), dot(c, vec3(-0.25, 0.5, -0.25))); }
+vec3 rgb(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
+
+// The nearest surface decides, so that silhouettes move with the object in front.
+vec2 nearest_motion(ivec2 p) {
+    ivec2 nearest = p;
+    float nearest_depth = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 q = p + ivec2(x, y);
+            if (!is_inside(q)) continue;
+            float z = unpack_depth(texelFetch(guide, q, 0));
+            if (z > 0.0 && (nearest_depth == 0.0 || z < nearest_depth)) {
+                nearest = q;
+                nearest_depth = z;
+            }
+        }
+    return unpack_surface_motion(texelFetch(surface_motion, nearest, 0)).motion;
+}
+
+vec4 catmull_rom_weights(float t) {
+    float t2 = t * t, t3 = t2 * t;
+    return vec4(-0.5 * t3 + t2 - 0.5 * t, 1.5 * t3 - 2.5 * t2 + 1.0, -1.5 * t3 + 2.0 * t2 + 0.5 * t, 0.5 * t3 - 0.5 * t2);
+}
+
+vec3 history_at(vec2 position) {
+    vec2 corner = floor(position - 0.5);
+    vec2 f = position - 0.5 - corner;
+    vec4 wx = catmull_rom_weights(f.x), wy = catmull_rom_weights(f.y);
+    ivec2 last = ivec2(frame.previous_render_extent) - 1;
+    vec3 sum = vec3(0.0);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x)
+            sum += wx[x] * wy[y] * texelFetch(previous_history, clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last), 0).rgb;
+    return max(sum, 0.0);
+}
+
+struct Neighbourhood {
+    vec3 resolved;   // current colour at the pixel centre, jitter removed
+    vec3 mean;       // YCoCg
+    vec3 deviation;  // YCoCg
+};
+
+Neighbourhood neighbourhood(ivec2 p) {
+    vec3 sum = vec3(0.0), first = vec3(0.0), second = vec3(0.0);
+    float weight_sum = 0.0, count = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 q = p + ivec2(x, y);
+            if (!is_inside(q)) continue;
+            vec3 c = texelFetch(tone_mapped, q, 0).rgb;
+            vec2 d = vec2(x, y) + frame.jitter;
+            float weight = exp(-2.29 * dot(d, d));
+            sum += weight * c;
+            weight_sum += weight;
+            c = ycocg(c);
+            first += c;
+            second += c * c;
+            count += 1.0;
+        }
+    first /= count;
+    return Neighbourhood(sum / weight_sum, first, sqrt(max(second / count - first * first, 0.0)));
+}
+
+// Towards the mean and not per channel, which would shift the hue.
+vec3 clip_to_box(vec3 history, Neighbourhood around) {
+    vec3 offset = ycocg(history) - around.mean;
+    vec3 extent = frame.taa_gamma * around.deviation + 1e-4;
+    vec3 ratio = abs(offset) / extent;
+    return rgb(around.mean + offset / max(1.0, max(ratio.x, max(ratio.y, ratio.z))));
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    Neighbourhood around = neighbourhood(p);
+    vec3 colour = around.resolved;
+    if (!has_flag(FLAG_RESET)) {
+        vec2 position = previous_position(p, nearest_motion(p), frame.render_extent, frame.previous_render_extent);
+        if (all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(frame.previous_render_extent)))) {
+            vec3 history = max(clip_to_box(history_at(position), around), 0.0);
+            float weight_new = frame.taa_alpha / (1.0 + luminance(colour));
+            float weight_old = (1.0 - frame.taa_alpha) / (1.0 + luminance(history));
+            colour = (weight_new * colour + weight_old * history) / (weight_new + weight_old);
+        }
+    }
+    imageStore(taa_history, p, vec4(storable(colour), 1.0));
+    imageStore(display, p, vec4(storable(colour), 1.0));
+}

@@ -1,0 +1,182 @@
+#version 450
+// Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
+// Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
+// In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame.
+// In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
+// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "surface_motion.glsl"
+#include "moments.glsl"
+#include "luminance.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform utexture2D previous_guide;
+layout(set = 0, binding = 3) uniform utexture2D surface_motion;
+layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 5) uniform texture2D history_0;
+layout(set = 0, binding = 6) uniform utexture2D previous_moments_0;
+layout(set = 0, binding = 7, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D moments_0;
+#if SIGNALS == 2
+layout(set = 0, binding = 9) uniform texture2D history_1;
+layout(set = 0, binding = 10) uniform utexture2D previous_moments_1;
+layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_1;
+layout(set = 0, binding = 12, rgba16ui) uniform writeonly uimage2D moments_1;
+#endif
+#if OBJECT_NORMAL
+layout(set = 0, binding = 5 + 4 * SIGNALS) uniform utexture2D object_normal;
+layout(set = 0, binding = 6 + 4 * SIGNALS) uniform utexture2D previous_object_normal;
+#endif
+
+// Below this sum of bilinear weights a reprojection rests on next to nothing.
+const float MIN_TAP_WEIGHT = 0.01;
+
+struct Expected {
+    float depth;
+    float depth_tolerance;
+    vec3 normal;
+    uint id8;
+};
+
+struct History {
+    vec3 irradiance;
+    float mean;
+    float second_moment;
+};
+
+struct Gathered {
+    float weight;
+    float history_length;
+    History signals[SIGNALS];
+};
+
+uint refusal(ivec2 tap, Expected expected) {
+    if (!is_inside_previous(tap)) return REASON_OFF_SCREEN;
+    uvec4 packed = texelFetch(previous_guide, tap, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
+    if (!(abs(z - expected.depth) <= expected.depth_tolerance)) return REASON_DEPTH;
+#if OBJECT_NORMAL
+    vec3 n = unpack_octahedral(texelFetch(previous_object_normal, tap, 0).x, 511.0, 10u);
+#else
+    vec3 n = unpack_normal(packed);
+#endif
+    if (dot(n, expected.normal) < frame.normal_tolerance) return REASON_NORMAL;
+    return REASON_NONE;
+}
+
+void add_signal(inout History sum, texture2D history, utexture2D previous_moments, ivec2 tap, float weight) {
+    Moments m = unpack_moments(texelFetch(previous_moments, tap, 0));
+    sum.irradiance += weight * texelFetch(history, tap, 0).rgb;
+    sum.mean += weight * m.mean;
+    sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
+}
+
+void add_tap(inout Gathered sum, ivec2 tap, float weight) {
+    sum.weight += weight;
+    sum.history_length += weight * unpack_moments(texelFetch(previous_moments_0, tap, 0)).history_length;
+    add_signal(sum.signals[0], history_0, previous_moments_0, tap, weight);
+#if SIGNALS == 2
+    add_signal(sum.signals[1], history_1, previous_moments_1, tap, weight);
+#endif
+}
+
+Gathered nothing() {
+    Gathered sum;
+    sum.weight = 0.0;
+    sum.history_length = 0.0;
+    for (int i = 0; i < SIGNALS; ++i) sum.signals[i] = History(vec3(0.0), 0.0, 0.0);
+    return sum;
+}
+
+// The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
+Gathered gather(vec2 position, Expected expected) {
+    Gathered sum = nothing();
+    vec2 corner = floor(position);
+    vec2 f = position - corner;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        ivec2 tap = ivec2(corner) + offset;
+        float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+        if (weight > 0.0 && refusal(tap, expected) == REASON_NONE) add_tap(sum, tap, weight);
+    }
+    if (sum.weight >= MIN_TAP_WEIGHT) return sum;
+    sum = nothing();
+    ivec2 nearest = ivec2(floor(position + 0.5));
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 tap = nearest + ivec2(x, y);
+            if (refusal(tap, expected) == REASON_NONE) add_tap(sum, tap, 1.0);
+        }
+    return sum;
+}
+
+Expected expectation(ivec2 p, uvec4 packed, SurfaceMotion m) {
+    float z = unpack_depth(packed);
+    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    float previous_z = z * (1.0 + m.depth_ratio);
+#if OBJECT_NORMAL
+    vec3 n = unpack_octahedral(texelFetch(object_normal, p, 0).x, 511.0, 10u);
+#else
+    vec3 n = m.previous_normal;
+#endif
+    return Expected(previous_z, frame.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y), n, unpack_id(packed));
+}
+
+vec3 blend(vec3 irradiance, History history, float history_length, out Moments moments) {
+    float l = luminance(irradiance);
+    float scale = frame.exposure_ratio;
+    float mean = history.mean * scale;
+    float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
+    float alpha_moments = max(frame.alpha_moments, 1.0 / history_length);
+    float difference = l - mean;
+    moments.mean = mean + alpha_moments * difference;
+    moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
+    moments.history_length = history_length;
+    moments.reason = REASON_NONE;
+    return mix(history.irradiance * scale, irradiance, max(frame.alpha, 1.0 / history_length));
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    uvec4 packed = texelFetch(guide, p, 0);
+    bool background = unpack_depth(packed) == 0.0;
+    bool reset = has_flag(FLAG_RESET);
+    Gathered sum = nothing();
+    uint reason = background ? REASON_NONE : REASON_RESET;
+    if (!background && !reset) {
+        SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+        Expected expected = expectation(p, packed, m);
+        vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
+        sum = gather(position, expected);
+        reason = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected);
+    }
+    float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
+    float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, frame.max_history_length) : 1.0;
+
+    vec3 irradiance[SIGNALS];
+    irradiance[0] = imageLoad(irradiance_0, p).rgb;
+#if SIGNALS == 2
+    irradiance[1] = imageLoad(irradiance_1, p).rgb;
+#endif
+    Moments moments[SIGNALS];
+    for (int i = 0; i < SIGNALS; ++i) {
+        moments[i] = Moments(luminance(irradiance[i]), 0.0, 1.0, reason);
+        if (sum.weight > 0.0) {
+            History h = sum.signals[i];
+            h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
+            irradiance[i] = blend(irradiance[i], h, history_length, moments[i]);
+        }
+    }
+    imageStore(irradiance_0, p, vec4(storable(irradiance[0]), 0.0));
+    imageStore(moments_0, p, pack_moments(moments[0]));
+#if SIGNALS == 2
+    imageStore(irradiance_1, p, vec4(storable(irradiance[1]), 0.0));
+    imageStore(moments_1, p, pack_moments(moments[1]));
+#endif
+}

@@ -1,0 +1,87 @@
+#version 450
+// Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
+// Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
+// In:  guide, depth_gradient, accumulated irradiance (filter_ping), moments. Out: filter_pong: irradiance, deviation.
+// variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "geometry_weights.glsl"
+#include "moments.glsl"
+#include "luminance.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 3) uniform texture2D accumulated_0;
+layout(set = 0, binding = 4) uniform utexture2D moments_0;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D estimated_0;
+#if SIGNALS == 2
+layout(set = 0, binding = 6) uniform texture2D accumulated_1;
+layout(set = 0, binding = 7) uniform utexture2D moments_1;
+layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
+#endif
+
+const int RADIUS = 3;
+
+void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
+    Moments m = unpack_moments(texelFetch(moments, q, 0));
+    sum += weight * vec2(m.mean, m.deviation * m.deviation + m.mean * m.mean);
+}
+
+// Mean and second moment of each signal over the neighbourhood.
+void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
+    float z = unpack_depth(packed);
+    vec3 n = unpack_normal(packed);
+    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    float weight_sum = 0.0;
+    sums[0] = sums[1] = vec2(0.0);
+    for (int y = -RADIUS; y <= RADIUS; ++y)
+        for (int x = -RADIUS; x <= RADIUS; ++x) {
+            ivec2 q = p + ivec2(x, y);
+            if (!is_inside(q)) continue;
+            uvec4 packed_q = texelFetch(guide, q, 0);
+            float z_q = unpack_depth(packed_q);
+            if (z_q == 0.0) continue;
+            float weight = 1.0;
+            if (x != 0 || y != 0)
+                weight = exp(-depth_weight_exponent(z, z_q, gradient, vec2(x, y))) * normal_weight(n, unpack_normal(packed_q));
+            weight_sum += weight;
+            add_moments(sums[0], moments_0, q, weight);
+#if SIGNALS == 2
+            add_moments(sums[1], moments_1, q, weight);
+#endif
+        }
+    sums[0] /= weight_sum;
+    sums[1] /= weight_sum;
+}
+
+float deviation_of(vec2 moments, float history_length) {
+    float variance = max(0.0, moments.y - moments.x * moments.x);
+    return sqrt(variance * frame.spatial_variance_frames / history_length);
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    uvec4 packed = texelFetch(guide, p, 0);
+    bool background = unpack_depth(packed) == 0.0;
+    Moments m = unpack_moments(texelFetch(moments_0, p, 0));
+    vec2 deviations = vec2(m.deviation);
+#if SIGNALS == 2
+    deviations.y = unpack_moments(texelFetch(moments_1, p, 0)).deviation;
+#endif
+    if (background) {
+        deviations = vec2(0.0);
+    } else if (m.history_length < frame.spatial_variance_frames) {
+        vec2 sums[2];
+        spatial_moments(p, packed, sums);
+        deviations = vec2(deviation_of(sums[0], m.history_length), deviation_of(sums[1], m.history_length));
+    }
+    deviations = min(deviations, 65504.0);
+    imageStore(estimated_0, p, vec4(texelFetch(accumulated_0, p, 0).rgb, deviations.x));
+#if SIGNALS == 2
+    imageStore(estimated_1, p, vec4(texelFetch(accumulated_1, p, 0).rgb, deviations.y));
+#endif
+}

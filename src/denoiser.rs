@@ -1,0 +1,247 @@
+//! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
+
+use crate::config::Config;
+use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
+use crate::error::Error;
+use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
+use crate::requirements::{Requirements, WORKGROUP_SIDE};
+use crate::shaders::{BindingKind, PushConstants, Shader};
+use ash::vk;
+
+impl Config {
+    /// Declares every resource and pass, without a device.
+    ///
+    /// # Errors
+    /// As [`Config::validate`].
+    pub fn declare(&self) -> Result<Declaration, Error> {
+        self.validate()?;
+        Ok(crate::presets::svgf(self))
+    }
+}
+
+impl PassDecl {
+    pub(crate) fn shader(&self) -> Option<&'static Shader> {
+        match self.work {
+            Work::Dispatch { shader, .. } => Some(shader),
+            Work::StartFrame => None,
+        }
+    }
+
+    /// The SPIR-V that a dispatch runs, `None` for the pass that starts a frame: for tools that reflect or profile it.
+    pub fn spirv(&self) -> Option<&'static [u8]> {
+        self.shader().map(|s| s.spirv)
+    }
+}
+
+/// The host's device. Handles stay the host's: they are used, never destroyed.
+#[derive(Clone, Copy)]
+pub struct Device<'a> {
+    /// Instance.
+    pub instance: &'a ash::Instance,
+    /// Physical device.
+    pub physical_device: vk::PhysicalDevice,
+    /// Device.
+    pub device: &'a ash::Device,
+}
+
+/// What a host binds to one use of a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binding {
+    /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`.
+    Image {
+        /// 2D colour (or depth) view of mip 0, layer 0.
+        view: vk::ImageView,
+        /// Its layout.
+        layout: vk::ImageLayout,
+    },
+    /// A range of a buffer.
+    Buffer {
+        /// Buffer.
+        buffer: vk::Buffer,
+        /// Offset in bytes, aligned as the device demands for its descriptor type.
+        offset: vk::DeviceSize,
+        /// Bytes, or `WHOLE_SIZE`.
+        range: vk::DeviceSize,
+    },
+    /// An optional input that the host does not have this frame.
+    Absent,
+}
+
+/// Records the passes of a preset. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
+///
+/// Drop it only after the GPU work that was recorded with it is complete.
+pub struct Denoiser {
+    config: Config,
+    declaration: Declaration,
+    state: FrameState,
+    device: ash::Device,
+    pipelines: Pipelines,
+}
+
+impl Denoiser {
+    /// Creates pipelines and descriptor pools.
+    ///
+    /// # Errors
+    /// As [`Config::validate`] and [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
+    ///
+    /// # Safety
+    /// The handles are live, belong together and outlive the result.
+    pub unsafe fn new(host: Device<'_>, config: &Config) -> Result<Self, Error> {
+        // SAFETY: the caller's.
+        unsafe { Requirements::new(config)?.check(host.instance, host.physical_device)? };
+        let declaration = config.declare()?;
+        // SAFETY: the caller's.
+        let pipelines = unsafe { Pipelines::new(host.device, &declaration, config.frames_in_flight)? };
+        Ok(Self { config: *config, declaration, state: FrameState::default(), device: host.device.clone(), pipelines })
+    }
+
+    /// Structural configuration.
+    pub fn config(&self) -> &Config {
+        &self.config
+    }
+
+    /// Resources and passes.
+    pub fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    /// Starts a frame.
+    ///
+    /// # Errors
+    /// As [`FrameState::begin`].
+    pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        self.state.begin(&self.config, params, tuning)
+    }
+
+    /// The next frame drops all history: after the host re-created images.
+    pub fn invalidate(&mut self) {
+        self.state.invalidate();
+    }
+
+    /// Records one pass: no barrier, no allocation of memory, no submission.
+    ///
+    /// `bindings` stand in the order of the pass's `uses`. Clobbers: compute pipeline, compute descriptor set 0, push constants (and thereby
+    /// the state of `VK_EXT_descriptor_heap`).
+    ///
+    /// # Errors
+    /// [`Error::Bindings`] or [`Error::NotBound`] when `bindings` do not fit the pass; nothing is recorded then.
+    ///
+    /// # Safety
+    /// - `cmd` is recording, outside a render pass, for a queue family with `COMPUTE`, on the device of [`Denoiser::new`].
+    /// - Every binding honours its use: the view has the declared format and the allocated extent (an input: at least the render extent), its
+    ///   layout is reached, earlier writes are visible, it is not written concurrently, and it outlives the execution of `cmd`.
+    /// - GPU work recorded earlier with the same `frame_slot` is complete.
+    pub unsafe fn record(
+        &mut self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        pass: usize,
+        bindings: &[Binding],
+    ) -> Result<(), Error> {
+        let Some(decl) = self.declaration.passes.get(pass) else {
+            return Err(Error::Bindings { pass: format!("index {pass}"), given: bindings.len(), needed: 0 });
+        };
+        self.check_bindings(decl, bindings)?;
+        match decl.work {
+            // SAFETY: the caller's; the bindings were checked.
+            Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
+            Work::Dispatch { shader, level } => {
+                let Some(bindable) = self.pipelines.bindable(frame.slot, pass) else {
+                    return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.config.frames_in_flight });
+                };
+                let present =
+                    (0u32..).zip(bindings).fold(0, |bits, (i, b)| if *b == Binding::Absent { bits } else { bits | 1 << i });
+                // SAFETY: the set is not in use, since earlier work of the slot is complete; the rest is the caller's.
+                unsafe {
+                    self.write_set(bindable.set, shader, bindings);
+                    self.dispatch(cmd, frame, bindable, PushConstants { level, present });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_bindings(&self, pass: &PassDecl, bindings: &[Binding]) -> Result<(), Error> {
+        if bindings.len() != pass.uses.len() || bindings.len() > MAX_BINDINGS {
+            return Err(Error::Bindings { pass: pass.name.to_owned(), given: bindings.len(), needed: pass.uses.len() });
+        }
+        for (u, binding) in pass.uses.iter().zip(bindings) {
+            let resource = self.declaration.resource(u.resource);
+            let fits = match (binding, resource.shape) {
+                (Binding::Absent, _) => resource.lifetime == Lifetime::Input { optional: true },
+                (Binding::Image { .. }, Shape::Image { .. }) | (Binding::Buffer { .. }, Shape::Buffer { .. }) => true,
+                _ => false,
+            };
+            if !fits {
+                return Err(Error::NotBound(resource.name.to_owned()));
+            }
+        }
+        Ok(())
+    }
+
+    unsafe fn start_frame(&self, cmd: vk::CommandBuffer, frame: &FrameContext, bindings: &[Binding]) {
+        let [Binding::Buffer { buffer: constants, offset: constants_offset, .. }, Binding::Buffer { buffer: statistics, offset, .. }] =
+            *bindings
+        else {
+            return;
+        };
+        let bytes = crate::nodes::STATISTICS_COUNT * 4;
+        // SAFETY: the caller's; both buffers have the declared sizes.
+        unsafe {
+            self.device.cmd_update_buffer(cmd, constants, constants_offset, bytemuck::bytes_of(&frame.constants));
+            self.device.cmd_fill_buffer(cmd, statistics, offset, bytes, 0);
+        }
+    }
+
+    /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not read.
+    unsafe fn write_set(&self, set: vk::DescriptorSet, shader: &Shader, bindings: &[Binding]) {
+        let mut images = [vk::DescriptorImageInfo::default(); MAX_BINDINGS];
+        let mut buffers = [vk::DescriptorBufferInfo::default(); MAX_BINDINGS];
+        for (i, binding) in bindings.iter().enumerate() {
+            match substitute(shader, bindings, i, *binding) {
+                Binding::Image { view, layout } => {
+                    images[i] = vk::DescriptorImageInfo::default().image_view(view).image_layout(layout)
+                }
+                Binding::Buffer { buffer, offset, range } => buffers[i] = vk::DescriptorBufferInfo { buffer, offset, range },
+                Binding::Absent => {}
+            }
+        }
+        let mut writes = [vk::WriteDescriptorSet::default(); MAX_BINDINGS];
+        for (i, binding) in shader.bindings.iter().enumerate() {
+            let write = vk::WriteDescriptorSet::default()
+                .dst_set(set)
+                .dst_binding(i as u32)
+                .descriptor_type(binding.kind.descriptor_type());
+            writes[i] = match binding.kind {
+                BindingKind::UniformBuffer | BindingKind::StorageBuffer(_) => write.buffer_info(std::slice::from_ref(&buffers[i])),
+                _ => write.image_info(std::slice::from_ref(&images[i])),
+            };
+        }
+        // SAFETY: the set is ours and not in use; views and buffers are the caller's.
+        unsafe { self.device.update_descriptor_sets(&writes[..shader.bindings.len()], &[]) };
+    }
+
+    unsafe fn dispatch(&self, cmd: vk::CommandBuffer, frame: &FrameContext, bindable: Bindable, push: PushConstants) {
+        let groups = frame.render_extent.map(|side| side.div_ceil(WORKGROUP_SIDE));
+        let point = vk::PipelineBindPoint::COMPUTE;
+        // SAFETY: the caller's; pipeline, layout and set belong together.
+        unsafe {
+            self.device.cmd_bind_pipeline(cmd, point, bindable.pipeline);
+            self.device.cmd_bind_descriptor_sets(cmd, point, bindable.layout, 0, &[bindable.set], &[]);
+            self.device.cmd_push_constants(cmd, bindable.layout, vk::ShaderStageFlags::COMPUTE, 0, bytemuck::bytes_of(&push));
+            self.device.cmd_dispatch(cmd, groups[0], groups[1], 1);
+        }
+    }
+}
+
+fn substitute(shader: &Shader, bindings: &[Binding], index: usize, binding: Binding) -> Binding {
+    if binding != Binding::Absent {
+        return binding;
+    }
+    let same = |kind: BindingKind| match (kind, shader.bindings[index].kind) {
+        (BindingKind::SampledImage(a), BindingKind::SampledImage(b)) => a == b,
+        (a, b) => a.descriptor_type() == b.descriptor_type(),
+    };
+    let bound = shader.bindings.iter().zip(bindings).find(|(s, b)| same(s.kind) && **b != Binding::Absent);
+    bound.map_or(Binding::Absent, |(_, b)| *b)
+}

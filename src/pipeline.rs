@@ -1,0 +1,173 @@
+//! The Vulkan objects that we own: pipelines and descriptor sets. All are destroyed on drop; no memory is allocated.
+
+use crate::contract::{Declaration, Work};
+use crate::error::Error;
+use crate::shaders::{PushConstants, Shader};
+use ash::vk;
+use std::collections::BTreeMap;
+
+/// Most bindings that a pass may have; a test checks every preset against it.
+pub(crate) const MAX_BINDINGS: usize = 16;
+
+/// One shader, ready to dispatch.
+struct Pipeline {
+    set_layout: vk::DescriptorSetLayout,
+    layout: vk::PipelineLayout,
+    pipeline: vk::Pipeline,
+}
+
+/// What a dispatch binds.
+#[derive(Clone, Copy)]
+pub(crate) struct Bindable {
+    pub layout: vk::PipelineLayout,
+    pub pipeline: vk::Pipeline,
+    pub set: vk::DescriptorSet,
+}
+
+/// Pipelines of every shader that a declaration uses, and one descriptor set per pass and frame slot.
+pub(crate) struct Pipelines {
+    device: ash::Device,
+    pipelines: BTreeMap<&'static str, Pipeline>,
+    pools: Vec<vk::DescriptorPool>,
+    /// By slot, then pass.
+    bindables: Vec<Vec<Option<Bindable>>>,
+}
+
+impl Pipelines {
+    /// # Safety
+    /// `device` is live and outlives the result.
+    pub unsafe fn new(device: &ash::Device, declaration: &Declaration, slots: u32) -> Result<Self, Error> {
+        let mut this = Self { device: device.clone(), pipelines: BTreeMap::new(), pools: Vec::new(), bindables: Vec::new() };
+        for pass in declaration.passes() {
+            if let Work::Dispatch { shader, .. } = pass.work {
+                if !this.pipelines.contains_key(shader.name) {
+                    // SAFETY: the device is live; the caller says so.
+                    let pipeline = unsafe { Pipeline::new(device, shader)? };
+                    this.pipelines.insert(shader.name, pipeline);
+                }
+            }
+        }
+        for _ in 0..slots {
+            // SAFETY: as above; the pipelines belong to the same device.
+            unsafe { this.add_slot(declaration)? };
+        }
+        Ok(this)
+    }
+
+    /// What to bind for a pass; `None` for a pass that is no dispatch.
+    pub fn bindable(&self, slot: u32, pass: usize) -> Option<Bindable> {
+        *self.bindables.get(slot as usize)?.get(pass)?
+    }
+
+    unsafe fn add_slot(&mut self, declaration: &Declaration) -> Result<(), Error> {
+        let shaders: Vec<Option<&'static Shader>> = declaration.passes().iter().map(|p| p.shader()).collect();
+        let mut sizes: BTreeMap<i32, vk::DescriptorPoolSize> = BTreeMap::new();
+        for binding in shaders.iter().flatten().flat_map(|s| s.bindings) {
+            let ty = binding.kind.descriptor_type();
+            let size = sizes.entry(ty.as_raw()).or_insert(vk::DescriptorPoolSize { ty, descriptor_count: 0 });
+            size.descriptor_count += 1;
+        }
+        let sizes: Vec<_> = sizes.into_values().collect();
+        let info = vk::DescriptorPoolCreateInfo::default().max_sets(shaders.len() as u32).pool_sizes(&sizes);
+        // SAFETY: the device is live.
+        let pool = unsafe { self.device.create_descriptor_pool(&info, None) }.map_err(Error::vulkan("vkCreateDescriptorPool"))?;
+        self.pools.push(pool);
+        let mut bindables = Vec::new();
+        for shader in shaders {
+            let Some(pipeline) = shader.and_then(|s| self.pipelines.get(s.name)) else {
+                bindables.push(None);
+                continue;
+            };
+            let layouts = [pipeline.set_layout];
+            let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(pool).set_layouts(&layouts);
+            // SAFETY: pool and layout are live and of this device.
+            let sets = unsafe { self.device.allocate_descriptor_sets(&info) }.map_err(Error::vulkan("vkAllocateDescriptorSets"))?;
+            bindables.push(sets.first().map(|&set| Bindable { layout: pipeline.layout, pipeline: pipeline.pipeline, set }));
+        }
+        self.bindables.push(bindables);
+        Ok(())
+    }
+}
+
+impl Drop for Pipelines {
+    fn drop(&mut self) {
+        // SAFETY: we created all of them on this device, and the owner waits for the GPU before it drops us (Denoiser's contract).
+        unsafe {
+            for &pool in &self.pools {
+                self.device.destroy_descriptor_pool(pool, None);
+            }
+            for pipeline in self.pipelines.values() {
+                pipeline.destroy(&self.device);
+            }
+        }
+    }
+}
+
+impl Pipeline {
+    unsafe fn new(device: &ash::Device, shader: &Shader) -> Result<Self, Error> {
+        let mut this = Self {
+            set_layout: vk::DescriptorSetLayout::null(),
+            layout: vk::PipelineLayout::null(),
+            pipeline: vk::Pipeline::null(),
+        };
+        // SAFETY: the device is live; what was created before a failure is destroyed below.
+        let result = unsafe { this.create(device, shader) };
+        match result {
+            Ok(()) => Ok(this),
+            Err(error) => {
+                // SAFETY: the handles are ours or null, and unused.
+                unsafe { this.destroy(device) };
+                Err(error)
+            }
+        }
+    }
+
+    unsafe fn create(&mut self, device: &ash::Device, shader: &Shader) -> Result<(), Error> {
+        let bindings: Vec<_> = (0u32..)
+            .zip(shader.bindings)
+            .map(|(i, b)| {
+                vk::DescriptorSetLayoutBinding::default()
+                    .binding(i)
+                    .descriptor_type(b.kind.descriptor_type())
+                    .descriptor_count(1)
+                    .stage_flags(vk::ShaderStageFlags::COMPUTE)
+            })
+            .collect();
+        let code = ash::util::read_spv(&mut std::io::Cursor::new(shader.spirv))
+            .map_err(|_| Error::Vulkan { call: "read_spv", result: vk::Result::ERROR_INVALID_SHADER_NV })?;
+        // SAFETY: the device is live, and every info refers to what was just made or to locals.
+        unsafe {
+            let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
+            self.set_layout =
+                device.create_descriptor_set_layout(&info, None).map_err(Error::vulkan("vkCreateDescriptorSetLayout"))?;
+            let layouts = [self.set_layout];
+            let range = vk::PushConstantRange {
+                stage_flags: vk::ShaderStageFlags::COMPUTE,
+                offset: 0,
+                size: size_of::<PushConstants>() as u32,
+            };
+            let ranges = [range];
+            let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(&ranges);
+            self.layout = device.create_pipeline_layout(&info, None).map_err(Error::vulkan("vkCreatePipelineLayout"))?;
+            let info = vk::ShaderModuleCreateInfo::default().code(&code);
+            let module = device.create_shader_module(&info, None).map_err(Error::vulkan("vkCreateShaderModule"))?;
+            let stage =
+                vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
+            let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
+            let pipelines = device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
+            device.destroy_shader_module(module, None);
+            let pipelines = pipelines.map_err(|(_, result)| Error::Vulkan { call: "vkCreateComputePipelines", result })?;
+            self.pipeline = pipelines.first().copied().unwrap_or_default();
+        }
+        Ok(())
+    }
+
+    unsafe fn destroy(&self, device: &ash::Device) {
+        // SAFETY: ours, unused, and null handles are ignored.
+        unsafe {
+            device.destroy_pipeline(self.pipeline, None);
+            device.destroy_pipeline_layout(self.layout, None);
+            device.destroy_descriptor_set_layout(self.set_layout, None);
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! Presets: each a short list of nodes.
+
+mod svgf;
+
+pub(crate) use svgf::svgf;

@@ -1,0 +1,169 @@
+//! What a device must have, checked before anything is created.
+
+use crate::config::Config;
+use crate::contract::{Declaration, Lifetime, Shape};
+use crate::error::Error;
+use crate::shaders::BindingKind;
+use ash::vk;
+
+/// Side of a workgroup of every shader.
+pub(crate) const WORKGROUP_SIDE: u32 = 8;
+
+/// What the passes of a configuration need of a device. All of it is mandatory in Vulkan 1.1, so a check fails only on devices that are
+/// older, have no compute queue, or are too small for the extent.
+#[derive(Clone, Debug)]
+pub struct Requirements {
+    declaration: Declaration,
+}
+
+impl Requirements {
+    /// For a configuration.
+    ///
+    /// # Errors
+    /// As [`Config::validate`].
+    pub fn new(config: &Config) -> Result<Self, Error> {
+        Ok(Self { declaration: config.declare()? })
+    }
+
+    /// Checks what the nodes need: Vulkan 1.1, compute, limits and formats.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] lists everything that is missing.
+    ///
+    /// # Safety
+    /// `instance` is live and `physical_device` belongs to it.
+    pub unsafe fn check(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
+        // SAFETY: the caller's.
+        let (properties, families) = unsafe {
+            (
+                instance.get_physical_device_properties(physical_device),
+                instance.get_physical_device_queue_family_properties(physical_device),
+            )
+        };
+        let mut missing = Vec::new();
+        if properties.api_version < vk::API_VERSION_1_1 {
+            missing.push(format!("Vulkan 1.1 (it has {})", version(properties.api_version)));
+        }
+        if !families.iter().any(|f| f.queue_flags.contains(vk::QueueFlags::COMPUTE)) {
+            missing.push("a queue with COMPUTE".to_owned());
+        }
+        self.check_limits(&properties.limits, &mut missing);
+        for resource in self.declaration.resources() {
+            let Shape::Image { format, .. } = resource.shape else { continue };
+            if matches!(resource.lifetime, Lifetime::Input { .. }) {
+                continue;
+            }
+            // SAFETY: the caller's.
+            let features = unsafe { instance.get_physical_device_format_properties(physical_device, format.preferred()) }
+                .optimal_tiling_features;
+            let uses = self
+                .declaration
+                .passes()
+                .iter()
+                .flat_map(|p| &p.uses)
+                .filter(|u| self.declaration.resource(u.resource).name == resource.name);
+            let needed = uses.fold(vk::FormatFeatureFlags::empty(), |all, u| all | u.access.format_feature());
+            if !features.contains(needed) {
+                missing.push(format!("format {format} with {:?} for `{}`", needed & !features, resource.name));
+            }
+        }
+        if missing.is_empty() {
+            Ok(())
+        } else {
+            Err(Error::Unsupported { missing })
+        }
+    }
+
+    fn check_limits(&self, limits: &vk::PhysicalDeviceLimits, missing: &mut Vec<String>) {
+        let most = |want: fn(BindingKind) -> bool| {
+            let count = |p: &crate::PassDecl| p.shader().map_or(0, |s| s.bindings.iter().filter(|b| want(b.kind)).count());
+            self.declaration.passes().iter().map(count).max().unwrap_or(0) as u32
+        };
+        let side = self.declaration.allocated_extent().into_iter().max().unwrap_or(1);
+        let needs = [
+            ("maxImageDimension2D", limits.max_image_dimension2_d, side),
+            (
+                "maxPerStageDescriptorSampledImages",
+                limits.max_per_stage_descriptor_sampled_images,
+                most(|k| matches!(k, BindingKind::SampledImage(_))),
+            ),
+            (
+                "maxPerStageDescriptorStorageImages",
+                limits.max_per_stage_descriptor_storage_images,
+                most(|k| matches!(k, BindingKind::StorageImage(..))),
+            ),
+            (
+                "maxPerStageDescriptorStorageBuffers",
+                limits.max_per_stage_descriptor_storage_buffers,
+                most(|k| matches!(k, BindingKind::StorageBuffer(_))),
+            ),
+            ("maxComputeWorkGroupInvocations", limits.max_compute_work_group_invocations, WORKGROUP_SIDE * WORKGROUP_SIDE),
+            ("maxComputeWorkGroupCount[0]", limits.max_compute_work_group_count[0], side.div_ceil(WORKGROUP_SIDE)),
+        ];
+        for (name, has, needed) in needs {
+            if has < needed {
+                missing.push(format!("{name} of {needed} (it has {has})"));
+            }
+        }
+    }
+
+    /// Checks what the built-in executor needs on top: synchronization2, from Vulkan 1.3 or `VK_KHR_synchronization2`.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`].
+    ///
+    /// # Safety
+    /// As [`Self::check`].
+    pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
+        // SAFETY: the caller's.
+        unsafe { self.check(instance, physical_device)? };
+        let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default();
+        let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut sync2);
+        // SAFETY: the caller's; a device that does not know the structure leaves it alone.
+        unsafe { instance.get_physical_device_features2(physical_device, &mut features) };
+        if sync2.synchronization2 == vk::FALSE {
+            let missing = vec![
+                "synchronization2 (Vulkan 1.3 or VK_KHR_synchronization2); drive the passes from your own frame graph instead"
+                    .into(),
+            ];
+            return Err(Error::Unsupported { missing });
+        }
+        Ok(())
+    }
+}
+
+fn version(v: u32) -> String {
+    format!("{}.{}.{}", vk::api_version_major(v), vk::api_version_minor(v), vk::api_version_patch(v))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_that_are_too_small_are_named() {
+        let requirements = Requirements::new(&Config::new([4000, 3000])).expect("valid");
+        let mut missing = Vec::new();
+        requirements.check_limits(&vk::PhysicalDeviceLimits { max_image_dimension2_d: 2048, ..Default::default() }, &mut missing);
+        assert!(missing.iter().any(|m| m == "maxImageDimension2D of 4000 (it has 2048)"), "{missing:?}");
+    }
+
+    #[test]
+    fn the_limits_that_vulkan_guarantees_are_enough() {
+        for signals in [crate::config::Signals::Together, crate::config::Signals::Apart] {
+            let config = Config { signals, object_normal: true, ..Config::new([4096, 4096]) };
+            let guaranteed = vk::PhysicalDeviceLimits {
+                max_image_dimension2_d: 4096,
+                max_per_stage_descriptor_sampled_images: 16,
+                max_per_stage_descriptor_storage_images: 4,
+                max_per_stage_descriptor_storage_buffers: 4,
+                max_compute_work_group_invocations: 128,
+                max_compute_work_group_count: [65535; 3],
+                ..Default::default()
+            };
+            let mut missing = Vec::new();
+            Requirements::new(&config).expect("valid").check_limits(&guaranteed, &mut missing);
+            assert!(missing.is_empty(), "{missing:?}");
+        }
+    }
+}
