@@ -1,1 +1,3 @@
 //! Denoiser passes.
+
+pub mod quality;
