@@ -13,6 +13,7 @@ mod plot;
 mod plot_canvas;
 mod png_file;
 mod strip;
+mod strip_layout;
 mod table;
 mod text;
 

@@ -25,6 +25,8 @@ const MARGIN: u32 = 12;
 const SWATCH: u32 = 18;
 /// Least width and height of the part with the axes.
 const LEAST_CHART: [u32; 2] = [200, 110];
+/// Values beyond are drawn here: a line that diverged is seen to do so, and the axis keeps steps that a number can hold.
+const LARGEST: f64 = 1e30;
 const LINE_HEIGHT: u32 = 18;
 
 /// The values of one line, and its name in the legend.
@@ -116,8 +118,8 @@ impl LinePlot {
             self.series
                 .iter()
                 .flat_map(|s| &s.values)
-                .copied()
                 .filter(|v| v.is_finite())
+                .map(|v| bounded(*v))
         };
         let (low, high) = (
             finite().fold(f64::INFINITY, f64::min),
@@ -131,9 +133,10 @@ impl LinePlot {
         } else {
             0.0
         };
-        // A constant line still needs an axis around it.
-        let room = if high > start {
-            0.06 * (high - start)
+        // A constant line still needs an axis around it; and ticks closer than the digits of a number never end.
+        let spread = high - start;
+        let room = if spread > 1e-9 * high.abs().max(1e-18) {
+            0.06 * spread
         } else {
             0.5 * high.abs().max(1e-6)
         };
@@ -168,9 +171,10 @@ impl LinePlot {
         area.fill(&WHITE)?;
         let last = self.frames().saturating_sub(1).max(1) as f64;
         let decimals = decimals(vertical.end - vertical.start);
+        let scientific = decimals > 6 || vertical.end.abs().max(vertical.start.abs()) >= 1e6;
         let mut axes = ChartBuilder::on(&area)
             .x_label_area_size(44)
-            .y_label_area_size(64)
+            .y_label_area_size(72)
             .margin_right(MARGIN)
             .margin_top(8)
             .build_cartesian_2d(0.0..last, vertical)?;
@@ -188,7 +192,13 @@ impl LinePlot {
                     String::new()
                 }
             })
-            .y_label_formatter(&|y| format!("{y:.decimals$}"))
+            .y_label_formatter(&|y| {
+                if scientific {
+                    format!("{y:.2e}")
+                } else {
+                    format!("{y:.decimals$}")
+                }
+            })
             .draw()?;
         for (series, colour) in self.series.iter().zip(COLOURS.iter().cycle()) {
             let style = ShapeStyle {
@@ -200,7 +210,7 @@ impl LinePlot {
                 .values
                 .iter()
                 .enumerate()
-                .map(|(x, &y)| (x as f64, y))
+                .map(|(x, &y)| (x as f64, bounded(y)))
                 .collect();
             for run in points
                 .split(|(_, y)| !y.is_finite())
@@ -225,6 +235,15 @@ impl LinePlot {
             let top = (middle - Font::PLOT.height() / 2) as i32;
             Font::PLOT.draw(picture, &series.name, [left, top], INK);
         }
+    }
+}
+
+/// NaN and infinities stay what they are: gaps.
+fn bounded(value: f64) -> f64 {
+    if value.is_finite() {
+        value.clamp(-LARGEST, LARGEST)
+    } else {
+        value
     }
 }
 

@@ -1,7 +1,7 @@
 //! Labelled panels side by side.
 
 use crate::picture::checked_extent;
-use crate::text::Font;
+use crate::strip_layout::{Layout, GAP, LEADING};
 use crate::{Picture, PictureError, Region};
 
 const BACKGROUND: [u8; 3] = [24, 25, 29];
@@ -10,11 +10,6 @@ const LABEL: [u8; 3] = [255, 255, 255];
 const NOTE: [u8; 3] = [176, 180, 190];
 /// Outlines of the first, second, third inset, then again: of the palette of Okabe and Ito, readable on dark and bright.
 const INSETS: [[u8; 3]; 3] = [[240, 228, 66], [86, 180, 233], [230, 159, 0]];
-/// Pixels between panels and around the strip.
-const GAP: u32 = 8;
-/// Pixels above and below a line of text.
-const LEADING: u32 = 3;
-
 /// Panels of the same size in a row or a grid, each under its label, with a title above and enlarged insets below.
 ///
 /// ```
@@ -31,11 +26,11 @@ const LEADING: u32 = 3;
 /// ```
 #[derive(Debug, Clone)]
 pub struct Strip {
-    title: String,
-    panels: Vec<(String, Picture)>,
-    insets: Vec<Region>,
-    upscale: u32,
-    columns: Option<u32>,
+    pub(crate) title: String,
+    pub(crate) panels: Vec<(String, Picture)>,
+    pub(crate) insets: Vec<Region>,
+    pub(crate) upscale: u32,
+    pub(crate) columns: Option<u32>,
 }
 
 impl Strip {
@@ -123,44 +118,55 @@ impl Strip {
         }
         y += layout.label_height;
         strip.paste(&picture.upscale(self.upscale)?, x, y);
+        self.draw_insets(strip, layout, picture, [x, y])
+    }
+
+    /// Outlines the regions in the panel at (`x`, `y`), and draws them enlarged below it.
+    fn draw_insets(
+        &self,
+        strip: &mut Picture,
+        layout: &Layout,
+        picture: &Picture,
+        [x, y]: [u32; 2],
+    ) -> Result<(), PictureError> {
         let mut inset_y = y + layout.panel[1] + GAP;
-        for ((region, [width, height]), colour) in self
+        let line = layout.line;
+        for ((region, size), colour) in self
             .insets
             .iter()
             .zip(&layout.insets)
             .zip(INSETS.iter().cycle())
         {
-            let enlarged = enlarge(&picture.crop(*region)?, *width, *height)?;
-            strip.paste(&enlarged, x, inset_y);
+            let [width, height] = *size;
+            strip.paste(
+                &enlarge(&picture.crop(*region)?, width, height)?,
+                x,
+                inset_y,
+            );
             strip.outline(
                 Region {
                     x,
                     y: inset_y,
-                    width: *width,
-                    height: *height,
+                    width,
+                    height,
                 },
                 *colour,
-                2,
+                2 * line,
             );
             inset_y += height + GAP;
-            let scaled = |v: u32| v * self.upscale;
-            // One pixel outside, so that the outline hides nothing of what it shows; cut to the panel.
-            let (left, top) = (
-                scaled(region.x).saturating_sub(1),
-                scaled(region.y).saturating_sub(1),
-            );
-            let right = (scaled(region.x + region.width) + 1).min(layout.panel[0]);
-            let bottom = (scaled(region.y + region.height) + 1).min(layout.panel[1]);
-            strip.outline(
-                Region {
-                    x: x + left,
-                    y: y + top,
-                    width: right - left,
-                    height: bottom - top,
-                },
-                *colour,
-                1,
-            );
+            // Outside the region, so that the outline hides nothing of what it shows; cut to the panel.
+            let start = |v: u32| (v * self.upscale).saturating_sub(line);
+            let end = |v: u32, side: u32| (v * self.upscale).saturating_add(line).min(side);
+            let (left, top) = (start(region.x), start(region.y));
+            let right = end(region.x + region.width, layout.panel[0]);
+            let bottom = end(region.y + region.height, layout.panel[1]);
+            let around = Region {
+                x: x + left,
+                y: y + top,
+                width: right - left,
+                height: bottom - top,
+            };
+            strip.outline(around, *colour, line);
         }
         Ok(())
     }
@@ -176,115 +182,4 @@ fn enlarge(crop: &Picture, width: u32, height: u32) -> Result<Picture, PictureEr
         pixels.extend((0..width).map(|x| crop.pixels()[row + nearest(x, crop.width(), width)]));
     }
     Picture::from_pixels(width, height, pixels)
-}
-
-/// Sizes in pixels of the strip's parts.
-struct Layout {
-    /// Width and height of a panel, upscaled.
-    panel: [u32; 2],
-    insets: Vec<[u32; 2]>,
-    columns: u32,
-    rows: u32,
-    title_font: Font,
-    title_height: u32,
-    label_font: Font,
-    label_height: u32,
-}
-
-impl Layout {
-    fn new(strip: &Strip) -> Result<Self, PictureError> {
-        let (_, first) = strip.panels.first().ok_or(PictureError::NoPanel)?;
-        if strip.columns == Some(0) {
-            return Err(PictureError::Zero("the number of columns"));
-        }
-        check_panels(strip, first)?;
-        let scaled = first.upscale(strip.upscale)?;
-        let panel = [scaled.width(), scaled.height()];
-        let insets = strip
-            .insets
-            .iter()
-            .map(|region| inset_size(*region, panel))
-            .collect::<Result<_, _>>()?;
-        let panels = u32::try_from(strip.panels.len()).unwrap_or(u32::MAX);
-        let columns = strip.columns.unwrap_or(panels).min(panels);
-        let longest = strip
-            .panels
-            .iter()
-            .flat_map(|(label, _)| label.lines())
-            .map(|l| l.chars().count())
-            .max();
-        let label_font = Font::fitting(longest.unwrap_or(0), panel[0], (panel[0] / 16).max(8));
-        let lines = strip
-            .panels
-            .iter()
-            .map(|(label, _)| label.lines().count())
-            .max()
-            .unwrap_or(0) as u32;
-        let label_height = if lines == 0 {
-            0
-        } else {
-            LEADING + lines * (label_font.height() + LEADING)
-        };
-        let title_width = columns.saturating_mul(panel[0].saturating_add(GAP)) - GAP;
-        let title_font = Font::fitting(strip.title.chars().count(), title_width, 20);
-        let title_height = if strip.title.is_empty() {
-            GAP
-        } else {
-            GAP + title_font.height() + LEADING
-        };
-        let rows = panels.div_ceil(columns);
-        Ok(Self {
-            panel,
-            insets,
-            columns,
-            rows,
-            title_font,
-            title_height,
-            label_font,
-            label_height,
-        })
-    }
-
-    fn width(&self) -> u64 {
-        u64::from(GAP) + u64::from(self.columns) * u64::from(self.panel[0] + GAP)
-    }
-
-    fn height(&self) -> u64 {
-        u64::from(self.title_height) + u64::from(self.rows) * self.cell_height()
-    }
-
-    /// Height of a panel with its label, its insets and the gap below.
-    fn cell_height(&self) -> u64 {
-        let insets: u64 = self
-            .insets
-            .iter()
-            .map(|inset| u64::from(inset[1] + GAP))
-            .sum();
-        u64::from(self.label_height) + u64::from(self.panel[1] + GAP) + insets
-    }
-}
-
-fn check_panels(strip: &Strip, first: &Picture) -> Result<(), PictureError> {
-    let expected = [first.width(), first.height()];
-    for (label, picture) in &strip.panels {
-        let given = [picture.width(), picture.height()];
-        if given != expected {
-            return Err(PictureError::PanelSize {
-                label: label.clone(),
-                given,
-                expected,
-            });
-        }
-    }
-    strip
-        .insets
-        .iter()
-        .try_for_each(|region| first.check(*region))
-}
-
-/// As wide as the panel, and as high as the shape of the region asks for.
-fn inset_size(region: Region, panel: [u32; 2]) -> Result<[u32; 2], PictureError> {
-    let height = u64::from(panel[0]) * u64::from(region.height) / u64::from(region.width);
-    let (width, height) = checked_extent(panel[0].into(), height.max(1))?;
-    Ok([width, height])
 }

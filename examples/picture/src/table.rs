@@ -8,7 +8,7 @@ use comfy_table::{presets, Cell, CellAlignment, ContentArrangement, Table};
 pub struct Column {
     /// Its heading, with the unit if there is one.
     pub name: String,
-    /// Digits after the point.
+    /// Digits after the point; more than 17 count as 17, which is all that an `f64` has.
     pub decimals: usize,
 }
 
@@ -72,7 +72,7 @@ impl std::fmt::Display for TextTable {
         for (name, values) in &self.rows {
             let number = |(v, c): (&f64, &Column)| match v.is_nan() {
                 true => right("-".into()),
-                false => right(format!("{v:.0$}", c.decimals)),
+                false => right(format!("{v:.0$}", c.decimals.min(17))),
             };
             let cells = values.iter().zip(&self.columns).map(number);
             table.add_row(std::iter::once(Cell::new(name)).chain(cells));

@@ -58,6 +58,12 @@ fn one_frame_and_constant_values_are_drawn() {
         vec![-3.0; 2],
         vec![1e-30; 3],
         vec![1e30, 2e30],
+        vec![f64::MIN, f64::MAX],
+        vec![0.0, f64::MIN_POSITIVE],
+        vec![0.0, 1e-26],
+        vec![1.0, 1.0 + f64::EPSILON],
+        vec![1.0, 1.0 + 2e-9],
+        vec![-1e-12, 1e30],
     ] {
         let picture = LinePlot::new("x")
             .size(400, 200)
