@@ -110,11 +110,7 @@ impl Picture {
     /// # Errors
     /// [`PictureError::Zero`] if the factor is 0, or [`PictureError::TooLarge`].
     pub fn upscale(&self, factor: u32) -> Result<Self, PictureError> {
-        if factor == 0 {
-            return Err(PictureError::Zero("the upscale factor"));
-        }
-        let grow = |side: u32| u64::from(side) * u64::from(factor);
-        let (width, height) = checked_extent(grow(self.width), grow(self.height))?;
+        let (width, height) = self.upscaled_extent(factor)?;
         let factor = factor as usize;
         let mut pixels = Vec::with_capacity(pixel_count(width, height)?);
         for row in self.pixels.chunks_exact(self.width as usize) {
@@ -126,6 +122,14 @@ impl Picture {
             }
         }
         Self::from_pixels(width, height, pixels)
+    }
+
+    pub(crate) fn upscaled_extent(&self, factor: u32) -> Result<(u32, u32), PictureError> {
+        if factor == 0 {
+            return Err(PictureError::Zero("the upscale factor"));
+        }
+        let grow = |side: u32| u64::from(side) * u64::from(factor);
+        checked_extent(grow(self.width), grow(self.height))
     }
 
     /// Draws `other` with its top left corner at (`x`, `y`). What does not fit is cut off.

@@ -61,7 +61,8 @@ impl Strip {
         self
     }
 
-    /// Repeats each pixel of the panels `factor` times in both directions; 1 by default. Text is not enlarged.
+    /// Repeats each pixel of the panels `factor` times in both directions; 1 by default. Text
+    /// and outlines grow with panels wider than 480 pixels, not with this factor.
     #[must_use]
     pub fn upscale(mut self, factor: u32) -> Self {
         self.upscale = factor;

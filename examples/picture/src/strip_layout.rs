@@ -31,8 +31,7 @@ impl Layout {
             return Err(PictureError::Zero("the number of columns"));
         }
         check_panels(strip, first)?;
-        let scaled = first.upscale(strip.upscale)?;
-        let panel = [scaled.width(), scaled.height()];
+        let panel: [u32; 2] = first.upscaled_extent(strip.upscale)?.into();
         let insets = strip
             .insets
             .iter()
