@@ -206,19 +206,10 @@ impl LinePlot {
                 filled: false,
                 stroke_width: 2,
             };
-            let points: Vec<_> = series
-                .values
-                .iter()
-                .enumerate()
-                .map(|(x, &y)| (x as f64, bounded(y)))
-                .collect();
-            for run in points
-                .split(|(_, y)| !y.is_finite())
-                .filter(|run| !run.is_empty())
-            {
+            for run in runs(&series.values) {
                 // A single value has no line: it is drawn as a dot.
                 let dot = if run.len() == 1 { 3 } else { 0 };
-                let line = LineSeries::new(run.iter().copied(), style).point_size(dot);
+                let line = LineSeries::new(run, style).point_size(dot);
                 axes.draw_series(line)?;
             }
         }
@@ -236,6 +227,20 @@ impl LinePlot {
             Font::PLOT.draw(picture, &series.name, [left, top], INK);
         }
     }
+}
+
+/// Stretches of values without a gap, with their frame numbers.
+fn runs(values: &[f64]) -> Vec<Vec<(f64, f64)>> {
+    let points: Vec<_> = values
+        .iter()
+        .enumerate()
+        .map(|(x, &y)| (x as f64, bounded(y)))
+        .collect();
+    points
+        .split(|(_, y)| !y.is_finite())
+        .filter(|run| !run.is_empty())
+        .map(<[_]>::to_vec)
+        .collect()
 }
 
 /// NaN and infinities stay what they are: gaps.
