@@ -11,6 +11,7 @@ mod frame_constants;
 mod nodes;
 mod pipeline;
 mod presets;
+pub mod quality;
 pub mod reference;
 mod requirements;
 mod shaders;

@@ -1,6 +1,7 @@
 //! Barriers, derived from the declared uses and from what was last done to each image and buffer.
 
-use super::memory::{Memory, Storage};
+use super::memory::Memory;
+use super::storage::Storage;
 use crate::contract::{Access, Declaration, FrameContext, Lifetime, ResourceId, UseFrame};
 use ash::vk;
 
