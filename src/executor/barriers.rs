@@ -199,7 +199,8 @@ impl Barriers {
     }
 
     unsafe fn flush(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, omit: bool) {
-        if !omit && !(self.images.is_empty() && self.buffers.is_empty()) {
+        let nothing = self.images.is_empty() && self.buffers.is_empty();
+        if !omit && !nothing {
             let info = vk::DependencyInfo::default().image_memory_barriers(&self.images).buffer_memory_barriers(&self.buffers);
             // SAFETY: the caller's.
             unsafe { device.cmd_pipeline_barrier2(cmd, &info) };

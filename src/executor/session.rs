@@ -286,7 +286,7 @@ impl Session {
             recorded?;
             let commands = [cmd];
             let submit = vk::SubmitInfo::default().command_buffers(&commands);
-            device.queue_submit(gpu.queue(), &[submit], fence).map_err(Error::vulkan("vkQueueSubmit"))?;
+            device.queue_submit(*gpu.queue(), &[submit], fence).map_err(Error::vulkan("vkQueueSubmit"))?;
             device.wait_for_fences(&[fence], true, u64::MAX).map_err(Error::vulkan("vkWaitForFences"))?;
             device.reset_fences(&[fence]).map_err(Error::vulkan("vkResetFences"))
         }
