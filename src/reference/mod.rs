@@ -55,7 +55,7 @@ pub use surface_motion::{
 pub use svgf::{Svgf, SvgfInputs, SvgfOutputs, SvgfViews};
 pub use taa::{taa, TaaInputs};
 pub use temporal_accumulation::{
-    temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
+    temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
 };
 pub use tone_map::tone_map;
 pub use variance::{variance, VarianceInputs};

@@ -35,6 +35,7 @@ impl Sequence {
             motion: None,
             surface_id: None,
             roughness: None,
+            object_normal: None,
             instance_transforms: None,
         };
         self.svgf.frame(&context, &SvgfInputs { guides, noisy: &[&noisy], albedo: None, emission: None }, true).expect("usable")

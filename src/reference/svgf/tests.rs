@@ -31,6 +31,7 @@ impl Host {
             motion: None,
             surface_id: None,
             roughness: None,
+            object_normal: None,
             instance_transforms: None,
         }
     }
@@ -76,6 +77,7 @@ fn no_bad_value_of_any_input_reaches_an_output() {
         motion: Some(&images[2]),
         surface_id: Some(&ids),
         roughness: Some(&images[3]),
+        object_normal: None,
         instance_transforms: Some(&[[[f32::NAN; 4]; 3]; 2]),
     };
     let noisy = [&images[4], &images[5]];
