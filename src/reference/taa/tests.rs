@@ -91,6 +91,14 @@ fn history_is_clipped_to_the_neighbourhood() {
     let ghost = Image::new(EXTENT, [0.9; 4]);
     let display = run(&wide, &flat(EXTENT), &speckled, Some(&ghost));
     assert!(display.at(IVec2::new(5, 5))[0] > 0.7, "a wide box lets it pass");
+    // The box by hand: five pixels of 0.1 and four of 0.3 around (5, 5).
+    let (frame, alpha) = (FrameConstants { taa_gamma: 1.25, ..frame(EXTENT) }, 0.1);
+    let (mean, deviation) = (1.7 / 9.0, 0.2 * (20.0_f32 / 81.0).sqrt());
+    let (now, before) = (run(&reset(frame), &flat(EXTENT), &speckled, None).at(IVec2::new(5, 5))[0], mean + 1.25 * deviation);
+    let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
+    let expected = (w * now + v * before) / (w + v);
+    let given = run(&frame, &flat(EXTENT), &speckled, Some(&ghost)).at(IVec2::new(5, 5))[0];
+    assert!((given - expected).abs() < 1e-3, "{given} for {expected}");
 }
 
 #[test]
