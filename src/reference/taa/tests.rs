@@ -97,8 +97,11 @@ fn history_is_clipped_to_the_neighbourhood() {
     let (now, before) = (run(&reset(frame), &flat(EXTENT), &speckled, None).at(IVec2::new(5, 5))[0], mean + 1.25 * deviation);
     let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
     let expected = (w * now + v * before) / (w + v);
-    let given = run(&frame, &flat(EXTENT), &speckled, Some(&ghost)).at(IVec2::new(5, 5))[0];
-    assert!((given - expected).abs() < 1e-3, "{given} for {expected}");
+    for outside in [0.9, before + 0.05] {
+        let history = Image::new(EXTENT, [outside; 4]);
+        let given = run(&frame, &flat(EXTENT), &speckled, Some(&history)).at(IVec2::new(5, 5))[0];
+        assert!((given - expected).abs() < 1e-3, "{given} for {expected}");
+    }
 }
 
 #[test]
