@@ -151,7 +151,8 @@ bool host_motion(ivec2 p, out vec3 m) {
     m.xy *= scale;
     if (has_flag(FLAG_MOTION_NEGATED)) m.xy = -m.xy;
     if (has_flag(FLAG_MOTION_Y_UP)) m.y = -m.y;
-    if (has_flag(FLAG_MOTION_JITTERED)) m.xy -= frame.previous_jitter - frame.jitter;
+    // A sample lies jitter beside its pixel's centre, so a rasterised position is the true one minus jitter.
+    if (has_flag(FLAG_MOTION_JITTERED)) m.xy += frame.previous_jitter - frame.jitter * (previous_extent / extent);
     return true;
 }
 

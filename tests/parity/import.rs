@@ -86,7 +86,7 @@ fn encoded(conventions: Conventions, with_motion: bool) {
     let roughness: Vec<_> = pixels(scene.extent).map(|(x, y)| [(x + y) as f32 / 64.0; 4]).collect();
     s.upload("roughness", &roughness).expect("roughness");
     for i in 0..2 {
-        let params = FrameParams { jitter: [0.25, -0.4], ..params(&scene, i, &conventions) };
+        let params = FrameParams { jitter: [0.25 - 0.6 * i as f32, 0.4 * i as f32 - 0.4], ..params(&scene, i, &conventions) };
         let mut g = scene.frame(i, i);
         encode(&mut g, &scene, &params, &conventions);
         for (name, texels) in g.images().into_iter().filter(|(n, _)| ["depth", "normal", "noisy_radiance"].contains(n)) {
