@@ -27,9 +27,9 @@ float box_entry(vec3 lower, vec3 upper, vec3 origin_over_direction, vec3 inverse
 
 // Distance along the ray, or a negative number for a miss.
 float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 barycentrics) {
-    vec3 corner = bvh_triangles[3u * index].xyz;
-    vec3 edge1 = bvh_triangles[3u * index + 1u].xyz;
-    vec3 edge2 = bvh_triangles[3u * index + 2u].xyz;
+    vec3 corner = texelFetch(bvh_triangles, int(3u * index)).xyz;
+    vec3 edge1 = texelFetch(bvh_triangles, int(3u * index + 1u)).xyz;
+    vec3 edge2 = texelFetch(bvh_triangles, int(3u * index + 2u)).xyz;
     vec3 p = cross(direction, edge2);
     float determinant = dot(edge1, p);
     float inverse = 1.0 / (determinant == 0.0 ? 1.0e-30 : determinant);
@@ -47,6 +47,12 @@ vec3 safe_inverse(vec3 direction) {
     return vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0) / magnitude;
 }
 
+// What the stack holds: the first child or triangle, and above it the number of triangles (0: an inner node).
+const uint COUNT_SHIFT = 25u;
+const uint FIRST_MASK = (1u << COUNT_SHIFT) - 1u;
+
+uint node_reference(vec4 lower, vec4 upper) { return floatBitsToUint(upper.w) | floatBitsToUint(lower.w) << COUNT_SHIFT; }
+
 // Walks the tree. `any_hit` is a literal at every call, so that the compiler makes two functions of this one.
 Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
     Hit hit = Hit(limit, NO_INSTANCE, 0u, vec2(0.0));
@@ -54,12 +60,11 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
     vec3 scaled_origin = origin * inverse_direction;
     uint stack[BVH_STACK_SIZE];
     uint depth = 0u;
-    uint node = 0u;
+    uint node = node_reference(texelFetch(bvh_nodes, 0), texelFetch(bvh_nodes, 1));
     uint best = 0xffffffffu;
-    if (box_entry(bvh_nodes[0].xyz, bvh_nodes[1].xyz, scaled_origin, inverse_direction, limit) > 1.0e38) return hit;
     while (true) {
-        uint count = floatBitsToUint(bvh_nodes[2u * node].w);
-        uint first = floatBitsToUint(bvh_nodes[2u * node + 1u].w);
+        uint count = node >> COUNT_SHIFT;
+        uint first = node & FIRST_MASK;
         bool pop = true;
         if (count > 0u) {
             for (uint i = first; i < first + count; i++) {
@@ -73,14 +78,20 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
             }
             if (any_hit && best != 0xffffffffu) break;
         } else {
-            uint base = 2u * first;
-            float left = box_entry(bvh_nodes[base].xyz, bvh_nodes[base + 1u].xyz, scaled_origin, inverse_direction, hit.distance);
-            float right = box_entry(bvh_nodes[base + 2u].xyz, bvh_nodes[base + 3u].xyz, scaled_origin, inverse_direction, hit.distance);
-            bool swap = right < left;
+            int base = int(2u * first);
+            vec4 left_lower = texelFetch(bvh_nodes, base);
+            vec4 left_upper = texelFetch(bvh_nodes, base + 1);
+            vec4 right_lower = texelFetch(bvh_nodes, base + 2);
+            vec4 right_upper = texelFetch(bvh_nodes, base + 3);
+            float left = box_entry(left_lower.xyz, left_upper.xyz, scaled_origin, inverse_direction, hit.distance);
+            float right = box_entry(right_lower.xyz, right_upper.xyz, scaled_origin, inverse_direction, hit.distance);
+            uint left_node = node_reference(left_lower, left_upper);
+            uint right_node = node_reference(right_lower, right_upper);
             if (min(left, right) < 1.0e38) {
-                node = swap ? first + 1u : first;
+                bool swap = right < left;
+                node = swap ? right_node : left_node;
                 pop = false;
-                if (max(left, right) < 1.0e38 && depth < BVH_STACK_SIZE) stack[depth++] = swap ? first : first + 1u;
+                if (max(left, right) < 1.0e38 && depth < BVH_STACK_SIZE) stack[depth++] = swap ? left_node : right_node;
             }
         }
         if (pop) {
@@ -89,8 +100,8 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
         }
     }
     if (best != 0xffffffffu) {
-        hit.instance = floatBitsToUint(bvh_triangles[3u * best].w);
-        hit.triangle = floatBitsToUint(bvh_triangles[3u * best + 1u].w);
+        hit.instance = floatBitsToUint(texelFetch(bvh_triangles, int(3u * best)).w);
+        hit.triangle = floatBitsToUint(texelFetch(bvh_triangles, int(3u * best + 1u)).w);
     }
     return hit;
 }

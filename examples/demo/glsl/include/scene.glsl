@@ -75,8 +75,8 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     vec4 sky_ground;
     uvec4 counts;               // x: lights, y: how lights are sampled, z: triangles
 } frame;
-layout(set = 0, binding = 1, std430) readonly buffer BvhNodes { vec4 bvh_nodes[]; };
-layout(set = 0, binding = 2, std430) readonly buffer BvhTriangles { vec4 bvh_triangles[]; };
+layout(set = 0, binding = 1) uniform samplerBuffer bvh_nodes;     // two texels for each node
+layout(set = 0, binding = 2) uniform samplerBuffer bvh_triangles; // three texels for each triangle
 layout(set = 0, binding = 3, std430) readonly buffer Attributes { TriangleAttributes attributes[]; };
 layout(set = 0, binding = 4, std430) readonly buffer Instances { Instance instances[]; };
 layout(set = 0, binding = 5, std430) readonly buffer Materials { Material materials[]; };

@@ -1,4 +1,4 @@
-//! Buffers, and the pair of buffers by which the CPU hands data to the device.
+//! Buffers, views of them as texels, and the pair of buffers by which the CPU hands data to the device.
 
 use std::sync::Arc;
 
@@ -40,6 +40,7 @@ impl Buffer {
         let size = size.max(16);
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::UNIFORM_BUFFER
+            | vk::BufferUsageFlags::UNIFORM_TEXEL_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;
         let info = vk::BufferCreateInfo::default().size(size).usage(usage);
@@ -158,5 +159,39 @@ impl Upload {
                 )
             };
         }
+    }
+}
+
+/// A view of a whole buffer as texels of four 32-bit floats.
+pub struct TexelView {
+    /// The view.
+    pub handle: vk::BufferView,
+    shared: Arc<Shared>,
+}
+
+impl TexelView {
+    /// Views `buffer`, which must outlive the use of the view.
+    ///
+    /// # Errors
+    /// More texels than the device allows, or no memory.
+    pub fn new(gpu: &Gpu, what: &'static str, buffer: &Buffer) -> Result<Self> {
+        let (texels, limit) = ((buffer.size / 16) as usize, gpu.limits().max_texel_buffer_elements as usize);
+        if texels > limit {
+            return Err(Error::SceneLimit { what, given: texels, limit });
+        }
+        let info = vk::BufferViewCreateInfo::default()
+            .buffer(buffer.handle)
+            .format(vk::Format::R32G32B32A32_SFLOAT)
+            .range(texels as u64 * 16);
+        // SAFETY: the buffer is alive, has the usage, and every device views it in this format.
+        let handle = unsafe { gpu.device().create_buffer_view(&info, None) }.doing("create a buffer view")?;
+        Ok(Self { handle, shared: gpu.shared.clone() })
+    }
+}
+
+impl Drop for TexelView {
+    fn drop(&mut self) {
+        // SAFETY: every submit here waits, so no pending work uses the view.
+        unsafe { self.shared.device.destroy_buffer_view(self.handle, None) };
     }
 }

@@ -7,11 +7,11 @@ mod instance;
 mod pipeline;
 mod submit;
 
-pub use buffer::{Buffer, MemoryKind, Upload};
+pub use buffer::{Buffer, MemoryKind, TexelView, Upload};
 pub use choice::DeviceInfo;
 pub use image::Image;
 pub(crate) use image::WHOLE_IMAGE;
-pub(crate) use pipeline::{storage_images, DescriptorSet, Pipeline, SetLayout};
+pub(crate) use pipeline::{storage_images, Bound, DescriptorSet, Pipeline, SetLayout};
 
 use std::mem::ManuallyDrop;
 use std::sync::{Arc, Mutex, MutexGuard};

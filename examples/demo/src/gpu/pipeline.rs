@@ -56,6 +56,13 @@ pub(crate) fn storage_images(count: usize) -> Vec<vk::DescriptorType> {
     vec![vk::DescriptorType::STORAGE_IMAGE; count]
 }
 
+/// A buffer in a descriptor set.
+#[derive(Clone, Copy)]
+pub(crate) enum Bound {
+    Whole(vk::Buffer),
+    Texels(vk::BufferView),
+}
+
 /// One descriptor set in a pool of its own.
 pub(crate) struct DescriptorSet {
     pub handle: vk::DescriptorSet,
@@ -95,19 +102,27 @@ impl DescriptorSet {
         Ok(set)
     }
 
-    /// A set of whole buffers, in the order of the bindings.
-    pub fn of_buffers(gpu: &Gpu, layout: &SetLayout, buffers: &[vk::Buffer]) -> Result<Self> {
+    /// A set of buffers, in the order of the bindings.
+    pub fn of_buffers(gpu: &Gpu, layout: &SetLayout, bound: &[Bound]) -> Result<Self> {
         let set = Self::new(gpu, layout)?;
-        for (index, (buffer, kind)) in buffers.iter().zip(&layout.kinds).enumerate() {
-            let info = [vk::DescriptorBufferInfo::default()
-                .buffer(*buffer)
-                .range(vk::WHOLE_SIZE)];
+        for (index, (bound, kind)) in bound.iter().zip(&layout.kinds).enumerate() {
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set.handle)
                 .dst_binding(index as u32)
                 .descriptor_type(*kind)
-                .buffer_info(&info);
-            // SAFETY: the set is new and not in use; the caller owns live buffers.
+                .descriptor_count(1);
+            let (views, buffers);
+            let write = match bound {
+                Bound::Texels(view) => {
+                    views = [*view];
+                    write.texel_buffer_view(&views)
+                }
+                Bound::Whole(buffer) => {
+                    buffers = [vk::DescriptorBufferInfo::default().buffer(*buffer).range(vk::WHOLE_SIZE)];
+                    write.buffer_info(&buffers)
+                }
+            };
+            // SAFETY: the set is new and not in use; the caller owns live buffers and views.
             unsafe { gpu.device().update_descriptor_sets(&[write], &[]) };
         }
         Ok(set)

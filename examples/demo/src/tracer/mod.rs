@@ -79,8 +79,7 @@ impl PathTracer {
     ) -> Result<Self> {
         let outputs = Outputs::new(gpu, extent)?;
         let buffers = SceneBuffers::new(gpu, scene)?;
-        let mut kinds = vec![vk::DescriptorType::STORAGE_BUFFER; buffers.bindings().len()];
-        kinds[0] = vk::DescriptorType::UNIFORM_BUFFER;
+        let (kinds, bound): (Vec<_>, Vec<_>) = buffers.bindings().into_iter().unzip();
         let scene_layout = SetLayout::new(gpu, &kinds)?;
         let gbuffer_layout = SetLayout::new(gpu, &storage_images(8))?;
         let lighting_layout = SetLayout::new(gpu, &storage_images(5))?;
@@ -92,7 +91,7 @@ impl PathTracer {
             &outputs.emission,
         ];
         let mut tracer = Self {
-            scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &buffers.bindings())?,
+            scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
             gbuffer_set: DescriptorSet::of_images(
                 gpu,
                 &gbuffer_layout,

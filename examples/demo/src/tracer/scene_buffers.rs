@@ -10,7 +10,7 @@ use super::layout::{
 };
 use super::lights;
 use crate::error::{Error, Result};
-use crate::gpu::{Gpu, Upload};
+use crate::gpu::{Bound, Gpu, TexelView, Upload};
 use crate::scene::{Mesh, Scene};
 
 /// The buffers of descriptor set 0 and the two tables of transforms.
@@ -23,6 +23,8 @@ pub struct SceneBuffers {
     materials: Upload,
     lights: Upload,
     textures: Upload,
+    node_texels: TexelView,
+    triangle_texels: TexelView,
     pub previous_from_current: Upload,
     pub current_from_previous: Upload,
     first_triangles: Vec<u32>,
@@ -46,10 +48,14 @@ impl SceneBuffers {
         let (attributes, first_triangles) = attributes(&scene.meshes);
         let table = (scene.instances.len() as u64 + 1) * size::<Rows>();
         let room = |name, count: usize, bytes: u64| Upload::new(gpu, name, count as u64 * bytes);
+        let nodes = room("bvh nodes", 2 * tree.triangles.len() + 1, 32)?;
+        let triangles = room("bvh triangles", tree.triangles.len(), 48)?;
         let mut buffers = Self {
+            node_texels: TexelView::new(gpu, "texels of BVH nodes", &nodes.buffer)?,
+            triangle_texels: TexelView::new(gpu, "texels of triangles", &triangles.buffer)?,
+            nodes,
+            triangles,
             frame: room("frame constants", 1, size::<FrameConstants>())?,
-            nodes: room("bvh nodes", 2 * tree.triangles.len() + 1, 32)?,
-            triangles: room("bvh triangles", tree.triangles.len(), 48)?,
             attributes: room(
                 "triangle attributes",
                 attributes.len(),
@@ -71,9 +77,20 @@ impl SceneBuffers {
         Ok(buffers)
     }
 
-    /// The buffers in the order of the bindings of set 0.
-    pub fn bindings(&self) -> [vk::Buffer; 8] {
-        self.in_order().map(|upload| upload.buffer.handle)
+    /// The buffers in the order of the bindings of set 0, with their descriptor types.
+    pub fn bindings(&self) -> [(vk::DescriptorType, Bound); 8] {
+        let texels = |view: &TexelView| (vk::DescriptorType::UNIFORM_TEXEL_BUFFER, Bound::Texels(view.handle));
+        let whole = |upload: &Upload| (vk::DescriptorType::STORAGE_BUFFER, Bound::Whole(upload.buffer.handle));
+        [
+            (vk::DescriptorType::UNIFORM_BUFFER, Bound::Whole(self.frame.buffer.handle)),
+            texels(&self.node_texels),
+            texels(&self.triangle_texels),
+            whole(&self.attributes),
+            whole(&self.instances),
+            whole(&self.materials),
+            whole(&self.lights),
+            whole(&self.textures),
+        ]
     }
 
     /// Writes what differs between frames, except for the frame's constants.
@@ -124,19 +141,6 @@ impl SceneBuffers {
         ] {
             upload.record(device, cmd);
         }
-    }
-
-    fn in_order(&self) -> [&Upload; 8] {
-        [
-            &self.frame,
-            &self.nodes,
-            &self.triangles,
-            &self.attributes,
-            &self.instances,
-            &self.materials,
-            &self.lights,
-            &self.textures,
-        ]
     }
 
     fn set_tree(&mut self, tree: &Bvh) {
