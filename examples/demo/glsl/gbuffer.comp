@@ -42,9 +42,9 @@ void write_background(ivec2 pixel, vec3 direction) {
 
 void write_surface(ivec2 pixel, Visibility visibility) {
     Surface s = surface_at(visibility, frame.camera.eye.xyz);
-    Instance instance = instances[visibility.instance];
-    TriangleAttributes t = attributes[instance.first_triangle + visibility.triangle];
-    vec3 previous = transform_point(instance.previous_world_from_object, object_position(t, visibility.barycentrics));
+    TriangleAttributes t = load_triangle(load_instance(visibility.instance).first_triangle + visibility.triangle);
+    vec4 previous_rows[3] = load_previous_world_from_object(visibility.instance);
+    vec3 previous = transform_point(previous_rows, object_position(t, visibility.barycentrics));
     vec3 offset = s.position - frame.camera.eye.xyz;
     float view_cosine = clamp(dot(s.normal, -normalize(offset)), 0.0, 1.0);
     imageStore(depth_image, pixel, vec4(dot(offset, frame.camera.forward.xyz)));

@@ -27,9 +27,9 @@ float box_entry(vec3 lower, vec3 upper, vec3 origin_over_direction, vec3 inverse
 
 // Distance along the ray, or a negative number for a miss.
 float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 barycentrics) {
-    vec3 corner = texelFetch(bvh_triangles, int(3u * index)).xyz;
-    vec3 edge1 = texelFetch(bvh_triangles, int(3u * index + 1u)).xyz;
-    vec3 edge2 = texelFetch(bvh_triangles, int(3u * index + 2u)).xyz;
+    vec3 corner = fetch_floats(bvh_triangles, 3u * index).xyz;
+    vec3 edge1 = fetch_floats(bvh_triangles, 3u * index + 1u).xyz;
+    vec3 edge2 = fetch_floats(bvh_triangles, 3u * index + 2u).xyz;
     vec3 p = cross(direction, edge2);
     float determinant = dot(edge1, p);
     float inverse = 1.0 / (determinant == 0.0 ? 1.0e-30 : determinant);
@@ -51,7 +51,7 @@ vec3 safe_inverse(vec3 direction) {
 const uint COUNT_SHIFT = 25u;
 const uint FIRST_MASK = (1u << COUNT_SHIFT) - 1u;
 
-uint node_reference(vec4 lower, vec4 upper) { return floatBitsToUint(upper.w) | floatBitsToUint(lower.w) << COUNT_SHIFT; }
+uint node_reference(uvec4 lower, uvec4 upper) { return upper.w | lower.w << COUNT_SHIFT; }
 
 // Walks the tree. `any_hit` is a literal at every call, so that the compiler makes two functions of this one.
 Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
@@ -79,12 +79,12 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
             if (any_hit && best != 0xffffffffu) break;
         } else {
             int base = int(2u * first);
-            vec4 left_lower = texelFetch(bvh_nodes, base);
-            vec4 left_upper = texelFetch(bvh_nodes, base + 1);
-            vec4 right_lower = texelFetch(bvh_nodes, base + 2);
-            vec4 right_upper = texelFetch(bvh_nodes, base + 3);
-            float left = box_entry(left_lower.xyz, left_upper.xyz, scaled_origin, inverse_direction, hit.distance);
-            float right = box_entry(right_lower.xyz, right_upper.xyz, scaled_origin, inverse_direction, hit.distance);
+            uvec4 left_lower = texelFetch(bvh_nodes, base);
+            uvec4 left_upper = texelFetch(bvh_nodes, base + 1);
+            uvec4 right_lower = texelFetch(bvh_nodes, base + 2);
+            uvec4 right_upper = texelFetch(bvh_nodes, base + 3);
+            float left = box_entry(uintBitsToFloat(left_lower.xyz), uintBitsToFloat(left_upper.xyz), scaled_origin, inverse_direction, hit.distance);
+            float right = box_entry(uintBitsToFloat(right_lower.xyz), uintBitsToFloat(right_upper.xyz), scaled_origin, inverse_direction, hit.distance);
             uint left_node = node_reference(left_lower, left_upper);
             uint right_node = node_reference(right_lower, right_upper);
             if (min(left, right) < 1.0e38) {
@@ -100,8 +100,8 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
         }
     }
     if (best != 0xffffffffu) {
-        hit.instance = floatBitsToUint(texelFetch(bvh_triangles, int(3u * best)).w);
-        hit.triangle = floatBitsToUint(texelFetch(bvh_triangles, int(3u * best + 1u)).w);
+        hit.instance = texelFetch(bvh_triangles, int(3u * best)).w;
+        hit.triangle = texelFetch(bvh_triangles, int(3u * best + 1u)).w;
     }
     return hit;
 }

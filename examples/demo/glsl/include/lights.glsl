@@ -17,17 +17,17 @@ uint select_light(inout float u) {
     uint high = frame.counts.x - 1u;
     while (low < high) {
         uint middle = (low + high) / 2u;
-        if (u < lights[middle].edge1_cdf.w) high = middle; else low = middle + 1u;
+        if (u < fetch_floats(lights, 4u * middle + 1u).w) high = middle; else low = middle + 1u;
     }
-    float upper = lights[low].edge1_cdf.w;
-    float probability = lights[low].edge2_probability.w;
+    float upper = fetch_floats(lights, 4u * low + 1u).w;
+    float probability = fetch_floats(lights, 4u * low + 2u).w;
     u = clamp((u - (upper - probability)) / max(probability, 1.0e-12), 0.0, 0.99999994);
     return low;
 }
 
 vec2 light_uv(Light light, vec2 barycentrics) {
     uint triangle = floatBitsToUint(light.position_kind.w) >> 2u;
-    TriangleAttributes t = attributes[triangle];
+    TriangleAttributes t = load_triangle(triangle);
     vec2 a = vec2(t.position_u[0].w, t.normal_v[0].w);
     return a + barycentrics.x * (vec2(t.position_u[1].w, t.normal_v[1].w) - a) + barycentrics.y * (vec2(t.position_u[2].w, t.normal_v[2].w) - a);
 }
@@ -43,12 +43,12 @@ LightSample sample_triangle(Light light, vec3 from, vec2 u) {
     float distance2 = dot(offset, offset);
     float distance = sqrt(distance2);
     vec3 direction = offset / max(distance, 1.0e-12);
-    Material material = materials[floatBitsToUint(light.radiance_material.w)];
+    Material material = load_material(floatBitsToUint(light.radiance_material.w));
     float cosine = -light.radiance_material.x * dot(face, direction) / max(twice_area, 1.0e-20);
-    cosine = material.two_sided_emission != 0u ? abs(cosine) : cosine;
+    cosine = material.two_sided_emission ? abs(cosine) : cosine;
     if (cosine <= 1.0e-5 || distance2 <= 0.0) return LightSample(direction, 0.0, vec3(0.0), 0.0);
     float density = light.edge2_probability.w * distance2 / (cosine * 0.5 * twice_area);
-    vec3 radiance = material.emission_weight.rgb;
+    vec3 radiance = material.emission;
     if (material.emission_texture != NO_TEXTURE) radiance = emitted_radiance(material, light_uv(light, barycentrics));
     return LightSample(direction, distance, radiance / density, density);
 }
@@ -80,7 +80,7 @@ float emitter_density(Surface emitter, vec3 direction, float distance) {
 // Reflected radiance from one sampled light. `weighted`: sampled directions find area lights, too.
 vec3 next_event(Surface s, vec3 view, vec2 u, bool weighted) {
     if (frame.counts.x == 0u) return vec3(0.0);
-    Light light = lights[select_light(u.x)];
+    Light light = load_light(select_light(u.x));
     vec3 origin = ray_origin(s);
     uint kind = floatBitsToUint(light.position_kind.w) & 3u;
     LightSample found;

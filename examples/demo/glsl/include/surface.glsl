@@ -55,17 +55,17 @@ vec3 sample_texture(uint index, vec2 uv) {
 }
 
 vec3 base_color(Material material, vec2 uv) {
-    vec3 color = material.base_color_roughness.rgb;
+    vec3 color = material.base_color;
     if (material.base_color_texture == NO_TEXTURE) return color;
     if (material.base_color_texture == CHECKER_TEXTURE) {
-        ivec2 square = ivec2(floor(uv * material.checker_color_scale.a));
-        return ((square.x + square.y) & 1) == 0 ? color : material.checker_color_scale.rgb;
+        ivec2 square = ivec2(floor(uv * material.checker_scale));
+        return ((square.x + square.y) & 1) == 0 ? color : material.checker_color;
     }
     return color * sample_texture(material.base_color_texture, uv);
 }
 
 vec3 emitted_radiance(Material material, vec2 uv) {
-    vec3 radiance = material.emission_weight.rgb;
+    vec3 radiance = material.emission;
     return material.emission_texture == NO_TEXTURE ? radiance : radiance * sample_texture(material.emission_texture, uv);
 }
 
@@ -79,21 +79,21 @@ vec3 object_position(TriangleAttributes t, vec2 barycentrics) {
 
 void fill_material(inout Surface s, Material material, vec2 uv, bool emitting_side) {
     vec3 color = base_color(material, uv);
-    s.roughness = clamp(material.base_color_roughness.a, 0.05, 1.0);
+    s.roughness = clamp(material.roughness, 0.05, 1.0);
     s.diffuse = color * (1.0 - material.metallic);
     s.f0 = mix(vec3(material.specular), color, material.metallic);
     s.emission = vec3(0.0);
     s.emission_weight = 0.0;
-    if (material.emission_weight.a > 0.0 && emitting_side) {
+    if (material.emission_weight > 0.0 && emitting_side) {
         s.emission = emitted_radiance(material, uv);
-        s.emission_weight = material.emission_weight.a;
+        s.emission_weight = material.emission_weight;
     }
 }
 
 // `viewer` is the point from which the surface is seen: the eye, or the previous vertex of the path.
 Surface surface_at(Visibility v, vec3 viewer) {
-    Instance instance = instances[v.instance];
-    TriangleAttributes t = attributes[instance.first_triangle + v.triangle];
+    Instance instance = load_instance(v.instance);
+    TriangleAttributes t = load_triangle(instance.first_triangle + v.triangle);
     Surface s;
     s.position = transform_point(instance.world_from_object, object_position(t, v.barycentrics));
     vec3 object_face = cross(t.position_u[1].xyz - t.position_u[0].xyz, t.position_u[2].xyz - t.position_u[0].xyz);
@@ -113,8 +113,8 @@ Surface surface_at(Visibility v, vec3 viewer) {
     vec2 uv = interpolate(
         vec3(t.position_u[0].w, t.normal_v[0].w, 0.0), vec3(t.position_u[1].w, t.normal_v[1].w, 0.0),
         vec3(t.position_u[2].w, t.normal_v[2].w, 0.0), v.barycentrics).xy;
-    Material material = materials[instance.material];
-    fill_material(s, material, uv, front || material.two_sided_emission != 0u);
+    Material material = load_material(instance.material);
+    fill_material(s, material, uv, front || material.two_sided_emission);
     s.surface_id = instance.surface_id;
     return s;
 }

@@ -1,9 +1,8 @@
-//! Buffers, views of them as texels, and the pair of buffers by which the CPU hands data to the device.
+//! Buffers and their memory.
 
 use std::sync::Arc;
 
 use ash::vk;
-use bytemuck::Pod;
 use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
 use gpu_allocator::MemoryLocation;
 
@@ -94,7 +93,7 @@ impl Buffer {
         &mapped[..mapped.len().min(self.size as usize)]
     }
 
-    fn bytes_mut(&mut self) -> &mut [u8] {
+    pub(super) fn bytes_mut(&mut self) -> &mut [u8] {
         self.allocation
             .as_mut()
             .and_then(|allocation| allocation.mapped_slice_mut())
@@ -110,88 +109,5 @@ impl Drop for Buffer {
             // Freeing what this allocator gave cannot fail; there is nobody to tell if it did.
             let _ = self.shared.allocator().free(allocation);
         }
-    }
-}
-
-/// A device buffer and its staging twin: write on the CPU, then record the copy.
-pub struct Upload {
-    /// The buffer on the device.
-    pub buffer: Buffer,
-    staging: Buffer,
-    pending: u64,
-}
-
-impl Upload {
-    /// Room for `capacity` bytes.
-    ///
-    /// # Errors
-    /// No memory.
-    pub fn new(gpu: &Gpu, name: &str, capacity: u64) -> Result<Self> {
-        let buffer = Buffer::new(gpu, name, capacity, MemoryKind::Device)?;
-        Ok(Self {
-            buffer,
-            staging: Buffer::new(gpu, name, capacity, MemoryKind::Upload)?,
-            pending: 0,
-        })
-    }
-
-    /// Replaces the first bytes by `data`; what is beyond the capacity is left out. An earlier copy must be complete.
-    pub fn write<T: Pod>(&mut self, data: &[T]) {
-        let source: &[u8] = bytemuck::cast_slice(data);
-        let target = self.staging.bytes_mut();
-        let length = source.len().min(target.len());
-        target[..length].copy_from_slice(&source[..length]);
-        self.pending = length as u64;
-    }
-
-    /// Records the copy of what was written since the last time. The caller places the barriers
-    /// (`TRANSFER`, `TRANSFER_WRITE`).
-    pub fn record(&mut self, device: &ash::Device, cmd: vk::CommandBuffer) {
-        let size = std::mem::take(&mut self.pending);
-        if size > 0 {
-            // SAFETY: `cmd` is recording; both buffers live as long as `self` and are at least `size` long.
-            unsafe {
-                device.cmd_copy_buffer(
-                    cmd,
-                    self.staging.handle,
-                    self.buffer.handle,
-                    &[vk::BufferCopy::default().size(size)],
-                )
-            };
-        }
-    }
-}
-
-/// A view of a whole buffer as texels of four 32-bit floats.
-pub struct TexelView {
-    /// The view.
-    pub handle: vk::BufferView,
-    shared: Arc<Shared>,
-}
-
-impl TexelView {
-    /// Views `buffer`, which must outlive the use of the view.
-    ///
-    /// # Errors
-    /// More texels than the device allows, or no memory.
-    pub fn new(gpu: &Gpu, what: &'static str, buffer: &Buffer) -> Result<Self> {
-        let (texels, limit) = ((buffer.size / 16) as usize, gpu.limits().max_texel_buffer_elements as usize);
-        if texels > limit {
-            return Err(Error::SceneLimit { what, given: texels, limit });
-        }
-        let info = vk::BufferViewCreateInfo::default()
-            .buffer(buffer.handle)
-            .format(vk::Format::R32G32B32A32_SFLOAT)
-            .range(texels as u64 * 16);
-        // SAFETY: the buffer is alive, has the usage, and every device views it in this format.
-        let handle = unsafe { gpu.device().create_buffer_view(&info, None) }.doing("create a buffer view")?;
-        Ok(Self { handle, shared: gpu.shared.clone() })
-    }
-}
-
-impl Drop for TexelView {
-    fn drop(&mut self) {
-        // SAFETY: every submit here waits, so no pending work uses the view.
-        unsafe { self.shared.device.destroy_buffer_view(self.handle, None) };
     }
 }

@@ -6,12 +6,14 @@ mod image;
 mod instance;
 mod pipeline;
 mod submit;
+mod upload;
 
-pub use buffer::{Buffer, MemoryKind, TexelView, Upload};
+pub use buffer::{Buffer, MemoryKind};
 pub use choice::DeviceInfo;
 pub use image::Image;
 pub(crate) use image::WHOLE_IMAGE;
 pub(crate) use pipeline::{storage_images, Bound, DescriptorSet, Pipeline, SetLayout};
+pub use upload::Upload;
 
 use std::mem::ManuallyDrop;
 use std::sync::{Arc, Mutex, MutexGuard};

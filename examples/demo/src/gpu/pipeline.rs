@@ -59,8 +59,20 @@ pub(crate) fn storage_images(count: usize) -> Vec<vk::DescriptorType> {
 /// A buffer in a descriptor set.
 #[derive(Clone, Copy)]
 pub(crate) enum Bound {
-    Whole(vk::Buffer),
+    Uniform(vk::Buffer),
+    Storage(vk::Buffer),
     Texels(vk::BufferView),
+}
+
+impl Bound {
+    /// Its descriptor type.
+    pub fn kind(self) -> vk::DescriptorType {
+        match self {
+            Self::Uniform(_) => vk::DescriptorType::UNIFORM_BUFFER,
+            Self::Storage(_) => vk::DescriptorType::STORAGE_BUFFER,
+            Self::Texels(_) => vk::DescriptorType::UNIFORM_TEXEL_BUFFER,
+        }
+    }
 }
 
 /// One descriptor set in a pool of its own.
@@ -105,11 +117,11 @@ impl DescriptorSet {
     /// A set of buffers, in the order of the bindings.
     pub fn of_buffers(gpu: &Gpu, layout: &SetLayout, bound: &[Bound]) -> Result<Self> {
         let set = Self::new(gpu, layout)?;
-        for (index, (bound, kind)) in bound.iter().zip(&layout.kinds).enumerate() {
+        for (index, bound) in bound.iter().enumerate() {
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set.handle)
                 .dst_binding(index as u32)
-                .descriptor_type(*kind)
+                .descriptor_type(bound.kind())
                 .descriptor_count(1);
             let (views, buffers);
             let write = match bound {
@@ -117,8 +129,10 @@ impl DescriptorSet {
                     views = [*view];
                     write.texel_buffer_view(&views)
                 }
-                Bound::Whole(buffer) => {
-                    buffers = [vk::DescriptorBufferInfo::default().buffer(*buffer).range(vk::WHOLE_SIZE)];
+                Bound::Uniform(buffer) | Bound::Storage(buffer) => {
+                    buffers = [vk::DescriptorBufferInfo::default()
+                        .buffer(*buffer)
+                        .range(vk::WHOLE_SIZE)];
                     write.buffer_info(&buffers)
                 }
             };

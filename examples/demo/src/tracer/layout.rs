@@ -60,13 +60,12 @@ pub struct TriangleAttributes {
 pub struct MaterialData {
     pub base_color_roughness: [f32; 4],
     pub checker_color_scale: [f32; 4],
+    /// The weight is negative when both sides emit.
     pub emission_weight: [f32; 4],
     pub metallic: f32,
     pub specular: f32,
     pub base_color_texture: u32,
     pub emission_texture: u32,
-    pub two_sided_emission: u32,
-    pub unused: [u32; 3],
 }
 
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]

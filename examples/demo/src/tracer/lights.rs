@@ -28,6 +28,11 @@ pub fn materials(scene: &Scene, scale: f32) -> Vec<MaterialData> {
 
 fn material_data(material: &Material, scale: f32) -> MaterialData {
     let emission = material.emission * scale;
+    let side = if material.two_sided_emission {
+        -1.0
+    } else {
+        1.0
+    };
     let (texture, other, squares) = match material.pattern {
         Pattern::Plain => (NO_TEXTURE, Vec3::ZERO, 0.0),
         Pattern::Checker { other, scale } => (CHECKER_TEXTURE, other, scale),
@@ -36,15 +41,13 @@ fn material_data(material: &Material, scale: f32) -> MaterialData {
     MaterialData {
         base_color_roughness: with(material.base_color, material.roughness),
         checker_color_scale: with(other, squares),
-        emission_weight: with(emission, luminance(emission) * PI),
+        emission_weight: with(emission, side * luminance(emission) * PI),
         metallic: material.metallic,
         specular: material.specular,
         base_color_texture: texture,
         emission_texture: material
             .emission_texture
             .map_or(NO_TEXTURE, |index| index as u32),
-        two_sided_emission: u32::from(material.two_sided_emission),
-        unused: [0; 3],
     }
 }
 
@@ -61,7 +64,8 @@ pub fn lights(
     let mut weights = Vec::new();
     for (instance, transform) in scene.instances.iter().zip(transforms) {
         let material = &materials[instance.material];
-        if material.emission_weight[3] <= 0.0 {
+        let weight = material.emission_weight[3].abs();
+        if weight <= 0.0 {
             continue;
         }
         let mesh = &scene.meshes[instance.mesh];
@@ -76,7 +80,7 @@ pub fn lights(
                 continue;
             }
             let tag = KIND_TRIANGLE | (first_triangles[instance.mesh] + number as u32) << 2;
-            weights.push(area * material.emission_weight[3]);
+            weights.push(area * weight);
             data.push(LightData {
                 position_kind: with(a, f32::from_bits(tag)),
                 edge1_cdf: with(b - a, 0.0),

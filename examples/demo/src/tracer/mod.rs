@@ -17,7 +17,7 @@ use std::sync::Arc;
 use ash::vk;
 
 use crate::error::Result;
-use crate::gpu::{storage_images, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
+use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
 use crate::scene::{Environment, Scene};
 use layout::FrameConstants;
 use scene_buffers::SceneBuffers;
@@ -79,7 +79,8 @@ impl PathTracer {
     ) -> Result<Self> {
         let outputs = Outputs::new(gpu, extent)?;
         let buffers = SceneBuffers::new(gpu, scene)?;
-        let (kinds, bound): (Vec<_>, Vec<_>) = buffers.bindings().into_iter().unzip();
+        let bound = buffers.bindings();
+        let kinds = bound.map(Bound::kind);
         let scene_layout = SetLayout::new(gpu, &kinds)?;
         let gbuffer_layout = SetLayout::new(gpu, &storage_images(8))?;
         let lighting_layout = SetLayout::new(gpu, &storage_images(5))?;

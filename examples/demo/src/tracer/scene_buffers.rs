@@ -10,7 +10,7 @@ use super::layout::{
 };
 use super::lights;
 use crate::error::{Error, Result};
-use crate::gpu::{Bound, Gpu, TexelView, Upload};
+use crate::gpu::{Bound, Gpu, Upload};
 use crate::scene::{Mesh, Scene};
 
 /// The buffers of descriptor set 0 and the two tables of transforms.
@@ -23,8 +23,6 @@ pub struct SceneBuffers {
     materials: Upload,
     lights: Upload,
     textures: Upload,
-    node_texels: TexelView,
-    triangle_texels: TexelView,
     pub previous_from_current: Upload,
     pub current_from_previous: Upload,
     first_triangles: Vec<u32>,
@@ -47,24 +45,20 @@ impl SceneBuffers {
         let texture_words = texture_words(scene)?;
         let (attributes, first_triangles) = attributes(&scene.meshes);
         let table = (scene.instances.len() as u64 + 1) * size::<Rows>();
-        let room = |name, count: usize, bytes: u64| Upload::new(gpu, name, count as u64 * bytes);
-        let nodes = room("bvh nodes", 2 * tree.triangles.len() + 1, 32)?;
-        let triangles = room("bvh triangles", tree.triangles.len(), 48)?;
+        let instances = scene.instances.len();
         let mut buffers = Self {
-            node_texels: TexelView::new(gpu, "texels of BVH nodes", &nodes.buffer)?,
-            triangle_texels: TexelView::new(gpu, "texels of triangles", &triangles.buffer)?,
-            nodes,
-            triangles,
-            frame: room("frame constants", 1, size::<FrameConstants>())?,
-            attributes: room(
+            frame: Upload::new(gpu, "frame constants", size::<FrameConstants>())?,
+            nodes: Upload::texels::<[f32; 8]>(gpu, "BVH nodes", 2 * tree.triangles.len() + 1)?,
+            triangles: Upload::texels::<[f32; 12]>(gpu, "BVH triangles", tree.triangles.len())?,
+            attributes: Upload::texels::<TriangleAttributes>(
+                gpu,
                 "triangle attributes",
                 attributes.len(),
-                size::<TriangleAttributes>(),
             )?,
-            instances: room("instances", scene.instances.len(), size::<InstanceData>())?,
-            materials: room("materials", scene.materials.len(), size::<MaterialData>())?,
-            lights: room("lights", light_count, size::<LightData>())?,
-            textures: room("textures", texture_words.len(), 4)?,
+            instances: Upload::texels::<InstanceData>(gpu, "instances", instances)?,
+            materials: Upload::texels::<MaterialData>(gpu, "materials", scene.materials.len())?,
+            lights: Upload::texels::<LightData>(gpu, "lights", light_count)?,
+            textures: Upload::new(gpu, "textures", texture_words.len() as u64 * 4)?,
             previous_from_current: Upload::new(gpu, "previous_from_current", table)?,
             current_from_previous: Upload::new(gpu, "current_from_previous", table)?,
             first_triangles,
@@ -77,19 +71,17 @@ impl SceneBuffers {
         Ok(buffers)
     }
 
-    /// The buffers in the order of the bindings of set 0, with their descriptor types.
-    pub fn bindings(&self) -> [(vk::DescriptorType, Bound); 8] {
-        let texels = |view: &TexelView| (vk::DescriptorType::UNIFORM_TEXEL_BUFFER, Bound::Texels(view.handle));
-        let whole = |upload: &Upload| (vk::DescriptorType::STORAGE_BUFFER, Bound::Whole(upload.buffer.handle));
+    /// The buffers in the order of the bindings of set 0.
+    pub fn bindings(&self) -> [Bound; 8] {
         [
-            (vk::DescriptorType::UNIFORM_BUFFER, Bound::Whole(self.frame.buffer.handle)),
-            texels(&self.node_texels),
-            texels(&self.triangle_texels),
-            whole(&self.attributes),
-            whole(&self.instances),
-            whole(&self.materials),
-            whole(&self.lights),
-            whole(&self.textures),
+            Bound::Uniform(self.frame.buffer.handle),
+            self.nodes.bound(),
+            self.triangles.bound(),
+            self.attributes.bound(),
+            self.instances.bound(),
+            self.materials.bound(),
+            self.lights.bound(),
+            self.textures.bound(),
         ]
     }
 
