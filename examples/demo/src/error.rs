@@ -72,6 +72,9 @@ pub enum Error {
         /// What to do about it.
         remedy: &'static str,
     },
+    /// There is nothing to trace.
+    #[error("the scene has no triangles: place at least one mesh")]
+    EmptyScene,
     /// A scene is too complex for a fixed limit.
     #[error(
         "the scene has {given} {what}, and the demo takes {limit} at most: simplify the scene"

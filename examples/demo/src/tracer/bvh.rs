@@ -39,6 +39,9 @@ pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh
             names.push((index as u32, number as u32));
         }
     }
+    if triangles.is_empty() {
+        return Err(Error::EmptyScene);
+    }
     let params = if moving {
         BvhBuildParams::fast_build()
     } else {
