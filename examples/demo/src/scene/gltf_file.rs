@@ -199,7 +199,9 @@ fn framing_view(scene: &Scene) -> View {
 
 fn import_problem(error: gltf::Error) -> Problem {
     let remedy = match &error {
-        gltf::Error::Io(_) => "Check the path, and that the files it refers to are beside it",
+        gltf::Error::Io(io) if io.kind() != std::io::ErrorKind::UnexpectedEof => {
+            "Check the path, and that the files it refers to are beside it"
+        }
         gltf::Error::Image(_)
         | gltf::Error::UnsupportedImageEncoding
         | gltf::Error::UnsupportedImageFormat(_) => "Use PNG or JPEG pictures",
