@@ -6,10 +6,14 @@ mod gltf_bounds;
 mod gltf_file;
 mod gltf_parts;
 mod hall;
+mod lamp;
+mod material;
 mod mesh;
 mod pillars;
 mod shapes;
 
+pub use lamp::{Environment, Lamp};
+pub use material::{Material, Pattern, Texture};
 pub use mesh::Mesh;
 
 use glam::{Affine3A, Vec3};
@@ -49,138 +53,6 @@ pub struct Instance {
     pub material: usize,
     /// Where it is.
     pub placement: Placement,
-}
-
-/// What gives a material its base colour.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Pattern {
-    /// The base colour alone.
-    Plain,
-    /// Squares of the base colour and of another one.
-    Checker {
-        /// The other colour, linear.
-        other: Vec3,
-        /// Squares for one unit of texture coordinate.
-        scale: f32,
-    },
-    /// Index into [`Scene::textures`], multiplied by the base colour.
-    Texture(usize),
-}
-
-/// A diffuse base under a dielectric coat, or metal, or a mix of the two.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Material {
-    /// Linear reflectance, 0 to 1.
-    pub base_color: Vec3,
-    /// What varies it over the surface.
-    pub pattern: Pattern,
-    /// Perceptual roughness, 0 to 1 (below 0.05 counts as 0.05); the GGX alpha is its square.
-    pub roughness: f32,
-    /// 0: dielectric, 1: metal.
-    pub metallic: f32,
-    /// Reflectance of the coat at normal incidence: 0.04 for plastic, 0 for no coat.
-    pub specular: f32,
-    /// Emitted radiance, linear.
-    pub emission: Vec3,
-    /// Index into [`Scene::textures`], multiplied by the emission.
-    pub emission_texture: Option<usize>,
-    /// Emits on both sides; otherwise only on the side that the triangles' winding faces.
-    pub two_sided_emission: bool,
-}
-
-impl Material {
-    /// Lambert.
-    pub fn diffuse(base_color: Vec3) -> Self {
-        Self {
-            base_color,
-            pattern: Pattern::Plain,
-            roughness: 1.0,
-            metallic: 0.0,
-            specular: 0.0,
-            emission: Vec3::ZERO,
-            emission_texture: None,
-            two_sided_emission: false,
-        }
-    }
-
-    /// GGX metal.
-    pub fn metal(base_color: Vec3, roughness: f32) -> Self {
-        Self {
-            roughness,
-            metallic: 1.0,
-            ..Self::diffuse(base_color)
-        }
-    }
-
-    /// Lambert under a GGX coat.
-    pub fn plastic(base_color: Vec3, roughness: f32) -> Self {
-        Self {
-            roughness,
-            specular: 0.04,
-            ..Self::diffuse(base_color)
-        }
-    }
-
-    /// A lamp.
-    pub fn emitter(emission: Vec3) -> Self {
-        Self {
-            emission,
-            ..Self::diffuse(Vec3::splat(0.7))
-        }
-    }
-
-    /// The same with a checker of two colours.
-    pub fn with_checker(self, other: Vec3, scale: f32) -> Self {
-        Self {
-            pattern: Pattern::Checker { other, scale },
-            ..self
-        }
-    }
-}
-
-/// An sRGB picture; alpha is not used.
-#[derive(Clone, Debug)]
-pub struct Texture {
-    /// Pixels in a row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// Row by row from the top, red in the lowest byte.
-    pub texels: Vec<u32>,
-}
-
-/// A light that no ray can hit by chance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Lamp {
-    /// Parallel light from a small disc in the sky.
-    Sun {
-        /// Unit vector towards it.
-        direction: Vec3,
-        /// On a surface that faces it.
-        irradiance: Vec3,
-        /// Sine of the disc's angular radius.
-        radius: f32,
-    },
-    /// A point, or a spot.
-    Point {
-        /// Where it is.
-        position: Vec3,
-        /// Radiant intensity.
-        intensity: Vec3,
-        /// Where a spot shines, and the cosines of its inner and outer angle.
-        spot: Option<(Vec3, f32, f32)>,
-    },
-}
-
-/// Light from everywhere, as a gradient. All black: none.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Environment {
-    /// Radiance from above.
-    pub zenith: Vec3,
-    /// Radiance from the side.
-    pub horizon: Vec3,
-    /// Radiance from below.
-    pub ground: Vec3,
 }
 
 /// A perspective camera at one time.

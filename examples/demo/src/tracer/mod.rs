@@ -1,5 +1,6 @@
 //! The path tracer: visibility, lighting, and the ground truth.
 
+mod barriers;
 mod bvh;
 mod camera;
 mod layout;
@@ -17,8 +18,9 @@ use std::sync::Arc;
 use ash::vk;
 
 use crate::error::Result;
-use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
+use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Pipeline, SetLayout};
 use crate::scene::{Environment, Scene};
+use barriers::{general_barrier, memory_barrier};
 use layout::FrameConstants;
 use scene_buffers::SceneBuffers;
 
@@ -244,59 +246,4 @@ impl PathTracer {
             [0.0; 2]
         }
     }
-}
-
-/// (stage, access) before and after.
-type Scope = (vk::PipelineStageFlags, vk::AccessFlags);
-
-fn memory_barrier(device: &ash::Device, cmd: vk::CommandBuffer, from: Scope, to: Scope) {
-    let barrier = [vk::MemoryBarrier::default()
-        .src_access_mask(from.1)
-        .dst_access_mask(to.1)];
-    // SAFETY: `cmd` is recording outside a render pass.
-    unsafe {
-        device.cmd_pipeline_barrier(
-            cmd,
-            from.0,
-            to.0,
-            vk::DependencyFlags::empty(),
-            &barrier,
-            &[],
-            &[],
-        )
-    };
-}
-
-/// Waits for every earlier use and brings images to `GENERAL`, dropping what they held.
-fn general_barrier(device: &ash::Device, cmd: vk::CommandBuffer, images: &[&Image]) {
-    let barriers: Vec<_> = images
-        .iter()
-        .map(|image| {
-            vk::ImageMemoryBarrier::default()
-                .image(image.handle)
-                .subresource_range(crate::gpu::WHOLE_IMAGE)
-                .old_layout(vk::ImageLayout::UNDEFINED)
-                .new_layout(vk::ImageLayout::GENERAL)
-                .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-                .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-                .src_access_mask(vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE)
-                .dst_access_mask(vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE)
-        })
-        .collect();
-    let (all, compute) = (
-        vk::PipelineStageFlags::ALL_COMMANDS,
-        vk::PipelineStageFlags::COMPUTE_SHADER,
-    );
-    // SAFETY: `cmd` is recording outside a render pass, and the images are alive.
-    unsafe {
-        device.cmd_pipeline_barrier(
-            cmd,
-            all,
-            compute,
-            vk::DependencyFlags::empty(),
-            &[],
-            &[],
-            &barriers,
-        )
-    };
 }

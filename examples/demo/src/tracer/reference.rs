@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use ash::vk;
 
-use super::{general_barrier, memory_barrier, shaders, PathTracer};
+use super::barriers::{general_barrier, memory_barrier};
+use super::{shaders, PathTracer};
 use crate::error::{Error, Result};
 use crate::gpu::{storage_images, DescriptorSet, Image, Pipeline, SetLayout};
 
