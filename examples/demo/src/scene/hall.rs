@@ -22,14 +22,14 @@ pub fn scene() -> Scene {
     railings(&mut scene);
     ornaments(&mut scene);
     scene.lamps.push(Lamp::Sun {
-        direction: vec3(0.80, 0.62, -0.28).normalize(),
-        irradiance: vec3(26.0, 22.5, 17.0),
+        direction: vec3(0.84, 0.47, -0.20).normalize(),
+        irradiance: vec3(38.0, 31.0, 22.0),
         radius: 0.012,
     });
     scene.environment = Environment {
-        zenith: vec3(0.75, 1.25, 2.3),
-        horizon: vec3(1.9, 2.1, 2.4),
-        ground: vec3(0.35, 0.32, 0.28),
+        zenith: vec3(1.6, 2.5, 4.4),
+        horizon: vec3(3.6, 4.0, 4.6),
+        ground: vec3(0.6, 0.55, 0.5),
     };
     scene.set_camera(view);
     scene
@@ -83,7 +83,7 @@ fn shell(scene: &mut Scene) {
         fixed,
     );
     // Open ground beyond the arcade, so that the sun is bounced in from outside, too.
-    let lawn = Material::diffuse(vec3(0.20, 0.27, 0.10));
+    let lawn = Material::diffuse(vec3(0.34, 0.36, 0.18));
     scene.place(
         quad(
             vec3(WALL, -0.02, NEAR + 20.0),
@@ -222,7 +222,7 @@ fn view(time: f32) -> View {
         1.65 + 0.025 * step.cos(),
         4.6 - 1.1 * time,
     );
-    let target = eye + vec3(-0.20 + 0.06 * (0.5 * time).sin(), -0.06, -1.0);
+    let target = eye + vec3(-0.26 + 0.06 * (0.5 * time).sin(), -0.06, -1.0);
     View {
         eye,
         target,

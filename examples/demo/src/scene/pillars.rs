@@ -31,8 +31,8 @@ pub fn scene() -> Scene {
         Material::diffuse(vec3(0.55, 0.58, 0.62)),
         fixed,
     );
-    let panel = quad(vec3(-2.4, 1.1, -3.9), Vec3::X * 4.8, Vec3::Y * 1.9);
-    scene.place(panel, Material::emitter(vec3(11.0, 8.6, 6.0)), fixed);
+    let panel = quad(vec3(-1.1, 1.3, -3.9), Vec3::X * 2.2, Vec3::Y * 2.2);
+    scene.place(panel, Material::emitter(vec3(24.0, 18.0, 12.0)), fixed);
     let mesh = scene.add_mesh(cylinder(0.21, 2.7, 24));
     for index in 0..COUNT {
         let hue = index as f32 / COUNT as f32;
@@ -45,8 +45,8 @@ pub fn scene() -> Scene {
         );
     }
     scene.environment = Environment {
-        zenith: vec3(0.10, 0.14, 0.22),
-        horizon: vec3(0.16, 0.17, 0.20),
+        zenith: vec3(0.09, 0.13, 0.22),
+        horizon: vec3(0.19, 0.20, 0.24),
         ground: vec3(0.05, 0.05, 0.05),
     };
     scene
