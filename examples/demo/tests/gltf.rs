@@ -98,13 +98,15 @@ fn garbage_and_emptiness_are_errors() {
     }
 }
 
-#[test]
-fn a_truncated_binary_file_is_an_error_at_any_length() {
-    let json = fs::read_to_string(triangle("source", [0, 1, 2], 42, 3)).expect("the file");
-    let mut chunk = json.replace(r#""uri":"source.bin","#, "").into_bytes();
+/// The triangle as one binary file.
+fn binary_triangle(name: &str) -> Vec<u8> {
+    let path = triangle(name, [0, 1, 2], 42, 3);
+    let json = fs::read_to_string(&path).expect("the file");
+    let mut chunk = json
+        .replace(&format!(r#""uri":"{name}.bin","#), "")
+        .into_bytes();
     chunk.resize(chunk.len().next_multiple_of(4), b' ');
-    let mut binary = fs::read(PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("source.bin"))
-        .expect("the buffer");
+    let mut binary = fs::read(path.with_extension("bin")).expect("the buffer");
     binary.resize(44, 0);
     let mut whole = b"glTF\x02\x00\x00\x00".to_vec();
     whole.extend(((12 + 8 + chunk.len() + 8 + binary.len()) as u32).to_le_bytes());
@@ -113,10 +115,34 @@ fn a_truncated_binary_file_is_an_error_at_any_length() {
         whole.extend(kind);
         whole.extend(data);
     }
-    load(&file("whole.glb", &whole)).expect("the whole file is a scene");
+    whole
+}
+
+#[test]
+fn a_truncated_binary_file_is_an_error_at_any_length() {
+    let whole = binary_triangle("cut");
+    load(&file("cut_whole.glb", &whole)).expect("the whole file is a scene");
     for length in [0, 4, 11, 12, 19, 40, 300, whole.len() - 60, whole.len() - 1] {
         trouble(&file(&format!("cut_{length}.glb"), &whole[..length]));
     }
+}
+
+/// Digits are exchanged for digits, so that most files are still JSON and the numbers in them are wrong.
+#[test]
+fn damaged_numbers_never_panic() {
+    let whole = binary_triangle("damaged");
+    let digits: Vec<usize> = (20..whole.len())
+        .filter(|at| whole[*at].is_ascii_digit())
+        .collect();
+    let mut errors = 0;
+    for at in digits {
+        for digit in *b"0179" {
+            let mut damaged = whole.clone();
+            damaged[at] = digit;
+            errors += usize::from(load(&file("damaged.glb", &damaged)).is_err());
+        }
+    }
+    assert!(errors > 20, "only {errors} damaged files were noticed");
 }
 
 #[test]
@@ -131,6 +157,17 @@ fn missing_and_short_buffers_are_errors() {
 fn accessors_and_indices_out_of_range_are_errors() {
     assert!(trouble(&triangle("index", [0, 1, 7], 42, 3)).contains("index 7 is out of range"));
     assert!(trouble(&triangle("count", [0, 1, 2], 42, 4000)).contains("reads past the end"));
+}
+
+#[test]
+fn a_picture_out_of_range_is_an_error() {
+    let path = triangle("picture", [0, 1, 2], 42, 3);
+    let json = fs::read_to_string(&path).expect("the file");
+    let view = r#"{"buffer":0,"byteOffset":36,"byteLength":6}"#;
+    let more = format!(r#"{view},{{"buffer":0,"byteOffset":40,"byteLength":900}}"#);
+    let images = r#""images":[{"bufferView":2,"mimeType":"image/png"}],"accessors""#;
+    let damaged = json.replace(view, &more).replace(r#""accessors""#, images);
+    assert!(trouble(&file("picture.gltf", damaged.as_bytes())).contains("past the end"));
 }
 
 #[test]

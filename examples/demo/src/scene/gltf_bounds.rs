@@ -3,6 +3,47 @@
 use gltf::accessor::{DataType, Dimensions};
 use gltf::{Accessor, Primitive, Semantic};
 
+/// The POSITION accessors exist. The crate's own validation takes that for granted and would panic.
+pub fn check_positions(root: &gltf::json::Root) -> Result<(), String> {
+    let limit = root.accessors.len();
+    for (number, mesh) in root.meshes.iter().enumerate() {
+        for attribute in mesh
+            .primitives
+            .iter()
+            .flat_map(|primitive| primitive.attributes.values())
+        {
+            let index = attribute.value();
+            if index >= limit {
+                return Err(format!(
+                    "mesh {number} refers to accessor {index}, where there are {limit}"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Every buffer view lies within its buffer: the crate cuts pictures out of them without looking.
+pub fn check_views(
+    document: &gltf::Document,
+    buffers: &[gltf::buffer::Data],
+) -> Result<(), String> {
+    for view in document.views() {
+        let length = buffers
+            .get(view.buffer().index())
+            .map_or(0, |buffer| buffer.len());
+        if view
+            .offset()
+            .checked_add(view.length())
+            .is_none_or(|end| end > length)
+        {
+            let (index, offset, size) = (view.index(), view.offset(), view.length());
+            return Err(format!("buffer view {index} ({size} bytes at {offset}) reads past the end of its buffer of {length}"));
+        }
+    }
+    Ok(())
+}
+
 /// Every accessor that the demo reads lies within its buffer, has the right kind, and as many elements as corners.
 pub fn check_primitive(
     primitive: &Primitive<'_>,

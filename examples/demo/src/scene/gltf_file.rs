@@ -7,10 +7,13 @@ use std::path::Path;
 
 use glam::{vec3, Mat4, Vec3};
 
-use super::gltf_bounds::check_primitive;
+use super::gltf_bounds::{check_positions, check_primitive, check_views};
 use super::gltf_parts::{image, lamp, material, mesh, view};
 use super::{Environment, Lamp, Placement, Scene, View};
 use crate::error::{Error, Result};
+
+const WHOLE_FILE: &str =
+    "It must be a whole glTF 2.0 file (.glb or .gltf): export or download it again";
 
 /// Deeper trees of nodes than this are taken for a cycle.
 const NODE_DEPTH_LIMIT: usize = 128;
@@ -28,7 +31,7 @@ pub fn load(path: &Path) -> Result<Scene> {
 }
 
 fn read(path: &Path) -> std::result::Result<Scene, Problem> {
-    let (document, buffers, images) = gltf::import(path).map_err(import_problem)?;
+    let (document, buffers, images) = import(path)?;
     let name = path
         .file_stem()
         .and_then(|stem| stem.to_str())
@@ -67,6 +70,26 @@ fn read(path: &Path) -> std::result::Result<Scene, Problem> {
         reader.node(&node, Mat4::IDENTITY, 0)?;
     }
     reader.finish()
+}
+
+type Imported = (
+    gltf::Document,
+    Vec<gltf::buffer::Data>,
+    Vec<gltf::image::Data>,
+);
+
+/// What `gltf::import` does, with a check before its validation, which indexes without looking.
+fn import(path: &Path) -> std::result::Result<Imported, Problem> {
+    let bytes = std::fs::read(path).map_err(|error| import_problem(gltf::Error::Io(error)))?;
+    let parsed = gltf::Gltf::from_slice_without_validation(&bytes).map_err(import_problem)?;
+    let json = parsed.document.into_json();
+    check_positions(&json).map_err(|problem| (problem, WHOLE_FILE))?;
+    let document = gltf::Document::from_json(json).map_err(import_problem)?;
+    let buffers =
+        gltf::import_buffers(&document, path.parent(), parsed.blob).map_err(import_problem)?;
+    check_views(&document, &buffers).map_err(|problem| (problem, WHOLE_FILE))?;
+    let images = gltf::import_images(&document, path.parent(), &buffers).map_err(import_problem)?;
+    Ok((document, buffers, images))
 }
 
 struct Reader<'a> {
@@ -208,7 +231,7 @@ fn import_problem(error: gltf::Error) -> Problem {
         gltf::Error::UnsupportedScheme | gltf::Error::ExternalReferenceInSliceImport => {
             "Put buffers and pictures beside the file or inside it"
         }
-        _ => "It must be a whole glTF 2.0 file (.glb or .gltf): export or download it again",
+        _ => WHOLE_FILE,
     };
     // The crate's message for a failed validation is a list; one line is enough for a person.
     let problem = match &error {

@@ -47,6 +47,12 @@ pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh
     } else {
         BvhBuildParams::medium_build()
     };
+    // Small leaves: a triangle costs the shaders about as much as a pair of boxes.
+    let params = BvhBuildParams {
+        max_prims_per_leaf: 4,
+        collapse_traversal_cost: 1.0,
+        ..params
+    };
     let tree = build_bvh2_from_tris(&triangles, params, &mut Default::default());
     let depth = tree.depth(0);
     if depth > BVH_DEPTH_LIMIT {
