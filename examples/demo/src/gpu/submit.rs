@@ -7,7 +7,8 @@ use super::{Buffer, Gpu, Image, MemoryKind};
 use crate::error::{Doing, Result};
 
 impl Gpu {
-    /// Records with `record`, submits, and waits until the device is done.
+    /// Records with `record`, submits, and waits until the device is done. `record` must not submit or read images
+    /// itself: the command pool is locked meanwhile.
     ///
     /// # Errors
     /// What `record` returns, and a lost device.
