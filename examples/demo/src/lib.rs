@@ -1,0 +1,16 @@
+//! A miniature engine for the denoiser `atrous`: its own Vulkan instance, device and allocator, animated scenes, and a
+//! path tracer in compute shaders over a BVH. It stands for the engine that the denoiser is plugged into.
+//!
+//! [`Gpu`] owns the device, [`Scene`] the world, [`PathTracer`] one picture of it: each frame a visibility pass writes
+//! the G-buffer and a seed for each pixel, then a lighting pass traces one path from each. [`PathTracer::render_reference`]
+//! gives the ground truth. Everything is deterministic: random numbers come from pixel, frame index and seed alone.
+
+pub mod error;
+pub mod gpu;
+pub mod scene;
+pub mod tracer;
+
+pub use error::{Error, Result};
+pub use gpu::{Gpu, GpuOptions, Image};
+pub use scene::{Scene, SceneOptions};
+pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, TracerOptions};
