@@ -1,5 +1,6 @@
 //! Per-frame numbers with ranges and defaults; changing one never drops the history.
 
+use crate::config::Preset;
 use crate::error::Error;
 
 /// What a tunable is: for user interfaces and for error messages.
@@ -102,6 +103,14 @@ tuning! {
 }
 
 impl Tuning {
+    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 [ASVGF].
+    pub fn for_preset(preset: Preset) -> Self {
+        match preset {
+            Preset::Svgf => Self::default(),
+            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, ..Self::default() },
+        }
+    }
+
     /// Checks every field against its range.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::barriers::{Scope, WHOLE};
 use super::storage::Storage;
 use super::{AllocatedMemory, ExecutorOptions};
-use crate::contract::{alias, component_of, Component, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
+use crate::contract::{alias, component_of, Access, Component, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
 use crate::denoiser::{Binding, Device};
 use crate::error::Error;
 use ash::vk;
@@ -78,8 +78,11 @@ impl Memory {
         self.storages[id.0 as usize][0] = self.own_outputs[id.0 as usize];
     }
 
-    pub fn binding(&self, id: ResourceId, copy: usize) -> Binding {
+    pub fn binding(&self, id: ResourceId, copy: usize, access: Access) -> Binding {
         match self.storage(id, copy) {
+            Some(s) if s.image != vk::Image::null() && access == Access::Clear => {
+                Binding::ClearedImage { image: s.image, layout: s.scope.layout }
+            }
             Some(s) if s.image != vk::Image::null() => Binding::Image { view: s.view, layout: s.scope.layout },
             Some(s) => Binding::Buffer { buffer: s.buffer, offset: 0, range: vk::WHOLE_SIZE },
             None => Binding::Absent,

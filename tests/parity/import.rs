@@ -17,6 +17,7 @@ pub fn check(c: &Captured) {
     let roughness = c.optional_host("roughness");
     let object_normal = c.optional_host("object_normal");
     let surface_id = c.config.surface_id.then(|| c.uints("surface_id", UseFrame::Current));
+    let transforms = c.instance_transforms();
     let inputs = ImportInputs {
         depth: &depth,
         normal: &normal,
@@ -24,7 +25,7 @@ pub fn check(c: &Captured) {
         object_normal: object_normal.as_ref(),
         surface_id: surface_id.as_ref(),
         roughness: roughness.as_ref(),
-        instance_transforms: None,
+        instance_transforms: transforms.as_deref(),
     };
     let twin = import(&c.frame.constants, &inputs);
     // Normals are rounded to a grid of 1/511, and either side of a step is right.
