@@ -7,6 +7,7 @@ mod barriers;
 mod headless;
 mod memory;
 mod profiler;
+mod readback;
 mod session;
 mod session_objects;
 mod storage;
@@ -14,6 +15,7 @@ mod transfer;
 
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
 pub use profiler::PassTime;
+pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
 
 use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
