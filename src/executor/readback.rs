@@ -31,7 +31,7 @@ impl Executor {
     /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input that nothing is bound to.
     pub fn readback(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<Readback, Error> {
         let (id, copy) = self.locate(name, frame, which)?;
-        let storage = self.memory.storage(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let storage = self.memory.storages.storage(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
         let bytes = match storage.image == vk::Image::null() {
             true => storage.size,
             false => u64::from(storage.extent[0]) * u64::from(storage.extent[1]) * bytes_per_texel(storage.format),
@@ -57,7 +57,7 @@ impl Executor {
         buffer: vk::Buffer,
     ) -> Result<(), Error> {
         let (id, copy) = self.locate(name, frame, which)?;
-        let storage = self.memory.storage_mut(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let storage = self.memory.storages.storage_mut(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
         // SAFETY: the caller's.
         unsafe {
             let home = storage.scope;
