@@ -25,15 +25,15 @@ fn the_temporal_error_settles_ten_times_below_the_input() {
     let scene = Scene::new(EXTENT);
     let mut s = session(&Config::new(EXTENT));
     let (mut errors, mut noisy_errors) = (Vec::new(), Vec::new());
-    let mut previous: Option<(Vec<[f32; 4]>, Vec<[f32; 4]>)> = None;
+    let mut previous: Option<[Vec<[f32; 4]>; 2]> = None;
     for i in 0..60 {
         let g = scene.frame(0, i);
         let (_, image) = frame(&mut s, &g, &scene.params(0), &Tuning::default());
-        if let Some((before, noisy_before)) = &previous {
+        if let Some([before, noisy_before]) = &previous {
             errors.push(change(&image, before));
             noisy_errors.push(change(&g.noisy_radiance, noisy_before));
         }
-        previous = Some((image, g.noisy_radiance));
+        previous = Some([image, g.noisy_radiance]);
     }
     let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
     let (soon, late, noisy) = (mean(&errors[15..20]), mean(&errors[40..]), mean(&noisy_errors));

@@ -73,8 +73,7 @@ impl Captured<'_> {
     }
 
     pub fn instance_transforms(&self) -> Option<Vec<InstanceTransform>> {
-        let bytes = self.inputs.get(&("instance_transforms".to_owned(), UseFrame::Current))?;
-        Some(bytemuck::allocation::pod_collect_to_vec(bytes))
+        self.optional_buffer("instance_transforms").map(bytemuck::allocation::pod_collect_to_vec)
     }
 
     fn rendered_strata(&self) -> [u32; 2] {

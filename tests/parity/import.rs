@@ -80,6 +80,29 @@ pub fn every_encoding() {
     assert_valid();
 }
 
+/// Motion from the matrices and a transform per instance: a turning ball, a wall with an unusable transform, and ids beyond the buffer.
+pub fn instance_transforms() {
+    let scene = Scene { speed: 0.1, ..Scene::new([41, 23]) };
+    let config = Config::new(scene.extent);
+    let still = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let (sin, cos) = 0.2f32.sin_cos();
+    let turned = [[cos, 0.0, sin, 0.6], [0.0, 1.0, 0.0, -0.1], [-sin, 0.0, cos, -0.3]];
+    let unusable = [[f32::NAN; 4]; 3];
+    for transforms in [vec![still, still, turned], vec![still, unusable, turned], vec![still, [[0.0; 4]; 3], turned], vec![still]] {
+        let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+        s.upload_buffer("instance_transforms", bytemuck::cast_slice(&transforms)).expect("transforms");
+        for i in 0..3 {
+            let g = scene.frame(i, i);
+            for (name, texels) in g.images().into_iter().filter(|(n, _)| ["depth", "normal", "noisy_radiance"].contains(n)) {
+                s.upload(name, texels).expect(name);
+            }
+            s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
+            run(&mut s, &config, &scene.params(i), &Tuning::default());
+        }
+    }
+    assert_valid();
+}
+
 fn encoded(conventions: Conventions, with_motion: bool) {
     let scene = Scene { speed: 0.15, ..Scene::new([41, 23]) };
     let config = Config { conventions, ..Config::new(scene.extent) };

@@ -30,6 +30,7 @@ pub const TESTS: &[GpuTest] = &[
     ("one_pixel", || sequence(&Config::new([1, 1]))),
     ("a_rect_in_a_larger_image", || sequence_of(&Config::new([64, 40]), [37, 21])),
     ("import_in_every_encoding", import::every_encoding),
+    ("import_with_instance_transforms", import::instance_transforms),
     ("tone_map_curves", tone_map::curves),
     ("asvgf_forward_projected", asvgf::forward_projected),
     ("asvgf_strata_of_every_size", asvgf::strata_of_every_size),
@@ -69,6 +70,10 @@ impl Captured<'_> {
 
     pub fn optional_host(&self, name: &str) -> Option<Image<[f32; 4]>> {
         self.has(name).then(|| self.host(name))
+    }
+
+    pub fn optional_buffer(&self, name: &str) -> Option<&[u8]> {
+        self.inputs.get(&(name.to_owned(), UseFrame::Current)).map(Vec::as_slice)
     }
 
     pub fn uints(&self, name: &str, frame: UseFrame) -> Image<u32> {

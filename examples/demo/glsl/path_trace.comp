@@ -1,7 +1,7 @@
 #version 450
 // Lighting at one path per pixel, from the pixel's visibility sample and seed.
 // In: visibility, seed. Out: direct (scattered once), indirect (scattered twice), emission (seen directly; no noise):
-// linear radiance, whose sum is the picture.
+// linear radiance, whose sum is the picture; scattered: direct + indirect.
 #extension GL_GOOGLE_include_directive : require
 #include "pixel_sample.glsl"
 #include "path.glsl"
@@ -11,6 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 1, binding = 2, rgba32f) uniform writeonly image2D direct_image;
 layout(set = 1, binding = 3, rgba32f) uniform writeonly image2D indirect_image;
 layout(set = 1, binding = 4, rgba32f) uniform writeonly image2D emission_image;
+layout(set = 1, binding = 5, rgba32f) uniform writeonly image2D scattered_image;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -29,4 +30,5 @@ void main() {
     imageStore(direct_image, pixel, vec4(lighting.direct, 1.0));
     imageStore(indirect_image, pixel, vec4(lighting.indirect, 1.0));
     imageStore(emission_image, pixel, vec4(emission, 1.0));
+    imageStore(scattered_image, pixel, vec4(lighting.direct + lighting.indirect, 1.0));
 }

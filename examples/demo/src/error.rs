@@ -8,15 +8,15 @@ use ash::vk;
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The Vulkan loader library could not be opened.
-    #[error("no Vulkan loader ({0}): install it (Debian, Ubuntu: `apt install libvulkan1 mesa-vulkan-drivers`) or run scripts/setup.sh")]
+    #[error(
+        "no Vulkan loader ({0}): install it (Debian, Ubuntu: `apt install libvulkan1 mesa-vulkan-drivers`) or run scripts/setup.sh"
+    )]
     NoVulkan(#[from] ash::LoadingError),
     /// No device answers at all.
     #[error("the Vulkan loader finds no device with a compute queue: install a driver for your GPU, or Mesa's software device (Debian, Ubuntu: `apt install mesa-vulkan-drivers`)")]
     NoDevice,
     /// No device matches what was asked for.
-    #[error(
-        "no device matches \"{wanted}\"; there are: {available}. Give an index or a part of a name"
-    )]
+    #[error("no device matches \"{wanted}\"; there are: {available}. Give an index or a part of a name")]
     DeviceNotFound {
         /// What the caller asked for.
         wanted: String,
@@ -35,9 +35,7 @@ pub enum Error {
         result: vk::Result,
     },
     /// Device memory could not be had.
-    #[error(
-        "no device memory for {what} ({bytes} bytes): {source}. Choose a smaller picture or scene"
-    )]
+    #[error("no device memory for {what} ({bytes} bytes): {source}. Choose a smaller picture or scene")]
     Memory {
         /// The resource that needed it.
         what: String,
@@ -76,9 +74,7 @@ pub enum Error {
     #[error("the scene has no triangles: place at least one mesh")]
     EmptyScene,
     /// A scene is too complex for a fixed limit.
-    #[error(
-        "the scene has {given} {what}, and the demo takes {limit} at most: simplify the scene"
-    )]
+    #[error("the scene has {given} {what}, and the demo takes {limit} at most: simplify the scene")]
     SceneLimit {
         /// What there is too much of.
         what: &'static str,
@@ -87,18 +83,33 @@ pub enum Error {
         /// How much is allowed.
         limit: usize,
     },
-    /// A picture could not be written.
+    /// A folder could not be made.
     #[error("cannot write {}: {problem}. Check the folder and the space on the disk", path.display())]
-    Picture {
-        /// The file.
+    Folder {
+        /// The folder.
         path: PathBuf,
         /// What the system said.
         problem: String,
     },
+    /// The denoiser refused.
+    #[error("the denoiser: {0}")]
+    Denoiser(#[from] atrous::Error),
+    /// Two pictures could not be compared.
+    #[error("comparing pictures: {0}")]
+    Quality(#[from] atrous::quality::QualityError),
+    /// A picture could not be composed or written.
+    #[error("{0}")]
+    Composition(#[from] atrous_picture::PictureError),
+    /// A frame for which no reference can be rendered.
+    #[error("reference frame {given} does not exist: with --frames {frames} they are 0 to {}", frames - 1)]
+    ReferenceFrame {
+        /// As given.
+        given: u32,
+        /// Frames rendered.
+        frames: u32,
+    },
     /// A reference of no samples has no mean.
-    #[error(
-        "a reference of 0 samples per pixel has no mean: ask for 1 or more (1024 is a good start)"
-    )]
+    #[error("a reference of 0 samples per pixel has no mean: ask for 1 or more (1024 is a good start)")]
     NoSamples,
 }
 

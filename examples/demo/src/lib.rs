@@ -3,13 +3,18 @@
 //!
 //! [`Gpu`] owns the device, [`Scene`] the world, [`PathTracer`] one picture of it: each frame a visibility pass writes
 //! the G-buffer and a seed for each pixel, then a lighting pass traces one path from each. [`PathTracer::render_reference`]
-//! gives the ground truth. Everything is deterministic: random numbers come from pixel, frame index and seed alone.
+//! gives the ground truth. [`FrameDenoiser`] is all that it takes to plug the denoiser in: the engine's images are bound once, and the phases are
+//! recorded around the lighting pass. Everything is deterministic: random numbers come from pixel, frame index and seed alone.
 
+pub mod denoiser;
 pub mod error;
 pub mod gpu;
+pub mod measure;
+pub mod report;
 pub mod scene;
 pub mod tracer;
 
+pub use denoiser::{DenoiserOptions, FrameDenoiser};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};

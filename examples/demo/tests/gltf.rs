@@ -23,24 +23,15 @@ fn load(path: &std::path::Path) -> Result<Scene, Error> {
 fn trouble(path: &std::path::Path) -> String {
     let error = load(path).map(|_| ()).expect_err("an error");
     let message = error.to_string();
-    let name = path
-        .file_name()
-        .and_then(|name| name.to_str())
-        .expect("a name");
-    assert!(
-        matches!(error, Error::SceneFile { .. }) && message.contains(name),
-        "{message}"
-    );
+    let name = path.file_name().and_then(|name| name.to_str()).expect("a name");
+    assert!(matches!(error, Error::SceneFile { .. }) && message.contains(name), "{message}");
     message
 }
 
 /// One triangle: positions, then indices, in a buffer beside the file.
 fn triangle(name: &str, indices: [u16; 3], buffer_bytes: usize, count: usize) -> PathBuf {
     let positions: [f32; 9] = [-1.0, -1.0, 0.0, 1.0, -1.0, 0.0, 0.0, 1.0, 0.0];
-    let mut bytes: Vec<u8> = positions
-        .iter()
-        .flat_map(|value| value.to_le_bytes())
-        .collect();
+    let mut bytes: Vec<u8> = positions.iter().flat_map(|value| value.to_le_bytes()).collect();
     bytes.extend(indices.iter().flat_map(|index| index.to_le_bytes()));
     bytes.truncate(buffer_bytes);
     file(&format!("{name}.bin"), &bytes);
@@ -59,21 +50,10 @@ fn triangle(name: &str, indices: [u16; 3], buffer_bytes: usize, count: usize) ->
 fn a_triangle_is_seen_and_lit() {
     let gpu = Validated::new();
     let scene = load(&triangle("whole", [0, 1, 2], 42, 3)).expect("a scene");
-    assert_eq!(
-        (
-            scene.meshes.len(),
-            scene.meshes[0].triangles.len(),
-            scene.lamps.len()
-        ),
-        (1, 1, 1)
-    );
+    assert_eq!((scene.meshes.len(), scene.meshes[0].triangles.len(), scene.lamps.len()), (1, 1, 1));
     let mut tracer = tracer(&gpu, &Arc::new(scene), TracerOptions::default());
     render(&gpu, &mut tracer, 0);
-    assert!(gpu
-        .0
-        .read_image_u32(&tracer.outputs().surface_id)
-        .expect("ids")
-        .contains(&1));
+    assert!(gpu.0.read_image_u32(&tracer.outputs().surface_id).expect("ids").contains(&1));
     let direct = gpu.0.read_image(&tracer.outputs().direct).expect("direct");
     assert!(direct.iter().any(|pixel| pixel[0] > 0.0));
 }
@@ -81,19 +61,14 @@ fn a_triangle_is_seen_and_lit() {
 #[test]
 fn a_missing_file_is_an_error() {
     let message = trouble(&PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("nowhere.glb"));
-    assert!(
-        message.contains("cannot be read") && message.contains("Check the path"),
-        "{message}"
-    );
+    assert!(message.contains("cannot be read") && message.contains("Check the path"), "{message}");
 }
 
 #[test]
 fn garbage_and_emptiness_are_errors() {
-    for (name, content) in [
-        ("garbage.gltf", &b"\x00\xffnot json"[..]),
-        ("garbage.glb", b"glTF\x02\x00\x00\x00junk"),
-        ("empty.glb", b""),
-    ] {
+    for (name, content) in
+        [("garbage.gltf", &b"\x00\xffnot json"[..]), ("garbage.glb", b"glTF\x02\x00\x00\x00junk"), ("empty.glb", b"")]
+    {
         assert!(trouble(&file(name, content)).contains("whole glTF 2.0 file"));
     }
 }
@@ -102,9 +77,7 @@ fn garbage_and_emptiness_are_errors() {
 fn binary_triangle(name: &str) -> Vec<u8> {
     let path = triangle(name, [0, 1, 2], 42, 3);
     let json = fs::read_to_string(&path).expect("the file");
-    let mut chunk = json
-        .replace(&format!(r#""uri":"{name}.bin","#), "")
-        .into_bytes();
+    let mut chunk = json.replace(&format!(r#""uri":"{name}.bin","#), "").into_bytes();
     chunk.resize(chunk.len().next_multiple_of(4), b' ');
     let mut binary = fs::read(path.with_extension("bin")).expect("the buffer");
     binary.resize(44, 0);
@@ -131,9 +104,7 @@ fn a_truncated_binary_file_is_an_error_at_any_length() {
 #[test]
 fn damaged_numbers_never_panic() {
     let whole = binary_triangle("damaged");
-    let digits: Vec<usize> = (20..whole.len())
-        .filter(|at| whole[*at].is_ascii_digit())
-        .collect();
+    let digits: Vec<usize> = (20..whole.len()).filter(|at| whole[*at].is_ascii_digit()).collect();
     let mut errors = 0;
     for at in digits {
         for digit in *b"0179" {

@@ -45,12 +45,7 @@ impl Buffer {
         let info = vk::BufferCreateInfo::default().size(size).usage(usage);
         // SAFETY: the device is alive and the size is not zero.
         let handle = unsafe { gpu.device().create_buffer(&info, None) }.doing("create a buffer")?;
-        let mut buffer = Self {
-            handle,
-            size,
-            allocation: None,
-            shared: gpu.shared.clone(),
-        };
+        let mut buffer = Self { handle, size, allocation: None, shared: gpu.shared.clone() };
         // SAFETY: the buffer was just made by this device.
         let requirements = unsafe { gpu.device().get_buffer_memory_requirements(handle) };
         let location = match kind {
@@ -65,39 +60,25 @@ impl Buffer {
             linear: true,
             allocation_scheme: AllocationScheme::GpuAllocatorManaged,
         };
-        let allocation =
-            gpu.allocator()
-                .allocate(&description)
-                .map_err(|source| Error::Memory {
-                    what: name.into(),
-                    bytes: requirements.size,
-                    source,
-                })?;
+        let allocation = gpu.allocator().allocate(&description).map_err(|source| Error::Memory {
+            what: name.into(),
+            bytes: requirements.size,
+            source,
+        })?;
         let memory = &*buffer.allocation.insert(allocation);
         // SAFETY: fresh memory of the size and kind that the buffer asked for, bound once.
-        unsafe {
-            gpu.device()
-                .bind_buffer_memory(handle, memory.memory(), memory.offset())
-        }
-        .doing("bind a buffer's memory")?;
+        unsafe { gpu.device().bind_buffer_memory(handle, memory.memory(), memory.offset()) }.doing("bind a buffer's memory")?;
         Ok(buffer)
     }
 
     /// What the CPU can see of it (nothing, for device memory).
     pub fn bytes(&self) -> &[u8] {
-        let mapped = self
-            .allocation
-            .as_ref()
-            .and_then(|allocation| allocation.mapped_slice())
-            .unwrap_or_default();
+        let mapped = self.allocation.as_ref().and_then(|allocation| allocation.mapped_slice()).unwrap_or_default();
         &mapped[..mapped.len().min(self.size as usize)]
     }
 
     pub(super) fn bytes_mut(&mut self) -> &mut [u8] {
-        self.allocation
-            .as_mut()
-            .and_then(|allocation| allocation.mapped_slice_mut())
-            .unwrap_or_default()
+        self.allocation.as_mut().and_then(|allocation| allocation.mapped_slice_mut()).unwrap_or_default()
     }
 }
 

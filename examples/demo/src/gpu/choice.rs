@@ -38,10 +38,7 @@ pub struct Chosen {
 
 /// Every device with a compute queue.
 pub fn list(instance: &ash::Instance) -> Result<Vec<DeviceInfo>> {
-    Ok(candidates(instance)?
-        .into_iter()
-        .map(|candidate| candidate.info)
-        .collect())
+    Ok(candidates(instance)?.into_iter().map(|candidate| candidate.info).collect())
 }
 
 /// The device that `wanted` names, else the best.
@@ -51,22 +48,14 @@ pub fn choose(instance: &ash::Instance, wanted: Option<&str>) -> Result<Chosen> 
         return Err(Error::NoDevice);
     }
     let position = match wanted {
-        None => all
-            .iter()
-            .enumerate()
-            .min_by_key(|(index, c)| (rank(c.info.kind), *index))
-            .map(|(index, _)| index),
+        None => all.iter().enumerate().min_by_key(|(index, c)| (rank(c.info.kind), *index)).map(|(index, _)| index),
         Some(text) => all.iter().position(|c| matches(&c.info, text)),
     };
     match position {
         Some(position) => Ok(all.swap_remove(position)),
         None => Err(Error::DeviceNotFound {
             wanted: wanted.unwrap_or_default().to_string(),
-            available: all
-                .iter()
-                .map(|c| c.info.to_string())
-                .collect::<Vec<_>>()
-                .join("; "),
+            available: all.iter().map(|c| c.info.to_string()).collect::<Vec<_>>().join("; "),
         }),
     }
 }
@@ -74,23 +63,16 @@ pub fn choose(instance: &ash::Instance, wanted: Option<&str>) -> Result<Chosen> 
 /// Opens the device with synchronization2 and the storage image features that it has.
 pub fn create_device(instance: &ash::Instance, chosen: &Chosen) -> Result<ash::Device> {
     let priorities = [1.0];
-    let queues = [vk::DeviceQueueCreateInfo::default()
-        .queue_family_index(chosen.queue_family)
-        .queue_priorities(&priorities)];
+    let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(chosen.queue_family).queue_priorities(&priorities)];
     let available = chosen.features;
     let features = vk::PhysicalDeviceFeatures {
         shader_storage_image_extended_formats: available.shader_storage_image_extended_formats,
-        shader_storage_image_read_without_format: available
-            .shader_storage_image_read_without_format,
-        shader_storage_image_write_without_format: available
-            .shader_storage_image_write_without_format,
+        shader_storage_image_read_without_format: available.shader_storage_image_read_without_format,
+        shader_storage_image_write_without_format: available.shader_storage_image_write_without_format,
         ..Default::default()
     };
-    let mut synchronization2 =
-        vk::PhysicalDeviceSynchronization2Features::default().synchronization2(true);
-    let mut info = vk::DeviceCreateInfo::default()
-        .queue_create_infos(&queues)
-        .enabled_features(&features);
+    let mut synchronization2 = vk::PhysicalDeviceSynchronization2Features::default().synchronization2(true);
+    let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_features(&features);
     let extensions = [ash::khr::synchronization2::NAME.as_ptr()];
     if chosen.synchronization2 {
         info = info.push_next(&mut synchronization2);
@@ -119,18 +101,10 @@ fn rank(kind: &str) -> u32 {
 fn candidates(instance: &ash::Instance) -> Result<Vec<Chosen>> {
     // SAFETY: the instance is alive.
     let devices = unsafe { instance.enumerate_physical_devices() }.doing("list the devices")?;
-    Ok(devices
-        .into_iter()
-        .enumerate()
-        .filter_map(|(index, device)| inspect(instance, index, device))
-        .collect())
+    Ok(devices.into_iter().enumerate().filter_map(|(index, device)| inspect(instance, index, device)).collect())
 }
 
-fn inspect(
-    instance: &ash::Instance,
-    index: usize,
-    physical_device: vk::PhysicalDevice,
-) -> Option<Chosen> {
+fn inspect(instance: &ash::Instance, index: usize, physical_device: vk::PhysicalDevice) -> Option<Chosen> {
     // SAFETY: plain queries of a physical device that this instance has listed.
     let (properties, features, families) = unsafe {
         (
@@ -146,16 +120,8 @@ fn inspect(
     let family = families
         .iter()
         .position(|family| family.queue_flags.contains(all))
-        .or_else(|| {
-            families
-                .iter()
-                .position(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
-        })?;
-    let name = properties
-        .device_name_as_c_str()
-        .unwrap_or(c"unnamed")
-        .to_string_lossy()
-        .into_owned();
+        .or_else(|| families.iter().position(|family| family.queue_flags.contains(vk::QueueFlags::COMPUTE)))?;
+    let name = properties.device_name_as_c_str().unwrap_or(c"unnamed").to_string_lossy().into_owned();
     let kind = match properties.device_type {
         vk::PhysicalDeviceType::DISCRETE_GPU => "discrete",
         vk::PhysicalDeviceType::INTEGRATED_GPU => "integrated",
@@ -175,18 +141,11 @@ fn inspect(
     })
 }
 
-fn has_synchronization2(
-    instance: &ash::Instance,
-    device: vk::PhysicalDevice,
-    version: u32,
-) -> bool {
+fn has_synchronization2(instance: &ash::Instance, device: vk::PhysicalDevice, version: u32) -> bool {
     let named = |name: &CStr| {
         // SAFETY: a plain query of a physical device of this instance.
-        let extensions =
-            unsafe { instance.enumerate_device_extension_properties(device) }.unwrap_or_default();
-        extensions
-            .iter()
-            .any(|extension| extension.extension_name_as_c_str() == Ok(name))
+        let extensions = unsafe { instance.enumerate_device_extension_properties(device) }.unwrap_or_default();
+        extensions.iter().any(|extension| extension.extension_name_as_c_str() == Ok(name))
     };
     if version < vk::API_VERSION_1_3 && !named(ash::khr::synchronization2::NAME) {
         return false;

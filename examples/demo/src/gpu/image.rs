@@ -39,12 +39,7 @@ impl Image {
     ///
     /// # Errors
     /// An extent of zero or beyond the device's limit, or no memory.
-    pub fn new(
-        gpu: &Gpu,
-        name: &'static str,
-        format: vk::Format,
-        extent: vk::Extent2D,
-    ) -> Result<Self> {
+    pub fn new(gpu: &Gpu, name: &'static str, format: vk::Format, extent: vk::Extent2D) -> Result<Self> {
         check_extent(gpu, extent)?;
         let info = vk::ImageCreateInfo::default()
             .image_type(vk::ImageType::TYPE_2D)
@@ -63,15 +58,8 @@ impl Image {
         // SAFETY: the device is alive and the extent is within its limits.
         let handle = unsafe { gpu.device().create_image(&info, None) }.doing("create an image")?;
         // From here on, dropping `image` frees whatever was made.
-        let mut image = Self {
-            handle,
-            view: vk::ImageView::null(),
-            format,
-            extent,
-            name,
-            allocation: None,
-            shared: gpu.shared.clone(),
-        };
+        let mut image =
+            Self { handle, view: vk::ImageView::null(), format, extent, name, allocation: None, shared: gpu.shared.clone() };
         // SAFETY: the image was just made by this device.
         let requirements = unsafe { gpu.device().get_image_memory_requirements(handle) };
         let description = AllocationCreateDesc {
@@ -81,29 +69,21 @@ impl Image {
             linear: false,
             allocation_scheme: AllocationScheme::GpuAllocatorManaged,
         };
-        let allocation =
-            gpu.allocator()
-                .allocate(&description)
-                .map_err(|source| Error::Memory {
-                    what: name.into(),
-                    bytes: requirements.size,
-                    source,
-                })?;
+        let allocation = gpu.allocator().allocate(&description).map_err(|source| Error::Memory {
+            what: name.into(),
+            bytes: requirements.size,
+            source,
+        })?;
         let memory = &*image.allocation.insert(allocation);
         // SAFETY: fresh memory of the size and kind that the image asked for, bound once.
-        unsafe {
-            gpu.device()
-                .bind_image_memory(handle, memory.memory(), memory.offset())
-        }
-        .doing("bind an image's memory")?;
+        unsafe { gpu.device().bind_image_memory(handle, memory.memory(), memory.offset()) }.doing("bind an image's memory")?;
         let view = vk::ImageViewCreateInfo::default()
             .image(handle)
             .view_type(vk::ImageViewType::TYPE_2D)
             .format(format)
             .subresource_range(WHOLE_IMAGE);
         // SAFETY: the image has memory, and the view has its format.
-        image.view =
-            unsafe { gpu.device().create_image_view(&view, None) }.doing("create an image view")?;
+        image.view = unsafe { gpu.device().create_image_view(&view, None) }.doing("create an image view")?;
         Ok(image)
     }
 
@@ -137,9 +117,5 @@ fn check_extent(gpu: &Gpu, extent: vk::Extent2D) -> Result<()> {
     if allowed.contains(&extent.width) && allowed.contains(&extent.height) {
         return Ok(());
     }
-    Err(Error::Extent {
-        width: extent.width,
-        height: extent.height,
-        limit,
-    })
+    Err(Error::Extent { width: extent.width, height: extent.height, limit })
 }

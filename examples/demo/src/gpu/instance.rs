@@ -35,12 +35,9 @@ impl Instance {
             extensions.push(ash::ext::validation_features::NAME.as_ptr());
         }
         let version = highest_version(&entry)?;
-        let application = vk::ApplicationInfo::default()
-            .application_name(c"atrous demo")
-            .api_version(version);
+        let application = vk::ApplicationInfo::default().application_name(c"atrous demo").api_version(version);
         let enabled = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
-        let mut features =
-            vk::ValidationFeaturesEXT::default().enabled_validation_features(&enabled);
+        let mut features = vk::ValidationFeaturesEXT::default().enabled_validation_features(&enabled);
         let mut info = vk::InstanceCreateInfo::default()
             .application_info(&application)
             .enabled_layer_names(&layers)
@@ -51,29 +48,25 @@ impl Instance {
             info = info.push_next(&mut features).push_next(&mut messenger_info);
         }
         // SAFETY: the layers and extensions named were found; everything pointed to outlives the call.
-        let raw = unsafe { entry.create_instance(&info, None) }.doing("create an instance")?;
-        let mut instance = Self {
-            raw,
-            entry,
-            messenger: None,
-            messages,
-        };
+        let created = unsafe { entry.create_instance(&info, None) };
+        // This is how a loader without any driver answers.
+        if created.as_ref().err() == Some(&vk::Result::ERROR_INCOMPATIBLE_DRIVER) {
+            return Err(Error::NoDevice);
+        }
+        let raw = created.doing("create an instance")?;
+        let mut instance = Self { raw, entry, messenger: None, messages };
         if validation {
             let functions = ash::ext::debug_utils::Instance::new(&instance.entry, &instance.raw);
             let info = self::messenger_info(&instance.messages);
             // SAFETY: the extension is enabled, and `messages` is boxed and lives until the messenger is destroyed.
-            let handle = unsafe { functions.create_debug_utils_messenger(&info, None) }
-                .doing("create a debug messenger")?;
+            let handle = unsafe { functions.create_debug_utils_messenger(&info, None) }.doing("create a debug messenger")?;
             instance.messenger = Some((functions, handle));
         }
         Ok(instance)
     }
 
     pub fn messages(&self) -> Vec<String> {
-        self.messages
-            .lock()
-            .map(|messages| messages.clone())
-            .unwrap_or_default()
+        self.messages.lock().map(|messages| messages.clone()).unwrap_or_default()
     }
 }
 
@@ -87,11 +80,7 @@ impl Drop for Instance {
             self.raw.destroy_instance(None);
         }
         // What the layers say of leaks comes too late for anyone to ask.
-        for message in self
-            .messages()
-            .iter()
-            .filter(|message| message.contains("OBJ ERROR") || message.contains("DestroyDevice"))
-        {
+        for message in self.messages().iter().filter(|message| message.contains("OBJ ERROR") || message.contains("DestroyDevice")) {
             eprintln!("{message}");
         }
     }
@@ -100,28 +89,20 @@ impl Drop for Instance {
 /// 1.3 where the loader has it, since the denoiser's built-in executor wants synchronization2.
 fn highest_version(entry: &ash::Entry) -> Result<u32> {
     // SAFETY: a plain query of the loader.
-    let found =
-        unsafe { entry.try_enumerate_instance_version() }.doing("query the loader's version")?;
-    Ok(found
-        .unwrap_or(vk::API_VERSION_1_0)
-        .clamp(vk::API_VERSION_1_1, vk::API_VERSION_1_3))
+    let found = unsafe { entry.try_enumerate_instance_version() }.doing("query the loader's version")?;
+    Ok(found.unwrap_or(vk::API_VERSION_1_0).clamp(vk::API_VERSION_1_1, vk::API_VERSION_1_3))
 }
 
 fn require_layer(entry: &ash::Entry) -> Result<()> {
     // SAFETY: a plain query of the loader.
     let layers = unsafe { entry.enumerate_instance_layer_properties() }.doing("list the layers")?;
-    let found = layers
-        .iter()
-        .any(|layer| layer.layer_name_as_c_str() == Ok(VALIDATION_LAYER));
+    let found = layers.iter().any(|layer| layer.layer_name_as_c_str() == Ok(VALIDATION_LAYER));
     found.then_some(()).ok_or(Error::NoValidationLayer)
 }
 
 fn messenger_info(messages: &Messages) -> vk::DebugUtilsMessengerCreateInfoEXT<'static> {
     vk::DebugUtilsMessengerCreateInfoEXT::default()
-        .message_severity(
-            vk::DebugUtilsMessageSeverityFlagsEXT::ERROR
-                | vk::DebugUtilsMessageSeverityFlagsEXT::WARNING,
-        )
+        .message_severity(vk::DebugUtilsMessageSeverityFlagsEXT::ERROR | vk::DebugUtilsMessageSeverityFlagsEXT::WARNING)
         .message_type(vk::DebugUtilsMessageTypeFlagsEXT::VALIDATION)
         .pfn_user_callback(Some(on_message))
         .user_data(std::ptr::from_ref(messages).cast_mut().cast())
@@ -136,11 +117,7 @@ unsafe extern "system" fn on_message(
     // SAFETY: the layers pass valid callback data for the time of the call, and `user_data` is the boxed `Messages`
     // of an `Instance` that still lives.
     let (text, messages) = unsafe {
-        let text = (*data)
-            .message_as_c_str()
-            .unwrap_or(c"(no text)")
-            .to_string_lossy()
-            .into_owned();
+        let text = (*data).message_as_c_str().unwrap_or(c"(no text)").to_string_lossy().into_owned();
         (text, &*user_data.cast::<Messages>())
     };
     if let Ok(mut messages) = messages.lock() {

@@ -64,8 +64,7 @@ impl Gpu {
         let queue = unsafe { device.get_device_queue(queue_family, 0) };
         let pool_info = vk::CommandPoolCreateInfo::default().queue_family_index(queue_family);
         // SAFETY: the device is alive, the family is one of its own.
-        let pool = unsafe { device.create_command_pool(&pool_info, None) }
-            .doing("create a command pool")?;
+        let pool = unsafe { device.create_command_pool(&pool_info, None) }.doing("create a command pool")?;
         let allocator = Allocator::new(&AllocatorCreateDesc {
             instance: instance.raw.clone(),
             device: device.clone(),
@@ -74,11 +73,7 @@ impl Gpu {
             buffer_device_address: false,
             allocation_sizes: Default::default(),
         })
-        .map_err(|source| Error::Memory {
-            what: "the allocator".into(),
-            bytes: 0,
-            source,
-        })?;
+        .map_err(|source| Error::Memory { what: "the allocator".into(), bytes: 0, source })?;
         let shared = Shared {
             device,
             allocator: ManuallyDrop::new(Mutex::new(allocator)),
@@ -88,9 +83,7 @@ impl Gpu {
             chosen,
             instance,
         };
-        Ok(Self {
-            shared: Arc::new(shared),
-        })
+        Ok(Self { shared: Arc::new(shared) })
     }
 
     /// The devices of this machine, in the order of their indices.
@@ -148,10 +141,7 @@ impl Gpu {
 
     /// Nanoseconds for one step of a timestamp; none where the queue has no timestamps.
     pub fn timestamp_period(&self) -> Option<f32> {
-        self.shared
-            .chosen
-            .timestamps
-            .then_some(self.limits().timestamp_period)
+        self.shared.chosen.timestamps.then_some(self.limits().timestamp_period)
     }
 
     /// The allocator, locked for as long as the guard lives.
@@ -168,18 +158,13 @@ impl Gpu {
 impl Shared {
     pub(crate) fn allocator(&self) -> MutexGuard<'_, Allocator> {
         // A panic elsewhere while allocating leaves the allocator usable: its state changes last.
-        self.allocator
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner())
+        self.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 }
 
 impl Drop for Shared {
     fn drop(&mut self) {
-        let pool = *self
-            .command_pool
-            .get_mut()
-            .unwrap_or_else(|poisoned| poisoned.into_inner());
+        let pool = *self.command_pool.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
         // SAFETY: this is the last owner, so nothing is recorded any more and no object made from the device is left;
         // the allocator is dropped once, before its device.
         unsafe {

@@ -30,24 +30,15 @@ impl SetLayout {
             .collect();
         let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
         // SAFETY: the device is alive, `bindings` outlives the call.
-        let handle = unsafe { gpu.device().create_descriptor_set_layout(&info, None) }
-            .doing("create a descriptor set layout")?;
-        Ok(Self {
-            handle,
-            kinds: kinds.to_vec(),
-            shared: gpu.shared.clone(),
-        })
+        let handle = unsafe { gpu.device().create_descriptor_set_layout(&info, None) }.doing("create a descriptor set layout")?;
+        Ok(Self { handle, kinds: kinds.to_vec(), shared: gpu.shared.clone() })
     }
 }
 
 impl Drop for SetLayout {
     fn drop(&mut self) {
         // SAFETY: made by this device; pipelines do not need it once they are made.
-        unsafe {
-            self.shared
-                .device
-                .destroy_descriptor_set_layout(self.handle, None)
-        };
+        unsafe { self.shared.device.destroy_descriptor_set_layout(self.handle, None) };
     }
 }
 
@@ -84,33 +75,16 @@ pub(crate) struct DescriptorSet {
 
 impl DescriptorSet {
     fn new(gpu: &Gpu, layout: &SetLayout) -> Result<Self> {
-        let sizes: Vec<_> = layout
-            .kinds
-            .iter()
-            .map(|kind| {
-                vk::DescriptorPoolSize::default()
-                    .ty(*kind)
-                    .descriptor_count(1)
-            })
-            .collect();
-        let info = vk::DescriptorPoolCreateInfo::default()
-            .max_sets(1)
-            .pool_sizes(&sizes);
+        let sizes: Vec<_> =
+            layout.kinds.iter().map(|kind| vk::DescriptorPoolSize::default().ty(*kind).descriptor_count(1)).collect();
+        let info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
         // SAFETY: the device is alive, `sizes` outlives the call.
-        let pool = unsafe { gpu.device().create_descriptor_pool(&info, None) }
-            .doing("create a descriptor pool")?;
-        let mut set = Self {
-            handle: vk::DescriptorSet::null(),
-            pool,
-            shared: gpu.shared.clone(),
-        };
+        let pool = unsafe { gpu.device().create_descriptor_pool(&info, None) }.doing("create a descriptor pool")?;
+        let mut set = Self { handle: vk::DescriptorSet::null(), pool, shared: gpu.shared.clone() };
         let layouts = [layout.handle];
-        let info = vk::DescriptorSetAllocateInfo::default()
-            .descriptor_pool(pool)
-            .set_layouts(&layouts);
+        let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(pool).set_layouts(&layouts);
         // SAFETY: the pool has room for exactly this set.
-        set.handle = unsafe { gpu.device().allocate_descriptor_sets(&info) }
-            .doing("allocate a descriptor set")?[0];
+        set.handle = unsafe { gpu.device().allocate_descriptor_sets(&info) }.doing("allocate a descriptor set")?[0];
         Ok(set)
     }
 
@@ -130,9 +104,7 @@ impl DescriptorSet {
                     write.texel_buffer_view(&views)
                 }
                 Bound::Uniform(buffer) | Bound::Storage(buffer) => {
-                    buffers = [vk::DescriptorBufferInfo::default()
-                        .buffer(*buffer)
-                        .range(vk::WHOLE_SIZE)];
+                    buffers = [vk::DescriptorBufferInfo::default().buffer(*buffer).range(vk::WHOLE_SIZE)];
                     write.buffer_info(&buffers)
                 }
             };
@@ -146,9 +118,7 @@ impl DescriptorSet {
     pub fn of_images(gpu: &Gpu, layout: &SetLayout, views: &[vk::ImageView]) -> Result<Self> {
         let set = Self::new(gpu, layout)?;
         for (index, view) in views.iter().enumerate() {
-            let info = [vk::DescriptorImageInfo::default()
-                .image_view(*view)
-                .image_layout(vk::ImageLayout::GENERAL)];
+            let info = [vk::DescriptorImageInfo::default().image_view(*view).image_layout(vk::ImageLayout::GENERAL)];
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set.handle)
                 .dst_binding(index as u32)
@@ -177,65 +147,31 @@ pub(crate) struct Pipeline {
 
 impl Pipeline {
     /// Entry point `main`; `push_constant_bytes` may be 0.
-    pub fn new(
-        gpu: &Gpu,
-        spirv: &[u8],
-        sets: &[&SetLayout],
-        push_constant_bytes: u32,
-    ) -> Result<Self> {
+    pub fn new(gpu: &Gpu, spirv: &[u8], sets: &[&SetLayout], push_constant_bytes: u32) -> Result<Self> {
         let device = gpu.device();
         let layouts: Vec<_> = sets.iter().map(|set| set.handle).collect();
-        let ranges = [vk::PushConstantRange::default()
-            .stage_flags(vk::ShaderStageFlags::COMPUTE)
-            .size(push_constant_bytes)];
-        let ranges = if push_constant_bytes > 0 {
-            &ranges[..]
-        } else {
-            &[]
-        };
-        let info = vk::PipelineLayoutCreateInfo::default()
-            .set_layouts(&layouts)
-            .push_constant_ranges(ranges);
+        let ranges = [vk::PushConstantRange::default().stage_flags(vk::ShaderStageFlags::COMPUTE).size(push_constant_bytes)];
+        let ranges = if push_constant_bytes > 0 { &ranges[..] } else { &[] };
+        let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(ranges);
         // SAFETY: the set layouts are alive.
-        let layout = unsafe { device.create_pipeline_layout(&info, None) }
-            .doing("create a pipeline layout")?;
-        let mut pipeline = Self {
-            handle: vk::Pipeline::null(),
-            layout,
-            shared: gpu.shared.clone(),
-        };
+        let layout = unsafe { device.create_pipeline_layout(&info, None) }.doing("create a pipeline layout")?;
+        let mut pipeline = Self { handle: vk::Pipeline::null(), layout, shared: gpu.shared.clone() };
         let words: Vec<u32> = bytemuck::pod_collect_to_vec(spirv);
         // SAFETY: the words are SPIR-V that shaderc made for Vulkan 1.1.
-        let module = unsafe {
-            device.create_shader_module(&vk::ShaderModuleCreateInfo::default().code(&words), None)
-        }
-        .doing("create a shader module")?;
-        let stage = vk::PipelineShaderStageCreateInfo::default()
-            .stage(vk::ShaderStageFlags::COMPUTE)
-            .module(module)
-            .name(c"main");
-        let info = vk::ComputePipelineCreateInfo::default()
-            .stage(stage)
-            .layout(layout);
+        let module = unsafe { device.create_shader_module(&vk::ShaderModuleCreateInfo::default().code(&words), None) }
+            .doing("create a shader module")?;
+        let stage = vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
+        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout);
         // SAFETY: module and layout are alive, and the module's bindings are those of the layout.
-        let made =
-            unsafe { device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
+        let made = unsafe { device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
         // SAFETY: a pipeline does not need its module once it is made.
         unsafe { device.destroy_shader_module(module, None) };
-        pipeline.handle = made
-            .map_err(|(_, result)| result)
-            .doing("create a compute pipeline")?[0];
+        pipeline.handle = made.map_err(|(_, result)| result).doing("create a compute pipeline")?[0];
         Ok(pipeline)
     }
 
     /// Records one dispatch of 8x8 groups over `extent`. Clobbers the compute bindings.
-    pub fn record(
-        &self,
-        cmd: vk::CommandBuffer,
-        sets: &[&DescriptorSet],
-        constants: &[u8],
-        extent: vk::Extent2D,
-    ) {
+    pub fn record(&self, cmd: vk::CommandBuffer, sets: &[&DescriptorSet], constants: &[u8], extent: vk::Extent2D) {
         let device = &self.shared.device;
         let sets: Vec<_> = sets.iter().map(|set| set.handle).collect();
         let point = vk::PipelineBindPoint::COMPUTE;
@@ -245,13 +181,7 @@ impl Pipeline {
             device.cmd_bind_pipeline(cmd, point, self.handle);
             device.cmd_bind_descriptor_sets(cmd, point, self.layout, 0, &sets, &[]);
             if !constants.is_empty() {
-                device.cmd_push_constants(
-                    cmd,
-                    self.layout,
-                    vk::ShaderStageFlags::COMPUTE,
-                    0,
-                    constants,
-                );
+                device.cmd_push_constants(cmd, self.layout, vk::ShaderStageFlags::COMPUTE, 0, constants);
             }
             device.cmd_dispatch(cmd, extent.width.div_ceil(8), extent.height.div_ceil(8), 1);
         }
@@ -263,9 +193,7 @@ impl Drop for Pipeline {
         // SAFETY: every submit here waits, so no pending work uses the pipeline.
         unsafe {
             self.shared.device.destroy_pipeline(self.handle, None);
-            self.shared
-                .device
-                .destroy_pipeline_layout(self.layout, None);
+            self.shared.device.destroy_pipeline_layout(self.layout, None);
         }
     }
 }

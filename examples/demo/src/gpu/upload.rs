@@ -25,12 +25,7 @@ impl Upload {
     /// No memory.
     pub fn new(gpu: &Gpu, name: &str, capacity: u64) -> Result<Self> {
         let buffer = Buffer::new(gpu, name, capacity, MemoryKind::Device)?;
-        Ok(Self {
-            texels: None,
-            buffer,
-            staging: Buffer::new(gpu, name, capacity, MemoryKind::Upload)?,
-            pending: 0,
-        })
+        Ok(Self { texels: None, buffer, staging: Buffer::new(gpu, name, capacity, MemoryKind::Upload)?, pending: 0 })
     }
 
     /// Room for `count` elements of `T`, which shaders read as texels of four words.
@@ -45,11 +40,7 @@ impl Upload {
 
     /// How a descriptor set takes it.
     pub(crate) fn bound(&self) -> Bound {
-        self.texels
-            .as_ref()
-            .map_or(Bound::Storage(self.buffer.handle), |view| {
-                Bound::Texels(view.handle)
-            })
+        self.texels.as_ref().map_or(Bound::Storage(self.buffer.handle), |view| Bound::Texels(view.handle))
     }
 
     /// Replaces the first bytes by `data`; what is beyond the capacity is left out. An earlier copy must be complete.
@@ -68,12 +59,7 @@ impl Upload {
         if size > 0 {
             // SAFETY: `cmd` is recording; both buffers live as long as `self` and are at least `size` long.
             unsafe {
-                device.cmd_copy_buffer(
-                    cmd,
-                    self.staging.handle,
-                    self.buffer.handle,
-                    &[vk::BufferCopy::default().size(size)],
-                )
+                device.cmd_copy_buffer(cmd, self.staging.handle, self.buffer.handle, &[vk::BufferCopy::default().size(size)])
             };
         }
     }
@@ -87,28 +73,17 @@ struct TexelView {
 
 impl TexelView {
     fn new(gpu: &Gpu, what: &'static str, buffer: &Buffer) -> Result<Self> {
-        let (texels, limit) = (
-            (buffer.size / 16) as usize,
-            gpu.limits().max_texel_buffer_elements as usize,
-        );
+        let (texels, limit) = ((buffer.size / 16) as usize, gpu.limits().max_texel_buffer_elements as usize);
         if texels > limit {
-            return Err(Error::SceneLimit {
-                what,
-                given: texels,
-                limit,
-            });
+            return Err(Error::SceneLimit { what, given: texels, limit });
         }
         let info = vk::BufferViewCreateInfo::default()
             .buffer(buffer.handle)
             .format(vk::Format::R32G32B32A32_UINT)
             .range(texels as u64 * 16);
         // SAFETY: the buffer is alive, has the usage, and every device views it in this format.
-        let handle = unsafe { gpu.device().create_buffer_view(&info, None) }
-            .doing("create a buffer view")?;
-        Ok(Self {
-            handle,
-            shared: gpu.shared.clone(),
-        })
+        let handle = unsafe { gpu.device().create_buffer_view(&info, None) }.doing("create a buffer view")?;
+        Ok(Self { handle, shared: gpu.shared.clone() })
     }
 }
 

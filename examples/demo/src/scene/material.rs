@@ -56,36 +56,22 @@ impl Material {
 
     /// GGX metal.
     pub fn metal(base_color: Vec3, roughness: f32) -> Self {
-        Self {
-            roughness,
-            metallic: 1.0,
-            ..Self::diffuse(base_color)
-        }
+        Self { roughness, metallic: 1.0, ..Self::diffuse(base_color) }
     }
 
     /// Lambert under a GGX coat.
     pub fn plastic(base_color: Vec3, roughness: f32) -> Self {
-        Self {
-            roughness,
-            specular: 0.04,
-            ..Self::diffuse(base_color)
-        }
+        Self { roughness, specular: 0.04, ..Self::diffuse(base_color) }
     }
 
     /// A lamp.
     pub fn emitter(emission: Vec3) -> Self {
-        Self {
-            emission,
-            ..Self::diffuse(Vec3::splat(0.7))
-        }
+        Self { emission, ..Self::diffuse(Vec3::splat(0.7)) }
     }
 
     /// The same with a checker of two colours.
     pub fn with_checker(self, other: Vec3, scale: f32) -> Self {
-        Self {
-            pattern: Pattern::Checker { other, scale },
-            ..self
-        }
+        Self { pattern: Pattern::Checker { other, scale }, ..self }
     }
 }
 

@@ -22,19 +22,12 @@ impl Mesh {
         self.positions.extend(&other.positions);
         self.normals.extend(&other.normals);
         self.uvs.extend(&other.uvs);
-        self.triangles.extend(
-            other
-                .triangles
-                .iter()
-                .map(|triangle| triangle.map(|corner| base + corner)),
-        );
+        self.triangles.extend(other.triangles.iter().map(|triangle| triangle.map(|corner| base + corner)));
     }
 
     /// Moves every corner.
     pub fn translated(mut self, offset: Vec3) -> Self {
-        self.positions
-            .iter_mut()
-            .for_each(|position| *position += offset);
+        self.positions.iter_mut().for_each(|position| *position += offset);
         self
     }
 
@@ -49,12 +42,8 @@ impl Mesh {
         for &triangle in &self.triangles {
             let [a, b, c] = self.corners(triangle);
             let face = (b - a).cross(c - a);
-            triangle
-                .iter()
-                .for_each(|&corner| self.normals[corner as usize] += face);
+            triangle.iter().for_each(|&corner| self.normals[corner as usize] += face);
         }
-        self.normals
-            .iter_mut()
-            .for_each(|normal| *normal = normal.normalize_or(Vec3::Y));
+        self.normals.iter_mut().for_each(|normal| *normal = normal.normalize_or(Vec3::Y));
     }
 }

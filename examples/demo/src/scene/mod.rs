@@ -117,14 +117,8 @@ impl Scene {
             "pillars" => pillars::scene(),
             "glossy" => glossy::scene(),
             "hall" => hall::scene(),
-            _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => {
-                gltf_file::load(name.as_ref())?
-            }
-            _ => {
-                return Err(Error::UnknownScene {
-                    given: name.to_string(),
-                })
-            }
+            _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,
+            _ => return Err(Error::UnknownScene { given: name.to_string() }),
         };
         scene.options = *options;
         Ok(scene)
@@ -142,11 +136,7 @@ impl Scene {
 
     /// `world_from_object` of each instance at a frame.
     pub fn transforms(&self, frame: u32) -> Vec<Affine3A> {
-        let time = seconds(if self.options.static_objects {
-            0
-        } else {
-            frame
-        });
+        let time = seconds(if self.options.static_objects { 0 } else { frame });
         self.instances
             .iter()
             .map(|instance| match &instance.placement {
@@ -187,11 +177,7 @@ impl Scene {
 
     /// Adds an instance.
     pub fn add_instance(&mut self, mesh: usize, material: usize, placement: Placement) {
-        self.instances.push(Instance {
-            mesh,
-            material,
-            placement,
-        });
+        self.instances.push(Instance { mesh, material, placement });
     }
 }
 

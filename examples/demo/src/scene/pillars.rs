@@ -11,26 +11,12 @@ const SPACING: f32 = 1.55;
 const SPEED: f32 = 1.2;
 
 pub fn scene() -> Scene {
-    let view = View {
-        eye: vec3(0.0, 2.5, 8.2),
-        target: vec3(0.0, 1.25, 0.0),
-        up: Vec3::Y,
-        vertical_fov: 0.62,
-    };
+    let view = View { eye: vec3(0.0, 2.5, 8.2), target: vec3(0.0, 1.25, 0.0), up: Vec3::Y, vertical_fov: 0.62 };
     let mut scene = Scene::new("pillars", view);
     let fixed = Affine3A::IDENTITY;
-    let floor =
-        Material::plastic(vec3(0.62, 0.6, 0.57), 0.45).with_checker(vec3(0.48, 0.46, 0.44), 1.0);
-    scene.place(
-        quad(vec3(-20.0, 0.0, 14.0), Vec3::X * 40.0, Vec3::NEG_Z * 18.0),
-        floor,
-        fixed,
-    );
-    scene.place(
-        quad(vec3(-20.0, 0.0, -4.0), Vec3::X * 40.0, Vec3::Y * 8.0),
-        Material::diffuse(vec3(0.55, 0.58, 0.62)),
-        fixed,
-    );
+    let floor = Material::plastic(vec3(0.62, 0.6, 0.57), 0.45).with_checker(vec3(0.48, 0.46, 0.44), 1.0);
+    scene.place(quad(vec3(-20.0, 0.0, 14.0), Vec3::X * 40.0, Vec3::NEG_Z * 18.0), floor, fixed);
+    scene.place(quad(vec3(-20.0, 0.0, -4.0), Vec3::X * 40.0, Vec3::Y * 8.0), Material::diffuse(vec3(0.55, 0.58, 0.62)), fixed);
     let panel = quad(vec3(-1.1, 1.3, -3.9), Vec3::X * 2.2, Vec3::Y * 2.2);
     scene.place(panel, Material::emitter(vec3(24.0, 18.0, 12.0)), fixed);
     let mesh = scene.add_mesh(cylinder(0.21, 2.7, 24));
@@ -38,17 +24,10 @@ pub fn scene() -> Scene {
         let hue = index as f32 / COUNT as f32;
         let material = scene.add_material(Material::plastic(color(hue), 0.35));
         let row = if index % 2 == 0 { -1.9 } else { -0.9 };
-        scene.add_instance(
-            mesh,
-            material,
-            Placement::Animated(Box::new(move |time| path(index, row, time))),
-        );
+        scene.add_instance(mesh, material, Placement::Animated(Box::new(move |time| path(index, row, time))));
     }
-    scene.environment = Environment {
-        zenith: vec3(0.09, 0.13, 0.22),
-        horizon: vec3(0.19, 0.20, 0.24),
-        ground: vec3(0.05, 0.05, 0.05),
-    };
+    scene.environment =
+        Environment { zenith: vec3(0.09, 0.13, 0.22), horizon: vec3(0.19, 0.20, 0.24), ground: vec3(0.05, 0.05, 0.05) };
     scene
 }
 

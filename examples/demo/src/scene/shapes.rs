@@ -13,12 +13,7 @@ pub fn quad(corner: Vec3, u: Vec3, v: Vec3) -> Mesh {
     Mesh {
         positions: vec![corner, corner + u, corner + u + v, corner + v],
         normals: vec![normal; 4],
-        uvs: vec![
-            vec2(0.0, 0.0),
-            vec2(width, 0.0),
-            vec2(width, height),
-            vec2(0.0, height),
-        ],
+        uvs: vec![vec2(0.0, 0.0), vec2(width, 0.0), vec2(width, height), vec2(0.0, height)],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
     }
 }
@@ -56,18 +51,9 @@ pub fn sphere(radius: f32, rings: u32, segments: u32) -> Mesh {
 /// An upright closed cylinder that stands on the origin.
 pub fn cylinder(radius: f32, height: f32, segments: u32) -> Mesh {
     let (side, up, down) = (vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(0.0, -1.0));
-    let mut mesh = lathe(
-        &[(vec2(radius, 0.0), side), (vec2(radius, height), side)],
-        segments,
-    );
-    mesh.append(&lathe(
-        &[(vec2(0.0, 0.0), down), (vec2(radius, 0.0), down)],
-        segments,
-    ));
-    mesh.append(&lathe(
-        &[(vec2(radius, height), up), (vec2(0.0, height), up)],
-        segments,
-    ));
+    let mut mesh = lathe(&[(vec2(radius, 0.0), side), (vec2(radius, height), side)], segments);
+    mesh.append(&lathe(&[(vec2(0.0, 0.0), down), (vec2(radius, 0.0), down)], segments));
+    mesh.append(&lathe(&[(vec2(radius, height), up), (vec2(0.0, height), up)], segments));
     mesh
 }
 
@@ -78,14 +64,9 @@ pub fn lathe(profile: &[(glam::Vec2, glam::Vec2)], segments: u32) -> Mesh {
     for segment in 0..=segments {
         let (sine, cosine) = (TAU * segment as f32 / segments as f32).sin_cos();
         for (row, (point, normal)) in profile.iter().enumerate() {
-            mesh.positions
-                .push(vec3(point.x * sine, point.y, point.x * cosine));
-            mesh.normals
-                .push(vec3(normal.x * sine, normal.y, normal.x * cosine).normalize());
-            mesh.uvs.push(vec2(
-                segment as f32 / segments as f32,
-                row as f32 / (rows - 1).max(1) as f32,
-            ));
+            mesh.positions.push(vec3(point.x * sine, point.y, point.x * cosine));
+            mesh.normals.push(vec3(normal.x * sine, normal.y, normal.x * cosine).normalize());
+            mesh.uvs.push(vec2(segment as f32 / segments as f32, row as f32 / (rows - 1).max(1) as f32));
         }
     }
     for segment in 0..segments {

@@ -9,21 +9,9 @@ pub type Scope = (vk::PipelineStageFlags, vk::AccessFlags);
 
 /// A barrier on all memory.
 pub fn memory_barrier(device: &ash::Device, cmd: vk::CommandBuffer, from: Scope, to: Scope) {
-    let barrier = [vk::MemoryBarrier::default()
-        .src_access_mask(from.1)
-        .dst_access_mask(to.1)];
+    let barrier = [vk::MemoryBarrier::default().src_access_mask(from.1).dst_access_mask(to.1)];
     // SAFETY: `cmd` is recording outside a render pass.
-    unsafe {
-        device.cmd_pipeline_barrier(
-            cmd,
-            from.0,
-            to.0,
-            vk::DependencyFlags::empty(),
-            &barrier,
-            &[],
-            &[],
-        )
-    };
+    unsafe { device.cmd_pipeline_barrier(cmd, from.0, to.0, vk::DependencyFlags::empty(), &barrier, &[], &[]) };
 }
 
 /// Waits for every earlier use and brings images to `GENERAL`, dropping what they held.
@@ -42,20 +30,7 @@ pub fn general_barrier(device: &ash::Device, cmd: vk::CommandBuffer, images: &[&
                 .dst_access_mask(vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE)
         })
         .collect();
-    let (all, compute) = (
-        vk::PipelineStageFlags::ALL_COMMANDS,
-        vk::PipelineStageFlags::COMPUTE_SHADER,
-    );
+    let (all, compute) = (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::COMPUTE_SHADER);
     // SAFETY: `cmd` is recording outside a render pass, and the images are alive.
-    unsafe {
-        device.cmd_pipeline_barrier(
-            cmd,
-            all,
-            compute,
-            vk::DependencyFlags::empty(),
-            &[],
-            &[],
-            &barriers,
-        )
-    };
+    unsafe { device.cmd_pipeline_barrier(cmd, all, compute, vk::DependencyFlags::empty(), &[], &[], &barriers) };
 }

@@ -28,17 +28,10 @@ impl Camera {
     pub(super) fn new(view: &View, extent: vk::Extent2D, jitter: [f32; 2]) -> Self {
         let (right, up, forward) = axes(view);
         let aspect = extent.width as f32 / extent.height as f32;
-        let rotation = Mat4::from_cols(
-            right.extend(0.0),
-            up.extend(0.0),
-            (-forward).extend(0.0),
-            glam::Vec4::W,
-        )
-        .transpose();
+        let rotation = Mat4::from_cols(right.extend(0.0), up.extend(0.0), (-forward).extend(0.0), glam::Vec4::W).transpose();
         Self {
             view_from_world: (rotation * Mat4::from_translation(-view.eye)).to_cols_array_2d(),
-            clip_from_view: rh::proj::vulkan::perspective(view.vertical_fov, aspect, NEAR, FAR)
-                .to_cols_array_2d(),
+            clip_from_view: rh::proj::vulkan::perspective(view.vertical_fov, aspect, NEAR, FAR).to_cols_array_2d(),
             jitter,
         }
     }
@@ -60,10 +53,7 @@ pub fn camera_frame(view: &View, extent: vk::Extent2D) -> CameraFrame {
 /// Offsets of a Halton (2, 3) sequence of 16 points.
 pub fn halton_jitter(frame: u32) -> [f32; 2] {
     let index = frame % 16 + 1;
-    [
-        radical_inverse(index, 2) - 0.5,
-        radical_inverse(index, 3) - 0.5,
-    ]
+    [radical_inverse(index, 2) - 0.5, radical_inverse(index, 3) - 0.5]
 }
 
 fn radical_inverse(mut index: u32, base: u32) -> f32 {
@@ -80,10 +70,6 @@ fn axes(view: &View) -> (Vec3, Vec3, Vec3) {
     let forward = (view.target - view.eye).normalize_or(Vec3::NEG_Z);
     let side = forward.cross(view.up);
     // A camera that looks along its own up vector still needs some right.
-    let right = if side.length_squared() > 1e-10 {
-        side.normalize()
-    } else {
-        forward.any_orthonormal_vector()
-    };
+    let right = if side.length_squared() > 1e-10 { side.normalize() } else { forward.any_orthonormal_vector() };
     (right, right.cross(forward), forward)
 }

@@ -19,20 +19,12 @@ pub struct Lights {
 
 /// The materials with their emission scaled.
 pub fn materials(scene: &Scene, scale: f32) -> Vec<MaterialData> {
-    scene
-        .materials
-        .iter()
-        .map(|material| material_data(material, scale))
-        .collect()
+    scene.materials.iter().map(|material| material_data(material, scale)).collect()
 }
 
 fn material_data(material: &Material, scale: f32) -> MaterialData {
     let emission = material.emission * scale;
-    let side = if material.two_sided_emission {
-        -1.0
-    } else {
-        1.0
-    };
+    let side = if material.two_sided_emission { -1.0 } else { 1.0 };
     let (texture, other, squares) = match material.pattern {
         Pattern::Plain => (NO_TEXTURE, Vec3::ZERO, 0.0),
         Pattern::Checker { other, scale } => (CHECKER_TEXTURE, other, scale),
@@ -45,20 +37,12 @@ fn material_data(material: &Material, scale: f32) -> MaterialData {
         metallic: material.metallic,
         specular: material.specular,
         base_color_texture: texture,
-        emission_texture: material
-            .emission_texture
-            .map_or(NO_TEXTURE, |index| index as u32),
+        emission_texture: material.emission_texture.map_or(NO_TEXTURE, |index| index as u32),
     }
 }
 
 /// All lights. `first_triangles` says where each mesh begins among the attributes; `diagonal` gives a sun its power.
-pub fn lights(
-    scene: &Scene,
-    transforms: &[Affine3A],
-    first_triangles: &[u32],
-    scale: f32,
-    diagonal: f32,
-) -> Lights {
+pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], scale: f32, diagonal: f32) -> Lights {
     let materials = materials(scene, scale);
     let mut data = Vec::new();
     let mut weights = Vec::new();
@@ -72,9 +56,7 @@ pub fn lights(
         // A mirrored instance turns its winding round; the shader's normals do the same.
         let mirrored = transform.matrix3.determinant() < 0.0;
         for (number, triangle) in mesh.triangles.iter().enumerate() {
-            let [a, b, c] = mesh
-                .corners(*triangle)
-                .map(|corner| transform.transform_point3(corner));
+            let [a, b, c] = mesh.corners(*triangle).map(|corner| transform.transform_point3(corner));
             let area = 0.5 * (b - a).cross(c - a).length();
             if area <= 0.0 {
                 continue;
@@ -85,12 +67,7 @@ pub fn lights(
                 position_kind: with(a, f32::from_bits(tag)),
                 edge1_cdf: with(b - a, 0.0),
                 edge2_probability: with(c - a, 0.0),
-                radiance_material: [
-                    if mirrored { -1.0 } else { 1.0 },
-                    0.0,
-                    0.0,
-                    f32::from_bits(instance.material as u32),
-                ],
+                radiance_material: [if mirrored { -1.0 } else { 1.0 }, 0.0, 0.0, f32::from_bits(instance.material as u32)],
             });
         }
     }
@@ -107,27 +84,16 @@ pub fn lights(
 
 fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {
     match *lamp {
-        Lamp::Sun {
-            direction,
-            irradiance,
-            radius,
-        } => {
+        Lamp::Sun { direction, irradiance, radius } => {
             let light = LightData {
                 position_kind: with(direction, f32::from_bits(KIND_SUN)),
                 edge2_probability: [radius, 0.0, 0.0, 0.0],
                 radiance_material: with(irradiance * scale, 0.0),
                 ..Default::default()
             };
-            (
-                light,
-                luminance(irradiance * scale) * 0.25 * PI * diagonal * diagonal,
-            )
+            (light, luminance(irradiance * scale) * 0.25 * PI * diagonal * diagonal)
         }
-        Lamp::Point {
-            position,
-            intensity,
-            spot,
-        } => {
+        Lamp::Point { position, intensity, spot } => {
             let (direction, inner, outer) = spot.unwrap_or((Vec3::NEG_Y, 1.0, -1.0));
             let light = LightData {
                 position_kind: with(position, f32::from_bits(KIND_POINT)),

@@ -73,45 +73,21 @@ impl PathTracer {
     ///
     /// # Errors
     /// An extent of zero or beyond the device's limit, a scene beyond a fixed limit, or no memory.
-    pub fn new(
-        gpu: &Gpu,
-        scene: &Arc<Scene>,
-        extent: vk::Extent2D,
-        options: TracerOptions,
-    ) -> Result<Self> {
+    pub fn new(gpu: &Gpu, scene: &Arc<Scene>, extent: vk::Extent2D, options: TracerOptions) -> Result<Self> {
         let outputs = Outputs::new(gpu, extent)?;
         let buffers = SceneBuffers::new(gpu, scene)?;
         let bound = buffers.bindings();
         let kinds = bound.map(Bound::kind);
         let scene_layout = SetLayout::new(gpu, &kinds)?;
         let gbuffer_layout = SetLayout::new(gpu, &storage_images(8))?;
-        let lighting_layout = SetLayout::new(gpu, &storage_images(5))?;
-        let lit = [
-            &outputs.visibility,
-            &outputs.seed,
-            &outputs.direct,
-            &outputs.indirect,
-            &outputs.emission,
-        ];
+        let lighting_layout = SetLayout::new(gpu, &storage_images(6))?;
+        let lit = [&outputs.visibility, &outputs.seed, &outputs.direct, &outputs.indirect, &outputs.emission, &outputs.scattered];
         let mut tracer = Self {
             scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
-            gbuffer_set: DescriptorSet::of_images(
-                gpu,
-                &gbuffer_layout,
-                &outputs.gbuffer().map(|image| image.view),
-            )?,
-            lighting_set: DescriptorSet::of_images(
-                gpu,
-                &lighting_layout,
-                &lit.map(|image| image.view),
-            )?,
+            gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
+            lighting_set: DescriptorSet::of_images(gpu, &lighting_layout, &lit.map(|image| image.view))?,
             gbuffer: Pipeline::new(gpu, shaders::GBUFFER, &[&scene_layout, &gbuffer_layout], 0)?,
-            lighting: Pipeline::new(
-                gpu,
-                shaders::PATH_TRACE,
-                &[&scene_layout, &lighting_layout],
-                0,
-            )?,
+            lighting: Pipeline::new(gpu, shaders::PATH_TRACE, &[&scene_layout, &lighting_layout], 0)?,
             gpu: gpu.clone(),
             scene: scene.clone(),
             extent,
@@ -136,23 +112,14 @@ impl PathTracer {
         let view = self.scene.view(frame);
         let previous = self.scene.view(frame.saturating_sub(1));
         let jitter = self.jitter(frame);
-        let Environment {
-            zenith,
-            horizon,
-            ground,
-        } = self.scene.environment;
+        let Environment { zenith, horizon, ground } = self.scene.environment;
         let lit = (zenith + horizon + ground).max_element() > 0.0;
         // Two parts in a hundred thousand of the scene: above float32's error at its edge, below what the eye sees.
         let epsilon = 2.0e-5 * state.diagonal;
         let constants = FrameConstants {
             camera: camera::camera_frame(&view, self.extent),
             previous_camera: camera::camera_frame(&previous, self.extent),
-            extent_frame_seed: [
-                self.extent.width,
-                self.extent.height,
-                frame,
-                self.options.seed,
-            ],
+            extent_frame_seed: [self.extent.width, self.extent.height, frame, self.options.seed],
             jitter_epsilon_weight: [jitter[0], jitter[1], epsilon, state.total_weight],
             sky_zenith: layout::with(zenith, f32::from(u8::from(lit))),
             sky_horizon: layout::with(horizon, 0.0),
@@ -166,11 +133,8 @@ impl PathTracer {
     /// Records the copies of the frame's data and the visibility pass. Waits for all earlier commands of the queue.
     pub fn record_gbuffer(&mut self, cmd: vk::CommandBuffer) {
         let device = self.gpu.device().clone();
-        let (all, copy, compute) = (
-            vk::PipelineStageFlags::ALL_COMMANDS,
-            vk::PipelineStageFlags::TRANSFER,
-            vk::PipelineStageFlags::COMPUTE_SHADER,
-        );
+        let (all, copy, compute) =
+            (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::COMPUTE_SHADER);
         let anything = vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE;
         let written = vk::AccessFlags::TRANSFER_WRITE;
         let read = vk::AccessFlags::SHADER_READ | vk::AccessFlags::UNIFORM_READ;
@@ -178,8 +142,7 @@ impl PathTracer {
         self.buffers.record(&device, cmd);
         memory_barrier(&device, cmd, (copy, written), (compute, read));
         general_barrier(&device, cmd, &self.outputs.gbuffer());
-        self.gbuffer
-            .record(cmd, &[&self.scene_set, &self.gbuffer_set], &[], self.extent);
+        self.gbuffer.record(cmd, &[&self.scene_set, &self.gbuffer_set], &[], self.extent);
     }
 
     /// Records the lighting pass: one path for each pixel. Waits for all earlier commands of the queue, so whatever
@@ -188,19 +151,9 @@ impl PathTracer {
         let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
         let written = vk::AccessFlags::MEMORY_WRITE;
         let source = (vk::PipelineStageFlags::ALL_COMMANDS, written);
-        memory_barrier(
-            self.gpu.device(),
-            cmd,
-            source,
-            (compute, vk::AccessFlags::SHADER_READ),
-        );
+        memory_barrier(self.gpu.device(), cmd, source, (compute, vk::AccessFlags::SHADER_READ));
         general_barrier(self.gpu.device(), cmd, &self.outputs.lighting());
-        self.lighting.record(
-            cmd,
-            &[&self.scene_set, &self.lighting_set],
-            &[],
-            self.extent,
-        );
+        self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
     }
 
     /// The images of the frame.

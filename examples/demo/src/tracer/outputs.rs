@@ -32,6 +32,8 @@ pub struct Outputs {
     pub indirect: Image,
     /// `R32G32B32A32_SFLOAT`: emitters and environment seen directly, without noise. a: 1.
     pub emission: Image,
+    /// `R32G32B32A32_SFLOAT`: direct plus indirect, for a denoiser that filters them together. a: 1.
+    pub scattered: Image,
 }
 
 impl Outputs {
@@ -49,25 +51,17 @@ impl Outputs {
             direct: image("direct", vk::Format::R32G32B32A32_SFLOAT)?,
             indirect: image("indirect", vk::Format::R32G32B32A32_SFLOAT)?,
             emission: image("emission", vk::Format::R32G32B32A32_SFLOAT)?,
+            scattered: image("scattered", vk::Format::R32G32B32A32_SFLOAT)?,
         })
     }
 
     /// What the visibility pass writes, in the order of its bindings.
     pub fn gbuffer(&self) -> [&Image; 8] {
-        [
-            &self.visibility,
-            &self.seed,
-            &self.depth,
-            &self.normal,
-            &self.object_normal,
-            &self.albedo,
-            &self.motion,
-            &self.surface_id,
-        ]
+        [&self.visibility, &self.seed, &self.depth, &self.normal, &self.object_normal, &self.albedo, &self.motion, &self.surface_id]
     }
 
     /// What the lighting pass writes, in the order of its bindings.
-    pub fn lighting(&self) -> [&Image; 3] {
-        [&self.direct, &self.indirect, &self.emission]
+    pub fn lighting(&self) -> [&Image; 4] {
+        [&self.direct, &self.indirect, &self.emission, &self.scattered]
     }
 }

@@ -37,36 +37,16 @@ impl PathTracer {
     ///
     /// # Errors
     /// Zero samples, no memory, or a lost device.
-    pub fn render_reference(
-        &mut self,
-        samples: u32,
-        mut progress: impl FnMut(u32, u32),
-    ) -> Result<Reference> {
+    pub fn render_reference(&mut self, samples: u32, mut progress: impl FnMut(u32, u32)) -> Result<Reference> {
         if samples == 0 {
             return Err(Error::NoSamples);
         }
         let gpu = self.gpu.clone();
         let sums = [
-            Image::new(
-                &gpu,
-                "direct_sum",
-                vk::Format::R32G32B32A32_SFLOAT,
-                self.extent,
-            )?,
-            Image::new(
-                &gpu,
-                "indirect_sum",
-                vk::Format::R32G32B32A32_SFLOAT,
-                self.extent,
-            )?,
+            Image::new(&gpu, "direct_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?,
+            Image::new(&gpu, "indirect_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?,
         ];
-        let images = [
-            &self.outputs.visibility,
-            &self.outputs.seed,
-            &sums[0],
-            &sums[1],
-        ]
-        .map(|image| image.view);
+        let images = [&self.outputs.visibility, &self.outputs.seed, &sums[0], &sums[1]].map(|image| image.view);
         let layout = SetLayout::new(&gpu, &storage_images(4))?;
         let set = DescriptorSet::of_images(&gpu, &layout, &images)?;
         let pipeline = Pipeline::new(&gpu, shaders::REFERENCE, &[&self.scene_layout, &layout], 12)?;
@@ -83,22 +63,9 @@ impl PathTracer {
             let start = Instant::now();
             gpu.submit(|cmd| {
                 let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
-                let (written, used) = (
-                    vk::AccessFlags::MEMORY_WRITE,
-                    vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE,
-                );
-                memory_barrier(
-                    gpu.device(),
-                    cmd,
-                    (vk::PipelineStageFlags::ALL_COMMANDS, written),
-                    (compute, used),
-                );
-                pipeline.record(
-                    cmd,
-                    &[&self.scene_set, &set],
-                    bytemuck::cast_slice(&constants),
-                    self.extent,
-                );
+                let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
+                memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
+                pipeline.record(cmd, &[&self.scene_set, &set], bytemuck::cast_slice(&constants), self.extent);
                 Ok(())
             })?;
             done += count;
@@ -107,11 +74,7 @@ impl PathTracer {
         }
         let mean = |image: &Image, count: u32| -> Result<Vec<[f32; 3]>> {
             let scale = 1.0 / count as f32;
-            Ok(gpu
-                .read_image(image)?
-                .into_iter()
-                .map(|[r, g, b, _]| [r * scale, g * scale, b * scale])
-                .collect())
+            Ok(gpu.read_image(image)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect())
         };
         Ok(Reference {
             direct: mean(&sums[0], samples)?,

@@ -4,10 +4,7 @@ use ash::vk;
 use glam::Affine3A;
 
 use super::bvh::{self, Bvh};
-use super::layout::{
-    rows, with, FrameConstants, InstanceData, LightData, MaterialData, Rows, TriangleAttributes,
-    TEXTURE_LIMIT,
-};
+use super::layout::{rows, with, FrameConstants, InstanceData, LightData, MaterialData, Rows, TriangleAttributes, TEXTURE_LIMIT};
 use super::lights;
 use crate::error::{Error, Result};
 use crate::gpu::{Bound, Gpu, Upload};
@@ -50,11 +47,7 @@ impl SceneBuffers {
             frame: Upload::new(gpu, "frame constants", size::<FrameConstants>())?,
             nodes: Upload::texels::<[f32; 8]>(gpu, "BVH nodes", 2 * tree.triangles.len() + 1)?,
             triangles: Upload::texels::<[f32; 12]>(gpu, "BVH triangles", tree.triangles.len())?,
-            attributes: Upload::texels::<TriangleAttributes>(
-                gpu,
-                "triangle attributes",
-                attributes.len(),
-            )?,
+            attributes: Upload::texels::<TriangleAttributes>(gpu, "triangle attributes", attributes.len())?,
             instances: Upload::texels::<InstanceData>(gpu, "instances", instances)?,
             materials: Upload::texels::<MaterialData>(gpu, "materials", scene.materials.len())?,
             lights: Upload::texels::<LightData>(gpu, "lights", light_count)?,
@@ -95,21 +88,11 @@ impl SceneBuffers {
             self.built_for.clone_from(&transforms);
         }
         let scale = scene.light_scale(frame);
-        let lights = lights::lights(
-            scene,
-            &transforms,
-            &self.first_triangles,
-            scale,
-            self.diagonal,
-        );
+        let lights = lights::lights(scene, &transforms, &self.first_triangles, scale, self.diagonal);
         self.lights.write(&lights.data);
         self.materials.write(&lights::materials(scene, scale));
         self.write_transforms(scene, &transforms, &previous);
-        Ok(SceneState {
-            light_count: lights.data.len() as u32,
-            total_weight: lights.total_weight,
-            diagonal: self.diagonal,
-        })
+        Ok(SceneState { light_count: lights.data.len() as u32, total_weight: lights.total_weight, diagonal: self.diagonal })
     }
 
     /// Writes the frame's constants.
@@ -143,8 +126,7 @@ impl SceneBuffers {
 
     fn write_transforms(&mut self, scene: &Scene, transforms: &[Affine3A], previous: &[Affine3A]) {
         let identity = rows(&Affine3A::IDENTITY);
-        let (mut backward, mut forward, mut instances) =
-            (vec![identity], vec![identity], Vec::new());
+        let (mut backward, mut forward, mut instances) = (vec![identity], vec![identity], Vec::new());
         for (index, (now, before)) in transforms.iter().zip(previous).enumerate() {
             let instance = &scene.instances[index];
             instances.push(InstanceData {
@@ -157,16 +139,8 @@ impl SceneBuffers {
             });
             // What stands still gets the exact identity, not a product that is nearly one.
             let still = now == before;
-            backward.push(if still {
-                identity
-            } else {
-                rows(&(*before * now.inverse()))
-            });
-            forward.push(if still {
-                identity
-            } else {
-                rows(&(*now * before.inverse()))
-            });
+            backward.push(if still { identity } else { rows(&(*before * now.inverse())) });
+            forward.push(if still { identity } else { rows(&(*now * before.inverse())) });
         }
         self.instances.write(&instances);
         self.previous_from_current.write(&backward);
@@ -180,12 +154,7 @@ fn size<T>() -> u64 {
 
 fn emissive_triangles(scene: &Scene) -> usize {
     let emits = |material: usize| scene.materials[material].emission.max_element() > 0.0;
-    scene
-        .instances
-        .iter()
-        .filter(|i| emits(i.material))
-        .map(|i| scene.meshes[i.mesh].triangles.len())
-        .sum()
+    scene.instances.iter().filter(|i| emits(i.material)).map(|i| scene.meshes[i.mesh].triangles.len()).sum()
 }
 
 /// The attributes of all meshes, and where each mesh begins.
@@ -209,11 +178,7 @@ fn attributes(meshes: &[Mesh]) -> (Vec<TriangleAttributes>, Vec<u32>) {
 fn texture_words(scene: &Scene) -> Result<Vec<u32>> {
     let given = scene.textures.len();
     if given > TEXTURE_LIMIT {
-        return Err(Error::SceneLimit {
-            what: "textures",
-            given,
-            limit: TEXTURE_LIMIT,
-        });
+        return Err(Error::SceneLimit { what: "textures", given, limit: TEXTURE_LIMIT });
     }
     let mut headers = vec![[0u32; 4]; TEXTURE_LIMIT];
     let mut texels: Vec<u32> = Vec::new();

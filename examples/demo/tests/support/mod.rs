@@ -6,23 +6,14 @@ use std::sync::Arc;
 use ash::vk::Extent2D;
 use atrous_demo::{Gpu, GpuOptions, PathTracer, Scene, SceneOptions, TracerOptions};
 
-pub const SMALL: Extent2D = Extent2D {
-    width: 32,
-    height: 18,
-};
+pub const SMALL: Extent2D = Extent2D { width: 32, height: 18 };
 
 /// A device under synchronisation validation; the test fails when it goes with messages.
 pub struct Validated(pub Gpu);
 
 impl Validated {
     pub fn new() -> Self {
-        Self(
-            Gpu::new(&GpuOptions {
-                device: None,
-                validation: true,
-            })
-            .expect("a device and the validation layer"),
-        )
+        Self(Gpu::new(&GpuOptions { device: None, validation: true }).expect("a device and the validation layer"))
     }
 }
 
@@ -55,12 +46,7 @@ pub fn render(gpu: &Validated, tracer: &mut PathTracer, frame: u32) {
 }
 
 pub fn mean(pixels: &[[f32; 3]]) -> f64 {
-    pixels
-        .iter()
-        .flatten()
-        .map(|value| f64::from(*value))
-        .sum::<f64>()
-        / (3 * pixels.len()) as f64
+    pixels.iter().flatten().map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
 }
 
 pub fn rgb(pixels: Vec<[f32; 4]>) -> Vec<[f32; 3]> {
