@@ -21,7 +21,7 @@ layout(set = 0, binding = 2, r32f) uniform writeonly image2D history_confidence;
 #if SOURCE == 0
 float change_at(ivec2 s) {
     vec2 value = texelFetch(gradient, s, 0).xy;
-    return value.y > 0.0 ? min(1.0, abs(value.x) / value.y) : 0.0;
+    return value.y > 0.0 ? min(1.0, frame.gradient_scale * abs(value.x) / value.y) : 0.0;
 }
 
 // The 3x3 pixels lie in at most four strata.

@@ -39,6 +39,8 @@ pub struct FrameConstants {
     pub stratum_size: u32,
     pub previous_clip_w_scale: f32,
     pub previous_clip_w_offset: f32,
+    pub gradient_scale: f32,
+    pub padding: [u32; 3],
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and the host's conventions.

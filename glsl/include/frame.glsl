@@ -34,6 +34,7 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     uint stratum_size;              // pixels
     float previous_clip_w_scale;    // w = scale·linear depth + offset in the previous frame's clip space
     float previous_clip_w_offset;
+    float gradient_scale;
 } frame;
 
 const uint FLAG_RESET = 1u;

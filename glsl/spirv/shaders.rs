@@ -29,6 +29,7 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 544);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 548);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 552);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 556);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 560);
 pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader { name: "adaptive_alpha_source_0", spirv: include_bytes!("adaptive_alpha_source_0.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },

@@ -184,5 +184,7 @@ fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &
         stratum_size: config.stratum_size,
         previous_clip_w_scale: forward.previous_clip_w[0],
         previous_clip_w_offset: forward.previous_clip_w[1],
+        gradient_scale: tuning.gradient_scale,
+        padding: [0; 3],
     }
 }

@@ -17,7 +17,7 @@ pub fn adaptive_alpha(frame: &FrameConstants, extent: [u32; 2], input: AdaptiveA
     let rect = RenderRect::new(frame.render_extent);
     Image::compute(extent, frame.render_extent, |p| match input {
         AdaptiveAlphaInput::Gradient(gradient) => {
-            let changes = rect.window(p, 1, 1).map(|(_, q)| change(gradient.at(q / frame.stratum_size as i32)));
+            let changes = rect.window(p, 1, 1).map(|(_, q)| change(frame, gradient.at(q / frame.stratum_size as i32)));
             1.0 - changes.fold(0.0, f32::max)
         }
         AdaptiveAlphaInput::Confidence(host) => match host.at(p)[0] {
@@ -28,9 +28,9 @@ pub fn adaptive_alpha(frame: &FrameConstants, extent: [u32; 2], input: AdaptiveA
 }
 
 /// λ of a stratum.
-fn change([change, brightest, ..]: [f32; 4]) -> f32 {
+fn change(frame: &FrameConstants, [change, brightest, ..]: [f32; 4]) -> f32 {
     if brightest > 0.0 {
-        (change.abs() / brightest).min(1.0)
+        (frame.gradient_scale * change.abs() / brightest).min(1.0)
     } else {
         0.0
     }
@@ -43,11 +43,11 @@ mod tests {
 
     #[test]
     fn the_largest_change_of_the_strata_around_counts() {
-        let frame = frame([7, 7]);
-        // One stratum of nine changed by half, in either direction alike; one has nothing to compare with.
+        let frame = FrameConstants { gradient_scale: 2.0, ..frame([7, 7]) };
+        // One stratum of nine changed by a quarter, in either direction alike; one has nothing to compare with.
         for sign in [1.0, -1.0] {
             let gradient = paint([3, 3], |x, y| match (x, y) {
-                (1, 1) => [sign * 2.0, 4.0, 0.0, 0.0],
+                (1, 1) => [sign * 1.0, 4.0, 0.0, 0.0],
                 (2, 0) => [1.0, 0.0, 0.0, 0.0],
                 _ => [0.0, 1.0, 0.0, 0.0],
             });
