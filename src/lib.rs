@@ -5,6 +5,8 @@ pub mod config;
 pub mod contract;
 mod denoiser;
 mod error;
+#[cfg(feature = "executor")]
+pub mod executor;
 mod frame_constants;
 mod nodes;
 mod pipeline;

@@ -18,7 +18,9 @@ pub use declaration::{
     Boundary, BoundaryUse, Declaration, Lifetime, Memory, PassDecl, Phase, ResourceDecl, ResourceId, ResourceMemory, Shape, Use,
     UseFrame,
 };
-#[cfg(test)]
+#[cfg(feature = "executor")]
+pub(crate) use format::bytes_per_texel;
+#[cfg(any(test, feature = "executor"))]
 pub(crate) use format::component_of;
 pub use format::{Component, ImageFormat};
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};

@@ -1,0 +1,218 @@
+//! Barriers, derived from the declared uses and from what was last done to each image and buffer.
+
+use super::memory::{Memory, Storage};
+use crate::contract::{Access, Declaration, FrameContext, Lifetime, ResourceId, UseFrame};
+use ash::vk;
+
+/// What was last done to an image or buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Scope {
+    pub stage: vk::PipelineStageFlags2,
+    pub access: vk::AccessFlags2,
+    pub layout: vk::ImageLayout,
+}
+
+impl Scope {
+    /// Nothing yet.
+    pub const NONE: Self =
+        Self { stage: vk::PipelineStageFlags2::NONE, access: vk::AccessFlags2::NONE, layout: vk::ImageLayout::UNDEFINED };
+
+    pub fn of(access: Access) -> Self {
+        let image = access.image();
+        Self { stage: image.stage, access: image.access, layout: image.layout }
+    }
+
+    /// Copies out of it, for tools and tests.
+    pub const COPY_SOURCE: Self = Self {
+        stage: vk::PipelineStageFlags2::ALL_TRANSFER,
+        access: vk::AccessFlags2::TRANSFER_READ,
+        layout: vk::ImageLayout::TRANSFER_SRC_OPTIMAL,
+    };
+
+    fn writes(&self) -> bool {
+        let writes = vk::AccessFlags2::SHADER_STORAGE_WRITE
+            | vk::AccessFlags2::SHADER_WRITE
+            | vk::AccessFlags2::TRANSFER_WRITE
+            | vk::AccessFlags2::MEMORY_WRITE
+            | vk::AccessFlags2::COLOR_ATTACHMENT_WRITE
+            | vk::AccessFlags2::DEPTH_STENCIL_ATTACHMENT_WRITE;
+        self.access.intersects(writes)
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.stage |= other.stage;
+        self.access |= other.access;
+    }
+}
+
+/// Collects barriers; the vectors are kept from pass to pass, so that a steady state allocates nothing.
+#[derive(Default)]
+pub(crate) struct Barriers {
+    images: Vec<vk::ImageMemoryBarrier2<'static>>,
+    buffers: Vec<vk::BufferMemoryBarrier2<'static>>,
+}
+
+impl Barriers {
+    /// # Safety
+    /// As `Executor::record`.
+    #[allow(clippy::too_many_arguments)]
+    pub unsafe fn before_pass(
+        &mut self,
+        device: &ash::Device,
+        cmd: vk::CommandBuffer,
+        declaration: &Declaration,
+        frame: &FrameContext,
+        pass: usize,
+        omit: bool,
+        memory: &mut Memory,
+    ) {
+        for u in &declaration.passes()[pass].uses {
+            let copy = declaration.copy(u, frame);
+            let starts = memory.starts_transient(u.resource, pass);
+            let source = if starts { memory.scope_of_aliases(u.resource) } else { None };
+            let Some(storage) = memory.storage_mut(u.resource, copy) else { continue };
+            if let Some(source) = source {
+                storage.scope = Scope { layout: vk::ImageLayout::UNDEFINED, ..source };
+            }
+            self.to(storage, Scope::of(u.access), u.access.reads());
+        }
+        // SAFETY: the caller's.
+        unsafe { self.flush(device, cmd, omit) };
+    }
+
+    /// Brings the host's images and buffers back to the state that they were bound in.
+    ///
+    /// # Safety
+    /// As `Executor::record`.
+    pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, memory: &mut Memory) {
+        for storage in memory.touched_host_storages() {
+            if let Some(home) = storage.home {
+                // Even where only reads met: the host's next write must wait for ours.
+                self.push(storage, home, true);
+            }
+        }
+        // SAFETY: the caller's.
+        unsafe { self.flush(device, cmd, false) };
+    }
+
+    /// One barrier outside of any pass.
+    ///
+    /// # Safety
+    /// As `Executor::record`.
+    pub unsafe fn single(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storage: &mut Storage, next: Scope, keep: bool) {
+        self.to(storage, next, keep);
+        // SAFETY: the caller's.
+        unsafe { self.flush(device, cmd, false) };
+    }
+
+    /// Fills what is undefined with NaN: transients, copies about to be written, and on a reset all previous copies.
+    ///
+    /// # Safety
+    /// As `Executor::record`; images have `TRANSFER_DST` usage.
+    pub unsafe fn poison(
+        &mut self,
+        device: &ash::Device,
+        cmd: vk::CommandBuffer,
+        declaration: &Declaration,
+        frame: &FrameContext,
+        memory: &mut Memory,
+    ) {
+        for index in 0..declaration.resources().len() as u32 {
+            let id = ResourceId(index);
+            let lifetime = declaration.resource(id).lifetime;
+            for copy in 0..lifetime.copies() {
+                let current = frame.history_copy(UseFrame::Current) == copy;
+                let undefined = match lifetime {
+                    Lifetime::Transient | Lifetime::Output => true,
+                    Lifetime::History => current || frame.reset.is_some(),
+                    Lifetime::HistoryInPlace => frame.reset.is_some(),
+                    Lifetime::Input { .. } => false,
+                };
+                let source = memory.scope_of_aliases(id);
+                let Some(storage) = memory.storage_mut(id, copy).filter(|_| undefined) else { continue };
+                if storage.image == vk::Image::null() {
+                    continue;
+                }
+                if let Some(source) = source {
+                    storage.scope.merge(&source);
+                }
+                self.to(storage, Scope::of(Access::Clear), false);
+                let image = storage.image;
+                let colour = if storage.is_uint {
+                    vk::ClearColorValue { uint32: [u32::MAX; 4] }
+                } else {
+                    vk::ClearColorValue { float32: [f32::NAN; 4] }
+                };
+                // SAFETY: the caller's; the barrier before brings the image to TRANSFER_DST_OPTIMAL.
+                unsafe {
+                    self.flush(device, cmd, false);
+                    device.cmd_clear_color_image(cmd, image, vk::ImageLayout::TRANSFER_DST_OPTIMAL, &colour, &[WHOLE]);
+                }
+            }
+        }
+    }
+
+    fn to(&mut self, storage: &mut Storage, next: Scope, keep: bool) {
+        let is_image = storage.image != vk::Image::null();
+        let relayout = is_image && storage.scope.layout != next.layout;
+        if !storage.scope.writes() && !next.writes() && !relayout {
+            storage.scope.merge(&next);
+            storage.touched = true;
+            return;
+        }
+        self.push(storage, next, keep);
+    }
+
+    fn push(&mut self, storage: &mut Storage, next: Scope, keep: bool) {
+        let now = storage.scope;
+        if storage.image != vk::Image::null() {
+            let old = if keep { now.layout } else { vk::ImageLayout::UNDEFINED };
+            self.images.push(
+                vk::ImageMemoryBarrier2::default()
+                    .image(storage.image)
+                    .subresource_range(vk::ImageSubresourceRange { aspect_mask: storage.aspect(), ..WHOLE })
+                    .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+                    .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+                    .src_stage_mask(now.stage)
+                    .src_access_mask(now.access)
+                    .old_layout(old)
+                    .dst_stage_mask(next.stage)
+                    .dst_access_mask(next.access)
+                    .new_layout(next.layout),
+            );
+        } else {
+            self.buffers.push(
+                vk::BufferMemoryBarrier2::default()
+                    .buffer(storage.buffer)
+                    .size(vk::WHOLE_SIZE)
+                    .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+                    .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+                    .src_stage_mask(now.stage)
+                    .src_access_mask(now.access)
+                    .dst_stage_mask(next.stage)
+                    .dst_access_mask(next.access),
+            );
+        }
+        storage.scope = next;
+        storage.touched = true;
+    }
+
+    unsafe fn flush(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, omit: bool) {
+        if !omit && !(self.images.is_empty() && self.buffers.is_empty()) {
+            let info = vk::DependencyInfo::default().image_memory_barriers(&self.images).buffer_memory_barriers(&self.buffers);
+            // SAFETY: the caller's.
+            unsafe { device.cmd_pipeline_barrier2(cmd, &info) };
+        }
+        self.images.clear();
+        self.buffers.clear();
+    }
+}
+
+/// The one mip level and layer that every image of ours has.
+pub(crate) const WHOLE: vk::ImageSubresourceRange = vk::ImageSubresourceRange {
+    aspect_mask: vk::ImageAspectFlags::COLOR,
+    base_mip_level: 0,
+    level_count: 1,
+    base_array_layer: 0,
+    layer_count: 1,
+};

@@ -1,0 +1,263 @@
+//! A Vulkan device without a window: for tools, benchmarks and tests.
+
+use crate::denoiser::Device;
+use crate::error::Error;
+use ash::vk;
+use std::ffi::{c_void, CStr};
+use std::sync::{Arc, Mutex};
+
+/// How much the Khronos validation layer checks.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Validation {
+    /// Not at all.
+    #[default]
+    Off,
+    /// Everything, with synchronisation validation. [`HeadlessDevice::validation_errors`] has the messages.
+    On,
+}
+
+/// What is asked of a headless device.
+#[derive(Clone, Debug, Default)]
+pub struct HeadlessOptions {
+    /// Index or part of the name of the physical device; `None`: discrete before integrated before software.
+    pub device: Option<String>,
+    /// Validation.
+    pub validation: Validation,
+}
+
+/// Instance, device and one queue with `COMPUTE`.
+pub struct HeadlessDevice {
+    // Dropped last; the loader must outlive every handle.
+    _entry: ash::Entry,
+    instance: ash::Instance,
+    messenger: Option<(ash::ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT)>,
+    errors: Arc<Mutex<Vec<String>>>,
+    physical_device: vk::PhysicalDevice,
+    device: ash::Device,
+    queue: vk::Queue,
+    queue_family: u32,
+    timestamps: bool,
+    name: String,
+}
+
+const VALIDATION_LAYER: &CStr = c"VK_LAYER_KHRONOS_validation";
+
+impl HeadlessDevice {
+    /// Opens a device.
+    ///
+    /// # Errors
+    /// [`Error::NoDevice`] says what is missing and lists the devices that there are.
+    pub fn new(options: &HeadlessOptions) -> Result<Self, Error> {
+        // SAFETY: the loader's initialisation is as safe as that library's.
+        let entry = unsafe { ash::Entry::load() }.map_err(|e| Error::NoDevice(format!("the Vulkan loader was not found ({e})")))?;
+        let errors = Arc::new(Mutex::new(Vec::new()));
+        let validate = options.validation == Validation::On;
+        let instance = create_instance(&entry, validate)?;
+        let mut this = PartialDevice { instance: Some(instance), messenger: None };
+        let instance = this.instance.clone().ok_or_else(|| Error::NoDevice("no instance".into()))?;
+        if validate {
+            this.messenger = Some(create_messenger(&entry, &instance, &errors)?);
+        }
+        let (physical_device, name) = choose(&instance, options.device.as_deref())?;
+        let (device, queue_family, timestamps) = create_device(&instance, physical_device)?;
+        // SAFETY: the family was asked for with one queue.
+        let queue = unsafe { device.get_device_queue(queue_family, 0) };
+        let messenger = this.messenger.take();
+        this.instance = None;
+        Ok(Self { _entry: entry, instance, messenger, errors, physical_device, device, queue, queue_family, timestamps, name })
+    }
+
+    /// For [`crate::Denoiser`] and [`super::Executor`].
+    pub fn host(&self) -> Device<'_> {
+        Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device }
+    }
+
+    /// Name and driver of the device.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The device.
+    pub fn device(&self) -> &ash::Device {
+        &self.device
+    }
+
+    /// The queue; use it from one thread at a time.
+    pub fn queue(&self) -> vk::Queue {
+        self.queue
+    }
+
+    /// The family of the queue.
+    pub fn queue_family(&self) -> u32 {
+        self.queue_family
+    }
+
+    /// Whether the queue can write timestamps.
+    pub fn has_timestamps(&self) -> bool {
+        self.timestamps
+    }
+
+    /// Errors and warnings of the validation layer so far, each starting with its message id.
+    pub fn validation_errors(&self) -> Vec<String> {
+        self.errors.lock().map_or_else(|e| e.into_inner().clone(), |e| e.clone())
+    }
+
+    /// Whether validation runs, and with it debug labels.
+    pub fn validates(&self) -> bool {
+        self.messenger.is_some()
+    }
+}
+
+impl Drop for HeadlessDevice {
+    fn drop(&mut self) {
+        // SAFETY: ours; what was created from them borrows or shares this value and is gone.
+        unsafe {
+            let _ = self.device.device_wait_idle();
+            self.device.destroy_device(None);
+            if let Some((functions, messenger)) = &self.messenger {
+                functions.destroy_debug_utils_messenger(*messenger, None);
+            }
+            self.instance.destroy_instance(None);
+        }
+    }
+}
+
+/// Destroys the instance when opening a device fails half-way.
+struct PartialDevice {
+    instance: Option<ash::Instance>,
+    messenger: Option<(ash::ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT)>,
+}
+
+impl Drop for PartialDevice {
+    fn drop(&mut self) {
+        // SAFETY: both are ours, and no device was kept.
+        unsafe {
+            if let Some((functions, messenger)) = &self.messenger {
+                functions.destroy_debug_utils_messenger(*messenger, None);
+            }
+            if let Some(instance) = &self.instance {
+                instance.destroy_instance(None);
+            }
+        }
+    }
+}
+
+fn create_instance(entry: &ash::Entry, validate: bool) -> Result<ash::Instance, Error> {
+    let no_device = |what: String| Error::NoDevice(what);
+    if validate {
+        // SAFETY: the loader is live.
+        let layers =
+            unsafe { entry.enumerate_instance_layer_properties() }.map_err(Error::vulkan("vkEnumerateInstanceLayerProperties"))?;
+        if !layers.iter().any(|l| l.layer_name_as_c_str() == Ok(VALIDATION_LAYER)) {
+            return Err(no_device("the Khronos validation layer is not installed (Debian: vulkan-validationlayers)".into()));
+        }
+    }
+    let application = vk::ApplicationInfo::default().application_name(c"atrous").api_version(vk::API_VERSION_1_3);
+    let (layers, extensions): (Vec<_>, Vec<_>) = if validate {
+        (vec![VALIDATION_LAYER.as_ptr()], vec![vk::EXT_DEBUG_UTILS_NAME.as_ptr(), vk::EXT_VALIDATION_FEATURES_NAME.as_ptr()])
+    } else {
+        (vec![], vec![])
+    };
+    let enabled = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
+    let mut features = vk::ValidationFeaturesEXT::default().enabled_validation_features(&enabled);
+    let mut info = vk::InstanceCreateInfo::default()
+        .application_info(&application)
+        .enabled_layer_names(&layers)
+        .enabled_extension_names(&extensions);
+    if validate {
+        info = info.push_next(&mut features);
+    }
+    // SAFETY: every pointer in `info` lives until the call returns.
+    unsafe { entry.create_instance(&info, None) }.map_err(|e| no_device(format!("vkCreateInstance failed with {e}")))
+}
+
+type Errors = Mutex<Vec<String>>;
+
+fn create_messenger(
+    entry: &ash::Entry,
+    instance: &ash::Instance,
+    errors: &Arc<Errors>,
+) -> Result<(ash::ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT), Error> {
+    let functions = ash::ext::debug_utils::Instance::new(entry, instance);
+    let info = vk::DebugUtilsMessengerCreateInfoEXT::default()
+        .message_severity(vk::DebugUtilsMessageSeverityFlagsEXT::ERROR | vk::DebugUtilsMessageSeverityFlagsEXT::WARNING)
+        .message_type(vk::DebugUtilsMessageTypeFlagsEXT::VALIDATION | vk::DebugUtilsMessageTypeFlagsEXT::PERFORMANCE)
+        .pfn_user_callback(Some(on_message))
+        .user_data(Arc::as_ptr(errors).cast_mut().cast());
+    // SAFETY: the vector lives as long as the device that owns the messenger.
+    let messenger =
+        unsafe { functions.create_debug_utils_messenger(&info, None) }.map_err(Error::vulkan("vkCreateDebugUtilsMessengerEXT"))?;
+    Ok((functions, messenger))
+}
+
+unsafe extern "system" fn on_message(
+    _severity: vk::DebugUtilsMessageSeverityFlagsEXT,
+    _types: vk::DebugUtilsMessageTypeFlagsEXT,
+    data: *const vk::DebugUtilsMessengerCallbackDataEXT<'_>,
+    user: *mut c_void,
+) -> vk::Bool32 {
+    // SAFETY: the layer passes valid data, and `user` is the vector that create_messenger named.
+    let (data, errors) = unsafe { (&*data, &*user.cast::<Errors>()) };
+    // SAFETY: strings of the layer are null-terminated and live during the call.
+    let text = |c: Option<&CStr>| c.map_or_else(String::new, |c| c.to_string_lossy().into_owned());
+    let (id, message) = unsafe { (text(data.message_id_name_as_c_str()), text(data.message_as_c_str())) };
+    if let Ok(mut errors) = errors.lock() {
+        errors.push(format!("{id}: {message}"));
+    }
+    vk::FALSE
+}
+
+fn choose(instance: &ash::Instance, wanted: Option<&str>) -> Result<(vk::PhysicalDevice, String), Error> {
+    // SAFETY: the instance is live.
+    let devices = unsafe { instance.enumerate_physical_devices() }
+        .map_err(|e| Error::NoDevice(format!("vkEnumeratePhysicalDevices: {e}")))?;
+    let described: Vec<_> = devices
+        .into_iter()
+        .map(|d| {
+            // SAFETY: the device was just listed.
+            let p = unsafe { instance.get_physical_device_properties(d) };
+            let name = p.device_name_as_c_str().map_or_else(|_| String::new(), |n| n.to_string_lossy().into_owned());
+            let rank = match p.device_type {
+                vk::PhysicalDeviceType::DISCRETE_GPU => 0,
+                vk::PhysicalDeviceType::INTEGRATED_GPU => 1,
+                vk::PhysicalDeviceType::VIRTUAL_GPU => 2,
+                _ => 3,
+            };
+            (rank, d, name)
+        })
+        .collect();
+    let names = described.iter().enumerate().map(|(i, d)| format!("{i}: {}", d.2)).collect::<Vec<_>>().join(", ");
+    let found = match wanted {
+        None => described.iter().min_by_key(|d| d.0),
+        Some(wanted) => match wanted.parse::<usize>() {
+            Ok(index) => described.get(index),
+            Err(_) => described.iter().find(|d| d.2.to_lowercase().contains(&wanted.to_lowercase())),
+        },
+    };
+    match found {
+        Some((_, device, name)) => Ok((*device, name.clone())),
+        None if described.is_empty() => Err(Error::NoDevice("no driver offers a physical device".into())),
+        None => Err(Error::NoDevice(format!("none is called `{}`; there are: {names}", wanted.unwrap_or_default()))),
+    }
+}
+
+fn create_device(instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(ash::Device, u32, bool), Error> {
+    // SAFETY: the instance is live and the device was listed by it; every pointer lives until its call returns.
+    unsafe {
+        let families = instance.get_physical_device_queue_family_properties(physical_device);
+        let family = families.iter().position(|f| f.queue_flags.contains(vk::QueueFlags::COMPUTE));
+        let family = family.ok_or_else(|| Error::NoDevice("the device has no queue with COMPUTE".into()))?;
+        let timestamps = families[family].timestamp_valid_bits > 0;
+        let version = instance.get_physical_device_properties(physical_device).api_version;
+        let extensions = if version < vk::API_VERSION_1_3 { vec![vk::KHR_SYNCHRONIZATION2_NAME.as_ptr()] } else { vec![] };
+        let priorities = [1.0];
+        let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(family as u32).queue_priorities(&priorities)];
+        let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default().synchronization2(true);
+        let info =
+            vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions).push_next(&mut sync2);
+        let device = instance
+            .create_device(physical_device, &info, None)
+            .map_err(|e| Error::NoDevice(format!("vkCreateDevice failed with {e}; it needs synchronization2")))?;
+        Ok((device, family as u32, timestamps))
+    }
+}

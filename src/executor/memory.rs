@@ -1,0 +1,361 @@
+//! Images, buffers and their memory: histories with memory of their own, transients aliased by lifetime.
+
+use super::barriers::{Scope, WHOLE};
+use super::{AllocatedMemory, ExecutorOptions, HostImage};
+use crate::contract::{alias, component_of, Component, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
+use crate::denoiser::{Binding, Device};
+use crate::error::Error;
+use ash::vk;
+use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, Allocator, AllocatorCreateDesc};
+use gpu_allocator::MemoryLocation;
+use std::ffi::{CStr, CString};
+
+/// One physical image or buffer with what was last done to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Storage {
+    pub image: vk::Image,
+    pub view: vk::ImageView,
+    pub buffer: vk::Buffer,
+    pub size: u64,
+    pub format: vk::Format,
+    pub extent: [u32; 2],
+    pub is_uint: bool,
+    pub scope: Scope,
+    /// State that a host's image or buffer is brought back to; `None` for our own.
+    pub home: Option<Scope>,
+    /// Whether a barrier changed its state since it was handed back.
+    pub touched: bool,
+}
+
+impl Storage {
+    const EMPTY: Self = Self {
+        image: vk::Image::null(),
+        view: vk::ImageView::null(),
+        buffer: vk::Buffer::null(),
+        size: 0,
+        format: vk::Format::UNDEFINED,
+        extent: [0; 2],
+        is_uint: false,
+        scope: Scope::NONE,
+        home: None,
+        touched: false,
+    };
+
+    pub fn of_host_image(host: &HostImage) -> Self {
+        let home = Scope { stage: host.stage, access: host.access, layout: host.layout };
+        let &HostImage { image, view, format, extent, .. } = host;
+        let is_uint = component_of(format) == Some(Component::Uint);
+        Self { image, view, format, extent, is_uint, scope: home, home: Some(home), ..Self::EMPTY }
+    }
+
+    /// Barriers name every aspect of a depth image.
+    pub fn aspect(&self) -> vk::ImageAspectFlags {
+        match self.format {
+            vk::Format::D16_UNORM | vk::Format::D32_SFLOAT | vk::Format::X8_D24_UNORM_PACK32 => vk::ImageAspectFlags::DEPTH,
+            vk::Format::D24_UNORM_S8_UINT | vk::Format::D32_SFLOAT_S8_UINT => {
+                vk::ImageAspectFlags::DEPTH | vk::ImageAspectFlags::STENCIL
+            }
+            _ => vk::ImageAspectFlags::COLOR,
+        }
+    }
+
+    pub fn of_host_buffer(buffer: vk::Buffer, size: u64, home: Scope) -> Self {
+        Self { buffer, size, scope: home, home: Some(home), ..Self::EMPTY }
+    }
+}
+
+/// Everything that an executor allocates, and what a host bound.
+pub(crate) struct Memory {
+    device: ash::Device,
+    allocator: Option<Allocator>,
+    allocations: Vec<Allocation>,
+    /// By resource, then copy.
+    storages: Vec<[Option<Storage>; 2]>,
+    owned: Vec<Storage>,
+    /// Outputs that we allocated, for when a host unbinds its own.
+    own_outputs: Vec<Option<Storage>>,
+    /// By resource: the transients that share memory with it, and the pass that it starts in.
+    aliases: Vec<Vec<ResourceId>>,
+    first_pass: Vec<Option<usize>>,
+    labels: Vec<CString>,
+    pub allocated: AllocatedMemory,
+}
+
+impl Memory {
+    /// # Safety
+    /// As `Executor::new`.
+    pub unsafe fn new(host: Device<'_>, declaration: &Declaration, options: &ExecutorOptions) -> Result<Self, Error> {
+        let allocator = Allocator::new(&AllocatorCreateDesc {
+            instance: host.instance.clone(),
+            device: host.device.clone(),
+            physical_device: host.physical_device,
+            debug_settings: Default::default(),
+            buffer_device_address: false,
+            allocation_sizes: Default::default(),
+        })
+        .map_err(|_| Error::OutOfMemory { what: "the allocator".into(), bytes: 0 })?;
+        let count = declaration.resources().len();
+        let mut this = Self {
+            device: host.device.clone(),
+            allocator: Some(allocator),
+            allocations: Vec::new(),
+            storages: vec![[None, None]; count],
+            owned: Vec::new(),
+            own_outputs: vec![None; count],
+            aliases: vec![Vec::new(); count],
+            first_pass: vec![None; count],
+            labels: declaration.passes().iter().map(|p| CString::new(p.name).unwrap_or_default()).collect(),
+            allocated: AllocatedMemory::default(),
+        };
+        // SAFETY: the caller's. What was created before a failure is destroyed when `this` is dropped.
+        unsafe {
+            this.allocate_own(declaration, options)?;
+            this.allocate_transient_images(declaration, options)?;
+        }
+        Ok(this)
+    }
+
+    pub fn storage(&self, id: ResourceId, copy: usize) -> Option<&Storage> {
+        self.storages.get(id.0 as usize)?.get(copy)?.as_ref()
+    }
+
+    pub fn storage_mut(&mut self, id: ResourceId, copy: usize) -> Option<&mut Storage> {
+        self.storages.get_mut(id.0 as usize)?.get_mut(copy)?.as_mut()
+    }
+
+    pub fn bind(&mut self, id: ResourceId, storage: Storage) {
+        self.storages[id.0 as usize][0] = Some(storage);
+    }
+
+    pub fn unbind(&mut self, id: ResourceId) {
+        self.storages[id.0 as usize][0] = self.own_outputs[id.0 as usize];
+    }
+
+    pub fn binding(&self, id: ResourceId, copy: usize) -> Binding {
+        match self.storage(id, copy) {
+            Some(s) if s.image != vk::Image::null() => Binding::Image { view: s.view, layout: s.scope.layout },
+            Some(s) => Binding::Buffer { buffer: s.buffer, offset: 0, range: vk::WHOLE_SIZE },
+            None => Binding::Absent,
+        }
+    }
+
+    pub fn label(&self, pass: usize) -> &CStr {
+        &self.labels[pass]
+    }
+
+    pub fn touched_host_storages(&mut self) -> impl Iterator<Item = &mut Storage> {
+        self.storages
+            .iter_mut()
+            .flatten()
+            .flatten()
+            .filter_map(|s| (s.home.is_some() && std::mem::take(&mut s.touched)).then_some(s))
+    }
+
+    /// Whether a pass is the first of a frame that uses a transient.
+    pub fn starts_transient(&self, id: ResourceId, pass: usize) -> bool {
+        self.first_pass[id.0 as usize] == Some(pass)
+    }
+
+    /// What was last done to the memory of a transient, through it or through those that share it.
+    pub fn scope_of_aliases(&self, id: ResourceId) -> Option<Scope> {
+        self.first_pass[id.0 as usize]?;
+        let mut scope = self.storage(id, 0)?.scope;
+        for other in &self.aliases[id.0 as usize] {
+            if let Some(other) = self.storage(*other, 0) {
+                scope.stage |= other.scope.stage;
+                scope.access |= other.scope.access;
+            }
+        }
+        Some(scope)
+    }
+
+    /// Histories, outputs, and every buffer.
+    unsafe fn allocate_own(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+        for (index, resource) in declaration.resources().iter().enumerate() {
+            let is_image = matches!(resource.shape, Shape::Image { .. });
+            for copy in 0..resource.lifetime.copies() {
+                if is_image && resource.lifetime == Lifetime::Transient {
+                    continue;
+                }
+                // SAFETY: the caller's.
+                let (storage, bytes) = unsafe {
+                    if is_image {
+                        self.own_image(declaration, resource, options)?
+                    } else {
+                        self.own_buffer(resource)?
+                    }
+                };
+                self.storages[index][copy] = Some(storage);
+                match resource.lifetime {
+                    Lifetime::Output => {
+                        self.own_outputs[index] = Some(storage);
+                        self.allocated.output += bytes;
+                    }
+                    Lifetime::Transient => self.allocated.transient += bytes,
+                    _ => self.allocated.history += bytes,
+                }
+            }
+        }
+        Ok(())
+    }
+
+    unsafe fn own_image(&mut self, d: &Declaration, r: &ResourceDecl, options: &ExecutorOptions) -> Result<(Storage, u64), Error> {
+        // SAFETY: the caller's; memory fits the image's own requirements.
+        unsafe {
+            let mut storage = self.create_image(d, r, options, vk::ImageCreateFlags::empty())?;
+            let requirements = self.device.get_image_memory_requirements(storage.image);
+            let (memory, offset) = self.allocate(r.name, requirements, false)?;
+            self.device.bind_image_memory(storage.image, memory, offset).map_err(Error::vulkan("vkBindImageMemory"))?;
+            self.create_view(&mut storage)?;
+            Ok((storage, requirements.size))
+        }
+    }
+
+    unsafe fn own_buffer(&mut self, r: &ResourceDecl) -> Result<(Storage, u64), Error> {
+        let Shape::Buffer { size } = r.shape else { return Ok((Storage::EMPTY, 0)) };
+        let usage = r.buffer_usage | vk::BufferUsageFlags::TRANSFER_SRC;
+        let info = vk::BufferCreateInfo::default().size(size).usage(usage).sharing_mode(vk::SharingMode::EXCLUSIVE);
+        // SAFETY: the caller's; memory fits the buffer's own requirements.
+        unsafe {
+            let buffer = self.device.create_buffer(&info, None).map_err(Error::vulkan("vkCreateBuffer"))?;
+            let storage = Storage { buffer, size, ..Storage::EMPTY };
+            self.owned.push(storage);
+            let requirements = self.device.get_buffer_memory_requirements(buffer);
+            let (memory, offset) = self.allocate(r.name, requirements, true)?;
+            self.device.bind_buffer_memory(buffer, memory, offset).map_err(Error::vulkan("vkBindBufferMemory"))?;
+            Ok((storage, size))
+        }
+    }
+
+    /// One block for all transient images, each at the offset that the planner gave it.
+    unsafe fn allocate_transient_images(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+        let (mut ids, mut spans, mut storages) = (Vec::new(), Vec::new(), Vec::new());
+        let mut block = vk::MemoryRequirements { size: 0, alignment: 1, memory_type_bits: u32::MAX };
+        for (id, first, last) in declaration.transients() {
+            let resource = declaration.resource(id);
+            self.first_pass[id.0 as usize] = Some(first);
+            if matches!(resource.shape, Shape::Buffer { .. }) {
+                continue;
+            }
+            // SAFETY: the caller's.
+            let storage = unsafe { self.create_image(declaration, resource, options, vk::ImageCreateFlags::ALIAS)? };
+            // SAFETY: the image was just created.
+            let requirements = unsafe { self.device.get_image_memory_requirements(storage.image) };
+            let whole = (0, declaration.passes().len());
+            let (first, last) = if options.no_aliasing { whole } else { (first, last) };
+            spans.push(Span { first, last, size: requirements.size, alignment: requirements.alignment });
+            block.alignment = block.alignment.max(requirements.alignment);
+            block.memory_type_bits &= requirements.memory_type_bits;
+            ids.push(id);
+            storages.push(storage);
+        }
+        if ids.is_empty() {
+            return Ok(());
+        }
+        let (offsets, total) = alias(&spans);
+        block.size = total;
+        self.allocated.transient += total;
+        // SAFETY: the block satisfies the requirements of every image at its offset.
+        unsafe {
+            let (memory, base) = self.allocate("transients", block, false)?;
+            for ((id, storage), offset) in ids.iter().zip(&mut storages).zip(&offsets) {
+                self.device.bind_image_memory(storage.image, memory, base + offset).map_err(Error::vulkan("vkBindImageMemory"))?;
+                self.create_view(storage)?;
+                self.storages[id.0 as usize][0] = Some(*storage);
+            }
+        }
+        let shares =
+            |i: usize, j: usize| i != j && offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
+        for i in 0..ids.len() {
+            self.aliases[ids[i].0 as usize] = (0..ids.len()).filter(|&j| shares(i, j)).map(|j| ids[j]).collect();
+        }
+        Ok(())
+    }
+
+    unsafe fn create_image(
+        &mut self,
+        declaration: &Declaration,
+        resource: &ResourceDecl,
+        options: &ExecutorOptions,
+        flags: vk::ImageCreateFlags,
+    ) -> Result<Storage, Error> {
+        let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
+            return Ok(Storage::EMPTY);
+        };
+        let poison = if options.poison { vk::ImageUsageFlags::TRANSFER_DST } else { vk::ImageUsageFlags::empty() };
+        let info = vk::ImageCreateInfo::default()
+            .flags(flags)
+            .image_type(vk::ImageType::TYPE_2D)
+            .format(format.preferred())
+            .extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
+            .mip_levels(1)
+            .array_layers(1)
+            .samples(vk::SampleCountFlags::TYPE_1)
+            .tiling(vk::ImageTiling::OPTIMAL)
+            .usage(resource.image_usage | options.extra_image_usage | poison)
+            .sharing_mode(vk::SharingMode::EXCLUSIVE)
+            .initial_layout(vk::ImageLayout::UNDEFINED);
+        // SAFETY: the caller's; formats and extents were checked against the device.
+        let image = unsafe { self.device.create_image(&info, None) }.map_err(Error::vulkan("vkCreateImage"))?;
+        let is_uint = component_of(format.preferred()) == Some(Component::Uint);
+        let storage = Storage { image, format: format.preferred(), extent, is_uint, ..Storage::EMPTY };
+        self.owned.push(storage);
+        Ok(storage)
+    }
+
+    unsafe fn create_view(&mut self, storage: &mut Storage) -> Result<(), Error> {
+        let info = vk::ImageViewCreateInfo::default()
+            .image(storage.image)
+            .view_type(vk::ImageViewType::TYPE_2D)
+            .format(storage.format)
+            .subresource_range(WHOLE);
+        // SAFETY: the image is live and has memory.
+        storage.view = unsafe { self.device.create_image_view(&info, None) }.map_err(Error::vulkan("vkCreateImageView"))?;
+        if let Some(owned) = self.owned.iter_mut().find(|o| o.image == storage.image) {
+            owned.view = storage.view;
+        }
+        Ok(())
+    }
+
+    unsafe fn allocate(
+        &mut self,
+        name: &str,
+        requirements: vk::MemoryRequirements,
+        linear: bool,
+    ) -> Result<(vk::DeviceMemory, u64), Error> {
+        let out_of_memory = || Error::OutOfMemory { what: name.to_owned(), bytes: requirements.size };
+        let desc = AllocationCreateDesc {
+            name,
+            requirements,
+            location: MemoryLocation::GpuOnly,
+            linear,
+            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
+        };
+        let allocator = self.allocator.as_mut().ok_or_else(out_of_memory)?;
+        let allocation = allocator.allocate(&desc).map_err(|_| out_of_memory())?;
+        // SAFETY: the allocation is kept until drop.
+        let place = (unsafe { allocation.memory() }, allocation.offset());
+        self.allocations.push(allocation);
+        Ok(place)
+    }
+}
+
+impl Drop for Memory {
+    fn drop(&mut self) {
+        // SAFETY: all of them are ours, and the executor's owner waits for the GPU before it drops it.
+        unsafe {
+            for storage in &self.owned {
+                self.device.destroy_image_view(storage.view, None);
+                self.device.destroy_image(storage.image, None);
+                self.device.destroy_buffer(storage.buffer, None);
+            }
+        }
+        if let Some(allocator) = &mut self.allocator {
+            for allocation in self.allocations.drain(..) {
+                if let Err(error) = allocator.free(allocation) {
+                    log::error!("atrous: freeing memory failed: {error}");
+                }
+            }
+        }
+    }
+}

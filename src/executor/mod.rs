@@ -1,0 +1,274 @@
+//! The built-in frame graph: for hosts without one, for tools and for tests.
+//!
+//! It allocates what a declaration asks for, aliases transients by lifetime, keeps history pairs, derives every barrier from the declared
+//! uses, and times passes. A host with a frame graph of its own needs none of this.
+
+mod barriers;
+mod headless;
+mod memory;
+mod profiler;
+mod session;
+mod transfer;
+
+pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
+pub use profiler::PassTime;
+pub use session::{Session, SessionOptions, Trace};
+
+use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
+use crate::denoiser::{Binding, Denoiser, Device};
+use crate::error::Error;
+use crate::requirements::Requirements;
+use crate::Config;
+use ash::vk;
+use barriers::{Barriers, Scope};
+use memory::{Memory, Storage};
+use profiler::Profiler;
+
+/// What an executor is asked for beyond the declaration.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ExecutorOptions {
+    /// Usage that every image gets on top of what passes need, for example `TRANSFER_SRC` to read results back.
+    pub extra_image_usage: vk::ImageUsageFlags,
+    /// Bytes of which every transient and every copy that is about to be written are filled with NaN before a frame: for tests.
+    pub poison: bool,
+    /// Gives every transient memory of its own: to look at intermediate images.
+    pub no_aliasing: bool,
+    /// Times every pass by timestamps. Needs a queue family with `timestampValidBits`.
+    pub timestamps: bool,
+    /// Labels every pass. `VK_EXT_debug_utils` is enabled on the instance.
+    pub debug_labels: bool,
+    /// Leaves out the barriers before the pass of this index. Breaks it on purpose, to prove that validation is listening.
+    #[doc(hidden)]
+    pub omit_barriers_before: Option<usize>,
+}
+
+/// An image of the host, for an input or an output.
+#[derive(Clone, Copy, Debug)]
+pub struct HostImage {
+    /// Image.
+    pub image: vk::Image,
+    /// 2D view of mip 0, layer 0.
+    pub view: vk::ImageView,
+    /// Format of the view.
+    pub format: vk::Format,
+    /// Extent, at least the allocated one.
+    pub extent: [u32; 2],
+    /// Layout that it is in whenever a phase is recorded, and is brought back to at the end of the phase.
+    pub layout: vk::ImageLayout,
+    /// Stages of the host that wrote or read it before a phase, and that read it after.
+    pub stage: vk::PipelineStageFlags2,
+    /// Accesses of those stages.
+    pub access: vk::AccessFlags2,
+}
+
+/// Bytes that were allocated, as the device counts them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AllocatedMemory {
+    /// Survives the frame.
+    pub history: u64,
+    /// Transients, after aliasing.
+    pub transient: u64,
+    /// Outputs that no host image was bound to.
+    pub output: u64,
+}
+
+/// Runs a denoiser on a host's command buffers.
+pub struct Executor {
+    denoiser: Denoiser,
+    device: ash::Device,
+    memory: Memory,
+    barriers: Barriers,
+    profiler: Option<Profiler>,
+    labels: Option<ash::ext::debug_utils::Device>,
+    options: ExecutorOptions,
+    bindings: Vec<Binding>,
+}
+
+impl Executor {
+    /// Creates the denoiser, and allocates histories, transients and outputs.
+    ///
+    /// # Errors
+    /// As [`Denoiser::new`] and [`Requirements::check_executor`]; [`Error::OutOfMemory`].
+    ///
+    /// # Safety
+    /// As [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is complete.
+    pub unsafe fn new(host: Device<'_>, config: &Config, options: ExecutorOptions) -> Result<Self, Error> {
+        // SAFETY: the caller's, for each of these.
+        unsafe {
+            Requirements::new(config)?.check_executor(host.instance, host.physical_device)?;
+            let denoiser = Denoiser::new(host, config)?;
+            let memory = Memory::new(host, denoiser.declaration(), &options)?;
+            let passes = denoiser.declaration().passes().len();
+            let profiler = if options.timestamps { Some(Profiler::new(host, config.frames_in_flight, passes)?) } else { None };
+            let labels = options.debug_labels.then(|| ash::ext::debug_utils::Device::new(host.instance, host.device));
+            let barriers = Barriers::default();
+            Ok(Self { denoiser, device: host.device.clone(), memory, barriers, profiler, labels, options, bindings: Vec::new() })
+        }
+    }
+
+    /// The denoiser that is driven.
+    pub fn denoiser(&self) -> &Denoiser {
+        &self.denoiser
+    }
+
+    /// Bytes that were allocated.
+    pub fn allocated(&self) -> AllocatedMemory {
+        self.memory.allocated
+    }
+
+    /// Binds an image of the host to an input or an output, until it is bound anew.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
+    pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
+        let declaration = self.denoiser.declaration();
+        let id = find(declaration, name)?;
+        let resource = *declaration.resource(id);
+        let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
+            return Err(Error::NotBound(name.to_owned()));
+        };
+        if !matches!(resource.lifetime, Lifetime::Input { .. } | Lifetime::Output) {
+            return Err(Error::NotBound(name.to_owned()));
+        }
+        if !format.accepts(image.format) {
+            return Err(Error::Format { resource: name.to_owned(), given: image.format, allowed: format.to_string() });
+        }
+        if (0..2).any(|i| image.extent[i] < extent[i]) {
+            let pixels = |e: [u32; 2]| format!("{}x{} pixels", e[0], e[1]);
+            return Err(Error::Size { resource: name.to_owned(), given: pixels(image.extent), needed: pixels(extent) });
+        }
+        self.memory.bind(id, Storage::of_host_image(&image));
+        Ok(())
+    }
+
+    /// Binds a buffer of the host to an input, until it is bound anew. `stage` and `access` are the host's own uses before each phase.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is no input buffer, [`Error::Size`].
+    pub fn bind_buffer(
+        &mut self,
+        name: &str,
+        buffer: vk::Buffer,
+        size: u64,
+        stage: vk::PipelineStageFlags2,
+        access: vk::AccessFlags2,
+    ) -> Result<(), Error> {
+        let declaration = self.denoiser.declaration();
+        let id = find(declaration, name)?;
+        let Shape::Buffer { size: needed } = declaration.resource(id).shape else {
+            return Err(Error::NotBound(name.to_owned()));
+        };
+        if !matches!(declaration.resource(id).lifetime, Lifetime::Input { .. } | Lifetime::Output) {
+            return Err(Error::NotBound(name.to_owned()));
+        }
+        if size < needed {
+            let (given, needed) = (format!("{size} bytes"), format!("at least {needed} bytes"));
+            return Err(Error::Size { resource: name.to_owned(), given, needed });
+        }
+        self.memory.bind(id, Storage::of_host_buffer(buffer, size, Scope { stage, access, ..Scope::NONE }));
+        Ok(())
+    }
+
+    /// Leaves an optional input out from now on.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`].
+    pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
+        let id = find(self.denoiser.declaration(), name)?;
+        self.memory.unbind(id);
+        Ok(())
+    }
+
+    /// Starts a frame, and collects the timestamps that its slot holds.
+    ///
+    /// # Errors
+    /// As [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to.
+    pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        let declaration = self.denoiser.declaration();
+        let missing = (0..declaration.resources().len() as u32).map(ResourceId).find(|&id| {
+            declaration.resource(id).lifetime != Lifetime::Input { optional: true } && self.memory.storage(id, 0).is_none()
+        });
+        if let Some(id) = missing {
+            return Err(Error::NotBound(declaration.resource(id).name.to_owned()));
+        }
+        let frame = self.denoiser.begin_frame(params, tuning)?;
+        if let Some(profiler) = &mut self.profiler {
+            profiler.collect(frame.slot)?;
+        }
+        Ok(frame)
+    }
+
+    /// The next frame drops all history.
+    pub fn invalidate(&mut self) {
+        self.denoiser.invalidate();
+    }
+
+    /// Records every pass of a phase with its barriers.
+    ///
+    /// # Errors
+    /// As [`Denoiser::record`].
+    ///
+    /// # Safety
+    /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is complete; bound
+    /// images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in order.
+    pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
+        for pass in 0..self.denoiser.declaration().passes().len() {
+            if self.denoiser.declaration().passes()[pass].phase == phase {
+                // SAFETY: the caller's.
+                unsafe { self.record_pass(cmd, frame, pass)? };
+            }
+        }
+        // SAFETY: the caller's.
+        unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory) };
+        Ok(())
+    }
+
+    pub(crate) unsafe fn record_pass(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, pass: usize) -> Result<(), Error> {
+        // SAFETY: the caller's, for each of these.
+        unsafe {
+            if pass == 0 {
+                if let Some(profiler) = &mut self.profiler {
+                    profiler.start(cmd, frame.slot);
+                }
+                if self.options.poison {
+                    self.barriers.poison(&self.device, cmd, self.denoiser.declaration(), frame, &mut self.memory);
+                }
+            }
+            let declaration = self.denoiser.declaration();
+            let decl = &declaration.passes()[pass];
+            let omit = self.options.omit_barriers_before == Some(pass);
+            self.barriers.before_pass(&self.device, cmd, declaration, frame, pass, omit, &mut self.memory);
+            self.bindings.clear();
+            for u in &decl.uses {
+                self.bindings.push(self.memory.binding(u.resource, declaration.copy(u, frame)));
+            }
+            if let Some(labels) = &self.labels {
+                labels.cmd_begin_debug_utils_label(cmd, &vk::DebugUtilsLabelEXT::default().label_name(self.memory.label(pass)));
+            }
+            if let Some(profiler) = &self.profiler {
+                profiler.before_pass(cmd, frame.slot, pass);
+            }
+            self.denoiser.record(cmd, frame, pass, &self.bindings)?;
+            if let Some(profiler) = &self.profiler {
+                profiler.after_pass(cmd, frame.slot, pass);
+            }
+            if let Some(labels) = &self.labels {
+                labels.cmd_end_debug_utils_label(cmd);
+            }
+        }
+        Ok(())
+    }
+
+    /// Times of the newest frame whose timestamps were collected; empty before that, and without [`ExecutorOptions::timestamps`].
+    pub fn times(&self) -> Vec<PassTime> {
+        let names = self.denoiser.declaration().passes().iter().map(|p| p.name);
+        self.profiler.as_ref().map_or(Vec::new(), |p| p.times(names))
+    }
+}
+
+fn find(declaration: &crate::Declaration, name: &str) -> Result<ResourceId, Error> {
+    declaration.find(name).ok_or_else(|| Error::UnknownResource {
+        given: name.to_owned(),
+        known: declaration.resources().iter().map(|r| r.name).collect::<Vec<_>>().join(", "),
+    })
+}

@@ -1,0 +1,112 @@
+//! Time per pass by timestamps, read when a frame slot comes round again, so that nothing waits.
+
+use crate::denoiser::Device;
+use crate::error::Error;
+use ash::vk;
+
+/// GPU time of one pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PassTime {
+    /// Name of the pass.
+    pub name: &'static str,
+    /// Milliseconds.
+    pub milliseconds: f64,
+}
+
+pub(crate) struct Profiler {
+    device: ash::Device,
+    pools: Vec<vk::QueryPool>,
+    recorded: Vec<bool>,
+    ticks: Vec<u64>,
+    newest: Vec<f64>,
+    /// Nanoseconds per tick.
+    period: f64,
+    passes: usize,
+}
+
+impl Profiler {
+    /// # Safety
+    /// As `Executor::new`.
+    pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
+        // SAFETY: the caller's.
+        let limits = unsafe { host.instance.get_physical_device_properties(host.physical_device) }.limits;
+        let mut this = Self {
+            device: host.device.clone(),
+            pools: Vec::new(),
+            recorded: vec![false; slots as usize],
+            ticks: vec![0; 2 * passes],
+            newest: Vec::with_capacity(passes),
+            period: f64::from(limits.timestamp_period),
+            passes,
+        };
+        for _ in 0..slots {
+            let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * passes as u32);
+            // SAFETY: the caller's.
+            let pool = unsafe { host.device.create_query_pool(&info, None) }.map_err(Error::vulkan("vkCreateQueryPool"))?;
+            this.pools.push(pool);
+        }
+        Ok(this)
+    }
+
+    /// Reads what the slot's last frame left.
+    pub fn collect(&mut self, slot: u32) -> Result<(), Error> {
+        if !std::mem::take(&mut self.recorded[slot as usize]) {
+            return Ok(());
+        }
+        // SAFETY: the pool is ours; work of the slot is complete, or the results are not ready and that is reported.
+        let result = unsafe {
+            self.device.get_query_pool_results(self.pools[slot as usize], 0, &mut self.ticks, vk::QueryResultFlags::TYPE_64)
+        };
+        match result {
+            Ok(()) => {
+                self.newest.clear();
+                let milliseconds = |t: &[u64]| t[1].wrapping_sub(t[0]) as f64 * self.period * 1e-6;
+                self.newest.extend(self.ticks.chunks_exact(2).map(milliseconds));
+                Ok(())
+            }
+            Err(vk::Result::NOT_READY) => Ok(()),
+            Err(result) => Err(Error::Vulkan { call: "vkGetQueryPoolResults", result }),
+        }
+    }
+
+    /// # Safety
+    /// As `Executor::record`.
+    pub unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
+        self.recorded[slot as usize] = true;
+        // SAFETY: the caller's.
+        unsafe { self.device.cmd_reset_query_pool(cmd, self.pools[slot as usize], 0, 2 * self.passes as u32) };
+    }
+
+    /// # Safety
+    /// As `Executor::record`.
+    pub unsafe fn before_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
+        // SAFETY: the caller's.
+        unsafe { self.stamp(cmd, slot, 2 * pass as u32) };
+    }
+
+    /// # Safety
+    /// As `Executor::record`.
+    pub unsafe fn after_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
+        // SAFETY: the caller's.
+        unsafe { self.stamp(cmd, slot, 2 * pass as u32 + 1) };
+    }
+
+    unsafe fn stamp(&self, cmd: vk::CommandBuffer, slot: u32, query: u32) {
+        let stage = vk::PipelineStageFlags2::ALL_COMMANDS;
+        // SAFETY: the caller's.
+        unsafe { self.device.cmd_write_timestamp2(cmd, stage, self.pools[slot as usize], query) };
+    }
+
+    pub fn times(&self, names: impl Iterator<Item = &'static str>) -> Vec<PassTime> {
+        names.zip(&self.newest).map(|(name, &milliseconds)| PassTime { name, milliseconds }).collect()
+    }
+}
+
+impl Drop for Profiler {
+    fn drop(&mut self) {
+        for &pool in &self.pools {
+            // SAFETY: ours, and the owner waits for the GPU first.
+            unsafe { self.device.destroy_query_pool(pool, None) };
+        }
+    }
+}

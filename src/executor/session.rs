@@ -1,0 +1,404 @@
+//! Frames from slices to slices, one after the other: for tools, tests and whoever has no engine.
+
+use super::barriers::{Barriers, Scope};
+use super::headless::HeadlessDevice;
+use super::transfer::{to_floats, whole_image, Staging, UPLOADED};
+use super::{find, Executor, ExecutorOptions, HostImage, PassTime};
+use crate::contract::{bytes_per_texel, FrameContext, FrameParams, ResourceId, Shape, Tuning, UseFrame};
+use crate::error::Error;
+use crate::Config;
+use ash::vk;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// What is asked of a session.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SessionOptions {
+    /// See [`ExecutorOptions::poison`].
+    pub poison: bool,
+    /// See [`ExecutorOptions::timestamps`]; ignored where the queue has none.
+    pub timestamps: bool,
+    /// Keeps every transient readable after the frame, at the price of memory.
+    pub keep_transients: bool,
+    /// See [`ExecutorOptions::omit_barriers_before`].
+    #[doc(hidden)]
+    pub omit_barriers_before: Option<usize>,
+}
+
+/// An executor with a command buffer, a staging buffer and images for the inputs. Every frame is waited for.
+pub struct Session {
+    // Declared before `gpu`, so that it is dropped first.
+    executor: Executor,
+    inputs: BTreeMap<&'static str, OwnedImage>,
+    buffers: BTreeMap<&'static str, Staging>,
+    staging: Option<Staging>,
+    commands: Commands,
+    barriers: Barriers,
+    frame: Option<FrameContext>,
+    gpu: Arc<HeadlessDevice>,
+}
+
+struct Commands {
+    device: ash::Device,
+    pool: vk::CommandPool,
+    cmd: vk::CommandBuffer,
+    fence: vk::Fence,
+}
+
+struct OwnedImage {
+    device: ash::Device,
+    image: vk::Image,
+    view: vk::ImageView,
+    memory: vk::DeviceMemory,
+    format: vk::Format,
+}
+
+/// What [`Session::run_traced`] calls back with: before (`false`) and after (`true`) each pass, by index.
+pub type Trace<'a> = dyn FnMut(&mut Session, &FrameContext, usize, bool) -> Result<(), Error> + 'a;
+
+impl Session {
+    /// Opens a session on a device.
+    ///
+    /// # Errors
+    /// As [`Executor::new`].
+    pub fn new(gpu: Arc<HeadlessDevice>, config: &Config, options: SessionOptions) -> Result<Self, Error> {
+        let executor_options = ExecutorOptions {
+            extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
+            poison: options.poison,
+            no_aliasing: options.keep_transients,
+            timestamps: options.timestamps && gpu.has_timestamps(),
+            debug_labels: gpu.validates(),
+            omit_barriers_before: options.omit_barriers_before,
+        };
+        // SAFETY: the device is live, has synchronization2, and is kept alive by `gpu`, which is dropped last.
+        let (executor, commands) =
+            unsafe { (Executor::new(gpu.host(), config, executor_options)?, Commands::new(gpu.device(), gpu.queue_family())?) };
+        Ok(Self {
+            executor,
+            inputs: BTreeMap::new(),
+            buffers: BTreeMap::new(),
+            staging: None,
+            commands,
+            barriers: Barriers::default(),
+            frame: None,
+            gpu,
+        })
+    }
+
+    /// The executor.
+    pub fn executor(&self) -> &Executor {
+        &self.executor
+    }
+
+    /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do not matter.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::Format`] for an image of ids, [`Error::Size`] for a wrong number of texels.
+    pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
+        self.upload_bytes(name, vk::Format::R32G32B32A32_SFLOAT, texels.len(), bytemuck::cast_slice(texels))
+    }
+
+    /// Sets an input image of ids.
+    ///
+    /// # Errors
+    /// As [`Self::upload`].
+    pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
+        self.upload_bytes(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
+    }
+
+    /// Sets an input buffer.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for an image, [`Error::Size`].
+    pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
+        let declaration = self.executor.denoiser().declaration();
+        let key = declaration.resource(find(declaration, name)?).name;
+        let size = bytes.len() as u64;
+        // SAFETY: the device outlives the session.
+        let mut staging = unsafe { Staging::new(self.gpu.host(), size.max(4))? };
+        staging.bytes()[..bytes.len()].copy_from_slice(bytes);
+        let (stage, access) = (vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_WRITE);
+        self.executor.bind_buffer(name, staging.buffer, size, stage, access)?;
+        self.buffers.insert(key, staging);
+        Ok(())
+    }
+
+    /// Leaves an optional input out from now on.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`].
+    pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
+        self.executor.unbind(name)
+    }
+
+    /// The next frame drops all history.
+    pub fn invalidate(&mut self) {
+        self.executor.invalidate();
+    }
+
+    fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
+        let declaration = self.executor.denoiser().declaration();
+        let resource = *declaration.resource(find(declaration, name)?);
+        let Shape::Image { format: rule, .. } = resource.shape else {
+            return Err(Error::NotBound(name.to_owned()));
+        };
+        if !rule.accepts(format) {
+            return Err(Error::Format { resource: name.to_owned(), given: format, allowed: rule.to_string() });
+        }
+        let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
+        let needed = extent[0] as usize * extent[1] as usize;
+        if count != needed {
+            let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
+            return Err(Error::Size { resource: name.to_owned(), given: format!("{count} texels"), needed });
+        }
+        if !self.inputs.contains_key(resource.name) {
+            // SAFETY: the device outlives the session.
+            let image = unsafe { OwnedImage::new(self.gpu.host(), format, extent)? };
+            self.inputs.insert(resource.name, image);
+        }
+        let Some(owned) = self.inputs.get(resource.name) else { return Err(Error::NotBound(name.to_owned())) };
+        let (image, view) = (owned.image, owned.view);
+        let Scope { stage, access, layout } = UPLOADED;
+        let host = HostImage { image, view, format, extent, layout, stage, access };
+        self.executor.bind_image(name, host)?;
+        self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
+        let mut storage = super::Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
+        self.submit(|session, cmd| {
+            let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
+            let device = session.gpu.device();
+            // SAFETY: command buffer is recording; image and buffer are live and large enough.
+            unsafe {
+                session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
+                let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
+                device.cmd_copy_buffer_to_image(cmd, buffer, image, layout, &[whole_image(extent)]);
+                session.barriers.single(device, cmd, &mut storage, UPLOADED, true);
+            }
+            Ok(())
+        })
+    }
+
+    /// Runs one frame with all its phases, and waits for it.
+    ///
+    /// # Errors
+    /// As [`Executor::begin_frame`] and [`Executor::record`].
+    pub fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        let frame = self.executor.begin_frame(params, tuning)?;
+        self.frame = Some(frame);
+        self.submit(|session, cmd| {
+            for phase in crate::Phase::ALL {
+                // SAFETY: the command buffer is recording, and every earlier frame was waited for.
+                unsafe { session.executor.record(cmd, &frame, phase)? };
+            }
+            Ok(())
+        })?;
+        Ok(frame)
+    }
+
+    /// As [`Self::run`], with every pass submitted and waited for on its own, and a look at the images before and after each.
+    ///
+    /// # Errors
+    /// As [`Self::run`], and whatever `trace` returns.
+    pub fn run_traced(&mut self, params: &FrameParams, tuning: &Tuning, trace: &mut Trace<'_>) -> Result<FrameContext, Error> {
+        let frame = self.executor.begin_frame(params, tuning)?;
+        self.frame = Some(frame);
+        for pass in 0..self.executor.denoiser().declaration().passes().len() {
+            trace(self, &frame, pass, false)?;
+            // SAFETY: as in `run`.
+            self.submit(|session, cmd| unsafe { session.executor.record_pass(cmd, &frame, pass) })?;
+            trace(self, &frame, pass, true)?;
+        }
+        Ok(frame)
+    }
+
+    /// Texels of an output or a history of the last frame as floats; with [`SessionOptions::keep_transients`] of transients, too.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame or where nothing is bound.
+    pub fn download(&mut self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
+        self.download_copy(name, UseFrame::Current).map(|(format, bytes)| to_floats(format, &bytes))
+    }
+
+    /// The same as raw texels, of either copy of a history.
+    ///
+    /// # Errors
+    /// As [`Self::download`].
+    pub fn download_bytes(&mut self, name: &str, frame: UseFrame) -> Result<Vec<u8>, Error> {
+        self.download_copy(name, frame).map(|(_, bytes)| bytes)
+    }
+
+    fn download_copy(&mut self, name: &str, which: UseFrame) -> Result<(vk::Format, Vec<u8>), Error> {
+        let not_bound = || Error::NotBound(name.to_owned());
+        let declaration = self.executor.denoiser().declaration();
+        let id = find(declaration, name)?;
+        let frame = self.frame.ok_or_else(not_bound)?;
+        let copy = match declaration.resource(id).lifetime {
+            crate::Lifetime::History => frame.history_copy(which),
+            _ => 0,
+        };
+        let storage = *self.executor.memory.storage(id, copy).ok_or_else(not_bound)?;
+        let is_image = storage.image != vk::Image::null();
+        let size = match is_image {
+            true => u64::from(storage.extent[0]) * u64::from(storage.extent[1]) * bytes_per_texel(storage.format),
+            false => storage.size,
+        };
+        self.stage(size)?;
+        self.submit(|session, cmd| session.copy_out(cmd, id, copy, size))?;
+        Ok((storage.format, self.stage(size)?.bytes()[..size as usize].to_vec()))
+    }
+
+    fn copy_out(&mut self, cmd: vk::CommandBuffer, id: ResourceId, copy: usize, size: u64) -> Result<(), Error> {
+        let buffer = self.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
+        let device = self.gpu.device();
+        let Some(storage) = self.executor.memory.storage_mut(id, copy) else { return Ok(()) };
+        // SAFETY: the command buffer is recording; image and staging buffer are live and large enough.
+        unsafe {
+            let home = storage.scope;
+            self.barriers.single(device, cmd, storage, Scope::COPY_SOURCE, true);
+            if storage.image != vk::Image::null() {
+                let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+                device.cmd_copy_image_to_buffer(cmd, storage.image, layout, buffer, &[whole_image(storage.extent)]);
+            } else {
+                device.cmd_copy_buffer(cmd, storage.buffer, buffer, &[vk::BufferCopy { src_offset: 0, dst_offset: 0, size }]);
+            }
+            if storage.home.is_some() {
+                self.barriers.single(device, cmd, storage, home, true);
+            }
+            let to_host = vk::MemoryBarrier2::default()
+                .src_stage_mask(vk::PipelineStageFlags2::ALL_TRANSFER)
+                .src_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
+                .dst_stage_mask(vk::PipelineStageFlags2::HOST)
+                .dst_access_mask(vk::AccessFlags2::HOST_READ);
+            device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().memory_barriers(&[to_host]));
+        }
+        Ok(())
+    }
+
+    /// GPU time per pass of the frame before the last: see [`Executor::times`].
+    pub fn times(&self) -> Vec<PassTime> {
+        self.executor.times()
+    }
+
+    /// The staging buffer, at least `size` bytes.
+    fn stage(&mut self, size: u64) -> Result<&mut Staging, Error> {
+        if self.staging.as_ref().is_none_or(|s| s.size < size) {
+            // SAFETY: the device outlives the session; every earlier use of the old one was waited for.
+            self.staging = Some(unsafe { Staging::new(self.gpu.host(), size)? });
+        }
+        self.staging.as_mut().ok_or(Error::OutOfMemory { what: "a staging buffer".into(), bytes: size })
+    }
+
+    fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
+        let Commands { cmd, fence, .. } = self.commands;
+        let gpu = self.gpu.clone();
+        let device = gpu.device();
+        // SAFETY: command buffer and fence are ours and idle, since every submission is waited for.
+        unsafe {
+            let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+            device.begin_command_buffer(cmd, &begin).map_err(Error::vulkan("vkBeginCommandBuffer"))?;
+            let recorded = record(self, cmd);
+            device.end_command_buffer(cmd).map_err(Error::vulkan("vkEndCommandBuffer"))?;
+            recorded?;
+            let commands = [cmd];
+            let submit = vk::SubmitInfo::default().command_buffers(&commands);
+            device.queue_submit(gpu.queue(), &[submit], fence).map_err(Error::vulkan("vkQueueSubmit"))?;
+            device.wait_for_fences(&[fence], true, u64::MAX).map_err(Error::vulkan("vkWaitForFences"))?;
+            device.reset_fences(&[fence]).map_err(Error::vulkan("vkResetFences"))
+        }
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        // SAFETY: the device is live. A failure means that it is lost, and then nothing runs on it.
+        let _ = unsafe { self.gpu.device().device_wait_idle() };
+    }
+}
+
+impl Commands {
+    unsafe fn new(device: &ash::Device, family: u32) -> Result<Self, Error> {
+        let mut this = Self {
+            device: device.clone(),
+            pool: vk::CommandPool::null(),
+            cmd: vk::CommandBuffer::null(),
+            fence: vk::Fence::null(),
+        };
+        let info = vk::CommandPoolCreateInfo::default()
+            .queue_family_index(family)
+            .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER | vk::CommandPoolCreateFlags::TRANSIENT);
+        // SAFETY: the device is live; what was created before a failure is destroyed when `this` is dropped.
+        unsafe {
+            this.pool = device.create_command_pool(&info, None).map_err(Error::vulkan("vkCreateCommandPool"))?;
+            let info = vk::CommandBufferAllocateInfo::default().command_pool(this.pool).command_buffer_count(1);
+            let commands = device.allocate_command_buffers(&info).map_err(Error::vulkan("vkAllocateCommandBuffers"))?;
+            this.cmd = commands.first().copied().unwrap_or_default();
+            this.fence = device.create_fence(&vk::FenceCreateInfo::default(), None).map_err(Error::vulkan("vkCreateFence"))?;
+        }
+        Ok(this)
+    }
+}
+
+impl Drop for Commands {
+    fn drop(&mut self) {
+        // SAFETY: ours and idle.
+        unsafe {
+            self.device.destroy_fence(self.fence, None);
+            self.device.destroy_command_pool(self.pool, None);
+        }
+    }
+}
+
+impl OwnedImage {
+    unsafe fn new(host: crate::Device<'_>, format: vk::Format, extent: [u32; 2]) -> Result<Self, Error> {
+        let device = host.device;
+        let mut this = Self {
+            device: device.clone(),
+            image: vk::Image::null(),
+            view: vk::ImageView::null(),
+            memory: vk::DeviceMemory::null(),
+            format,
+        };
+        let info = vk::ImageCreateInfo::default()
+            .image_type(vk::ImageType::TYPE_2D)
+            .format(format)
+            .extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
+            .mip_levels(1)
+            .array_layers(1)
+            .samples(vk::SampleCountFlags::TYPE_1)
+            .usage(vk::ImageUsageFlags::SAMPLED | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC);
+        // SAFETY: the device is live; what was created before a failure is destroyed when `this` is dropped.
+        unsafe {
+            this.image = device.create_image(&info, None).map_err(Error::vulkan("vkCreateImage"))?;
+            let requirements = device.get_image_memory_requirements(this.image);
+            let types = host.instance.get_physical_device_memory_properties(host.physical_device);
+            let allowed = |i: &u32| requirements.memory_type_bits >> i & 1 == 1;
+            let local = |i: &u32| types.memory_types[*i as usize].property_flags.contains(vk::MemoryPropertyFlags::DEVICE_LOCAL);
+            let indices = 0..types.memory_type_count;
+            let index = indices.clone().filter(allowed).find(local).or_else(|| indices.clone().find(allowed));
+            let info =
+                vk::MemoryAllocateInfo::default().allocation_size(requirements.size).memory_type_index(index.unwrap_or_default());
+            this.memory = device
+                .allocate_memory(&info, None)
+                .map_err(|_| Error::OutOfMemory { what: "an input image".into(), bytes: requirements.size })?;
+            device.bind_image_memory(this.image, this.memory, 0).map_err(Error::vulkan("vkBindImageMemory"))?;
+            let range = super::barriers::WHOLE;
+            let info = vk::ImageViewCreateInfo::default()
+                .image(this.image)
+                .view_type(vk::ImageViewType::TYPE_2D)
+                .format(this.format)
+                .subresource_range(range);
+            this.view = device.create_image_view(&info, None).map_err(Error::vulkan("vkCreateImageView"))?;
+        }
+        Ok(this)
+    }
+}
+
+impl Drop for OwnedImage {
+    fn drop(&mut self) {
+        // SAFETY: ours and idle.
+        unsafe {
+            self.device.destroy_image_view(self.view, None);
+            self.device.destroy_image(self.image, None);
+            self.device.free_memory(self.memory, None);
+        }
+    }
+}

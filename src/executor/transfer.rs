@@ -1,0 +1,98 @@
+//! Getting texels in and out through a staging buffer.
+
+use super::barriers::{Scope, WHOLE};
+use crate::error::Error;
+use ash::vk;
+use half::f16;
+
+/// A host-visible buffer, mapped for its whole life.
+pub(crate) struct Staging {
+    device: ash::Device,
+    pub buffer: vk::Buffer,
+    memory: vk::DeviceMemory,
+    pointer: *mut u8,
+    pub size: u64,
+}
+
+impl Staging {
+    /// # Safety
+    /// The handles are live, belong together and outlive the result.
+    pub unsafe fn new(host: crate::Device<'_>, size: u64) -> Result<Self, Error> {
+        let device = host.device;
+        let mut this = Self {
+            device: device.clone(),
+            buffer: vk::Buffer::null(),
+            memory: vk::DeviceMemory::null(),
+            pointer: std::ptr::null_mut(),
+            size,
+        };
+        let usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST | vk::BufferUsageFlags::STORAGE_BUFFER;
+        // SAFETY: the caller's; what was created before a failure is destroyed when `this` is dropped.
+        unsafe {
+            let info = vk::BufferCreateInfo::default().size(size).usage(usage);
+            this.buffer = device.create_buffer(&info, None).map_err(Error::vulkan("vkCreateBuffer"))?;
+            let requirements = device.get_buffer_memory_requirements(this.buffer);
+            let types = host.instance.get_physical_device_memory_properties(host.physical_device);
+            let wanted = vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT;
+            let index = (0..types.memory_type_count).find(|&i| {
+                requirements.memory_type_bits >> i & 1 == 1 && types.memory_types[i as usize].property_flags.contains(wanted)
+            });
+            let out_of_memory = || Error::OutOfMemory { what: "a staging buffer".into(), bytes: size };
+            let info = vk::MemoryAllocateInfo::default()
+                .allocation_size(requirements.size)
+                .memory_type_index(index.ok_or_else(out_of_memory)?);
+            this.memory = device.allocate_memory(&info, None).map_err(|_| out_of_memory())?;
+            device.bind_buffer_memory(this.buffer, this.memory, 0).map_err(Error::vulkan("vkBindBufferMemory"))?;
+            let pointer = device.map_memory(this.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty());
+            this.pointer = pointer.map_err(Error::vulkan("vkMapMemory"))?.cast();
+        }
+        Ok(this)
+    }
+
+    /// The mapped bytes. The GPU must not use them meanwhile.
+    pub fn bytes(&mut self) -> &mut [u8] {
+        // SAFETY: mapped for `size` bytes until drop, and borrowed with us.
+        unsafe { std::slice::from_raw_parts_mut(self.pointer, self.size as usize) }
+    }
+}
+
+impl Drop for Staging {
+    fn drop(&mut self) {
+        // SAFETY: ours, and the owner waits for the GPU first.
+        unsafe {
+            self.device.destroy_buffer(self.buffer, None);
+            self.device.free_memory(self.memory, None);
+        }
+    }
+}
+
+/// A whole image, tightly packed.
+pub(crate) fn whole_image(extent: [u32; 2]) -> vk::BufferImageCopy {
+    vk::BufferImageCopy::default()
+        .image_subresource(vk::ImageSubresourceLayers {
+            aspect_mask: WHOLE.aspect_mask,
+            mip_level: 0,
+            base_array_layer: 0,
+            layer_count: 1,
+        })
+        .image_extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
+}
+
+/// What a session's uploads and the frame's passes see of an input.
+pub(crate) const UPLOADED: Scope = Scope {
+    stage: vk::PipelineStageFlags2::COMPUTE_SHADER,
+    access: vk::AccessFlags2::SHADER_SAMPLED_READ,
+    layout: vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL,
+};
+
+/// Texels as floats, whatever the format; missing components are 0.
+pub(crate) fn to_floats(format: vk::Format, bytes: &[u8]) -> Vec<[f32; 4]> {
+    match format {
+        vk::Format::R16G16B16A16_SFLOAT => {
+            bytemuck::cast_slice::<u8, [u16; 4]>(bytes).iter().map(|t| t.map(|b| f16::from_bits(b).to_f32())).collect()
+        }
+        vk::Format::R32G32B32A32_SFLOAT => bytemuck::cast_slice(bytes).to_vec(),
+        vk::Format::R16G16B16A16_UINT => bytemuck::cast_slice::<u8, [u16; 4]>(bytes).iter().map(|t| t.map(f32::from)).collect(),
+        _ => bytemuck::cast_slice::<u8, u32>(bytes).iter().map(|&v| [v as f32, 0.0, 0.0, 0.0]).collect(),
+    }
+}
