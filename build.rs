@@ -92,7 +92,7 @@ mod compile {
                 let name = if variant.is_empty() {
                     stem.clone()
                 } else {
-                    format!("{stem}_{}", variant.replace('=', "_").replace(',', "_").to_lowercase())
+                    format!("{stem}_{}", variant.replace(['=', ','], "_").to_lowercase())
                 };
                 let spirv = |optimise| module(&compiler, &source, &file, &variant, optimise);
                 fs::write(out.join(format!("{name}.spv")), spirv(true)?.as_binary_u8())?;

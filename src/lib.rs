@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
-#![forbid(clippy::unwrap_used)]
+// A host's input is answered by an error. Tests may panic.
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod config;
 pub mod contract;
@@ -11,6 +12,7 @@ mod frame_constants;
 mod nodes;
 mod pipeline;
 mod presets;
+pub mod quality;
 pub mod reference;
 mod requirements;
 mod shaders;

@@ -1,6 +1,7 @@
 //! Barriers, derived from the declared uses and from what was last done to each image and buffer.
 
-use super::memory::{Memory, Storage};
+use super::memory::Memory;
+use super::storage::Storage;
 use crate::contract::{Access, Declaration, FrameContext, Lifetime, ResourceId, UseFrame};
 use ash::vk;
 
@@ -198,7 +199,8 @@ impl Barriers {
     }
 
     unsafe fn flush(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, omit: bool) {
-        if !omit && !(self.images.is_empty() && self.buffers.is_empty()) {
+        let nothing = self.images.is_empty() && self.buffers.is_empty();
+        if !omit && !nothing {
             let info = vk::DependencyInfo::default().image_memory_barriers(&self.images).buffer_memory_barriers(&self.buffers);
             // SAFETY: the caller's.
             unsafe { device.cmd_pipeline_barrier2(cmd, &info) };

@@ -4,7 +4,7 @@ use crate::denoiser::Device;
 use crate::error::Error;
 use ash::vk;
 use std::ffi::{c_void, CStr};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// How much the Khronos validation layer checks.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,7 +34,7 @@ pub struct HeadlessDevice {
     errors: Arc<Mutex<Vec<String>>>,
     physical_device: vk::PhysicalDevice,
     device: ash::Device,
-    queue: vk::Queue,
+    queue: Mutex<vk::Queue>,
     queue_family: u32,
     timestamps: bool,
     name: String,
@@ -61,7 +61,7 @@ impl HeadlessDevice {
         let (physical_device, name) = choose(&instance, options.device.as_deref())?;
         let (device, queue_family, timestamps) = create_device(&instance, physical_device)?;
         // SAFETY: the family was asked for with one queue.
-        let queue = unsafe { device.get_device_queue(queue_family, 0) };
+        let queue = Mutex::new(unsafe { device.get_device_queue(queue_family, 0) });
         let messenger = this.messenger.take();
         this.instance = None;
         Ok(Self { _entry: entry, instance, messenger, errors, physical_device, device, queue, queue_family, timestamps, name })
@@ -82,9 +82,9 @@ impl HeadlessDevice {
         &self.device
     }
 
-    /// The queue; use it from one thread at a time.
-    pub fn queue(&self) -> vk::Queue {
-        self.queue
+    /// The queue, locked: Vulkan wants it to be used from one thread at a time.
+    pub fn queue(&self) -> MutexGuard<'_, vk::Queue> {
+        self.queue.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// The family of the queue.
@@ -99,7 +99,7 @@ impl HeadlessDevice {
 
     /// Errors and warnings of the validation layer so far, each starting with its message id.
     pub fn validation_errors(&self) -> Vec<String> {
-        self.errors.lock().map_or_else(|e| e.into_inner().clone(), |e| e.clone())
+        self.errors.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Whether validation runs, and with it debug labels.
@@ -198,8 +198,8 @@ unsafe extern "system" fn on_message(
 ) -> vk::Bool32 {
     // SAFETY: the layer passes valid data, and `user` is the vector that create_messenger named.
     let (data, errors) = unsafe { (&*data, &*user.cast::<Errors>()) };
-    // SAFETY: strings of the layer are null-terminated and live during the call.
     let text = |c: Option<&CStr>| c.map_or_else(String::new, |c| c.to_string_lossy().into_owned());
+    // SAFETY: strings of the layer are null-terminated and live during the call.
     let (id, message) = unsafe { (text(data.message_id_name_as_c_str()), text(data.message_as_c_str())) };
     if let Ok(mut errors) = errors.lock() {
         errors.push(format!("{id}: {message}"));

@@ -8,6 +8,8 @@ mod headless;
 mod memory;
 mod profiler;
 mod session;
+mod session_objects;
+mod storage;
 mod transfer;
 
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
@@ -21,8 +23,9 @@ use crate::requirements::Requirements;
 use crate::Config;
 use ash::vk;
 use barriers::{Barriers, Scope};
-use memory::{Memory, Storage};
+use memory::Memory;
 use profiler::Profiler;
+use storage::Storage;
 
 /// What an executor is asked for beyond the declaration.
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,1 +1,25 @@
-//! Placeholder.
+//! Pictures that the demo, the tools and the tests of `atrous` write.
+//!
+//! [`Picture`] is an 8-bit image made of radiance or, in false colour, of any quantity, and read from and written to
+//! PNG. [`Strip`] puts labelled pictures side by side, with enlarged insets. [`LinePlot`] draws one line for each
+//! denoiser over the frames, and [`TextTable`] prints numbers that can be pasted into Markdown. All text is drawn with
+//! bitmap fonts, so that no font has to be installed and the same input gives the same bytes everywhere.
+#![forbid(unsafe_code)]
+
+mod convert;
+mod error;
+mod picture;
+mod plot;
+mod plot_canvas;
+mod png_file;
+mod strip;
+mod strip_layout;
+mod table;
+mod text;
+
+pub use convert::NOT_FINITE;
+pub use error::PictureError;
+pub use picture::{Picture, Region};
+pub use plot::{LinePlot, Series};
+pub use strip::Strip;
+pub use table::{Column, TextTable};

@@ -1,0 +1,66 @@
+//! Radiance, and any other quantity, to 8-bit colours.
+
+use crate::picture::check_length;
+use crate::{Picture, PictureError};
+
+/// The colour of a pixel with NaN or an infinity in it: magenta, which neither the tone map of a usual scene nor the
+/// false-colour map gives, so that such pixels are seen.
+pub const NOT_FINITE: [u8; 3] = [255, 0, 255];
+
+impl Picture {
+    /// Tone-maps linear Rec. 709 radiance: times `exposure`, then `x / (1 + x)`, then the sRGB curve.
+    ///
+    /// Negative values become black; a pixel with a value that is not finite becomes [`NOT_FINITE`].
+    ///
+    /// # Errors
+    /// [`PictureError::Exposure`] if the exposure is no finite number above 0; [`PictureError::Empty`],
+    /// [`PictureError::TooLarge`] or [`PictureError::Length`] if the sizes are wrong.
+    pub fn from_linear(width: u32, height: u32, radiance: &[[f32; 3]], exposure: f32) -> Result<Self, PictureError> {
+        if !(exposure.is_finite() && exposure > 0.0) {
+            return Err(PictureError::Exposure(exposure));
+        }
+        check_length(width, height, radiance.len())?;
+        let to_srgb = |rgb: &[f32; 3]| {
+            if rgb.iter().all(|v| v.is_finite()) {
+                rgb.map(|v| srgb_8bit(tone_map(v * exposure)))
+            } else {
+                NOT_FINITE
+            }
+        };
+        Self::from_pixels(width, height, radiance.iter().map(to_srgb).collect())
+    }
+
+    /// Paints one number per pixel with the colour map Viridis, which stays readable in grey and for colour-blind
+    /// viewers: `range[0]` and below is dark blue, `range[1]` and above yellow.
+    ///
+    /// For history length, variance, error and the like. A value that is not finite becomes [`NOT_FINITE`].
+    ///
+    /// # Errors
+    /// [`PictureError::Range`] if the range is empty or not finite; [`PictureError::Empty`],
+    /// [`PictureError::TooLarge`] or [`PictureError::Length`] if the sizes are wrong.
+    pub fn false_colour(width: u32, height: u32, values: &[f32], range: [f32; 2]) -> Result<Self, PictureError> {
+        let [low, high] = range.map(f64::from);
+        if !(low.is_finite() && high.is_finite() && low < high) {
+            return Err(PictureError::Range(range));
+        }
+        check_length(width, height, values.len())?;
+        let colour = |&v: &f32| {
+            if !v.is_finite() {
+                return NOT_FINITE;
+            }
+            let t = ((f64::from(v) - low) / (high - low)).clamp(0.0, 1.0);
+            colorous::VIRIDIS.eval_continuous(t).as_array()
+        };
+        Self::from_pixels(width, height, values.iter().map(colour).collect())
+    }
+}
+
+/// `x / (1 + x)`, written so that a value which overflowed under the exposure gives 1 and not NaN.
+fn tone_map(x: f32) -> f32 {
+    1.0 - 1.0 / (1.0 + x.max(0.0))
+}
+
+fn srgb_8bit(x: f32) -> u8 {
+    let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+    (encoded * 255.0).round() as u8
+}

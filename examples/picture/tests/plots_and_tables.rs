@@ -1,0 +1,80 @@
+//! Line plots and text tables.
+
+use atrous_picture::{Column, LinePlot, Picture, PictureError, TextTable};
+
+const WHITE: [u8; 3] = [255; 3];
+/// First and second colour of the lines.
+const BLUE: [u8; 3] = [0, 114, 178];
+const RED: [u8; 3] = [213, 94, 0];
+
+fn columns_with(picture: &Picture, colour: [u8; 3]) -> Vec<u32> {
+    (0..picture.width()).filter(|&x| (0..picture.height()).any(|y| picture.pixel(x, y) == Some(colour))).collect()
+}
+
+#[test]
+fn every_series_has_a_line_and_a_legend() {
+    let plot = LinePlot::new("RMSE").size(600, 300).series("noisy", vec![0.5, 0.6, 0.4]).series("SVGF", vec![0.1; 3]);
+    let picture = plot.render().unwrap();
+    assert_eq!([picture.width(), picture.height()], [600, 300]);
+    for colour in [BLUE, RED] {
+        let columns = columns_with(&picture, colour);
+        assert!(columns.len() > 300, "{}", columns.len());
+        assert!(*columns.last().unwrap() > 500, "no legend");
+    }
+    // Nothing reaches the edge.
+    assert!((0..300).all(|y| picture.pixel(0, y) == Some(WHITE) && picture.pixel(599, y) == Some(WHITE)));
+}
+
+#[test]
+fn values_that_are_not_finite_are_gaps() {
+    let nan = f64::NAN;
+    let plot = |values: Vec<f64>| LinePlot::new("x").size(600, 300).series("s", values).render().unwrap();
+    let whole = columns_with(&plot(vec![1.0; 9]), BLUE).len();
+    let gaps = columns_with(&plot(vec![1.0, 1.0, nan, nan, nan, nan, f64::INFINITY, 1.0, nan]), BLUE).len();
+    assert!(gaps > 50 && gaps < whole / 2, "{gaps} of {whole}");
+}
+
+#[test]
+fn one_frame_and_constant_values_are_drawn() {
+    for values in [
+        vec![0.0],
+        vec![0.0; 4],
+        vec![-3.0; 2],
+        vec![1e-30; 3],
+        vec![1e30, 2e30],
+        vec![f64::MIN, f64::MAX],
+        vec![0.0, f64::MIN_POSITIVE],
+        vec![0.0, 1e-26],
+        vec![1.0, 1.0 + f64::EPSILON],
+        vec![1.0, 1.0 + 2e-9],
+        vec![-1e-12, 1e30],
+    ] {
+        let picture = LinePlot::new("x").size(400, 200).series("s", values.clone()).render().unwrap();
+        assert!(columns_with(&picture, BLUE).len() > 18, "{values:?}");
+    }
+}
+
+#[test]
+fn a_plot_without_values_or_room_is_an_error() {
+    assert!(matches!(LinePlot::new("x").render(), Err(PictureError::NothingToPlot(_))));
+    let nan = LinePlot::new("x").series("s", vec![f64::NAN]).render();
+    assert!(matches!(nan, Err(PictureError::NothingToPlot(_))));
+    let small = LinePlot::new("x").size(100, 100).series("s", vec![1.0]).render();
+    assert!(matches!(small, Err(PictureError::PlotSize { .. })));
+}
+
+#[test]
+fn tables_are_aligned() {
+    let mut table = TextTable::new("denoiser", [Column::new("RMSE", 4), Column::new("ms", 1)]);
+    table.row("noisy", &[0.0576, f64::NAN]).unwrap();
+    table.row("percentile", &[0.02341, 120.0]).unwrap();
+    let expected = "\
+| denoiser   |   RMSE |    ms |
+|------------|--------|-------|
+| noisy      | 0.0576 |     - |
+| percentile | 0.0234 | 120.0 |
+";
+    assert_eq!(table.to_string(), expected);
+    let error = table.row("svgf", &[1.0]).unwrap_err();
+    assert_eq!(error.to_string(), "row \"svgf\" has 1 values, but the table has 2 columns of values");
+}
