@@ -3,7 +3,9 @@
 use crate::layouts::Layout;
 use crate::mapping::Mapping;
 use crate::roles::Role;
-use atrous::config::{Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
+use atrous::config::{
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+};
 
 /// Depths from here on are background in the data sets of this project, and in Blender, whose sky is at 1e10.
 const ATROUS_BACKGROUND: f32 = 1e4;
@@ -50,8 +52,12 @@ pub fn set(c: &mut Conventions, key: &str, value: &str) -> Option<()> {
         "depth" => c.depth = pick(value, &[("linear", D::Linear), ("device", D::Device), ("ray_length", D::RayLength)])?,
         "background_depth" => c.background_depth = value.parse().ok().filter(|d: &f32| *d > 0.0)?,
         "normal" => {
-            let named =
-                [("xyz", N::Xyz), ("xyz_unorm", N::XyzUnorm), ("octahedral", N::Octahedral), ("octahedral_unorm", N::OctahedralUnorm)];
+            let named = [
+                ("xyz", N::Xyz),
+                ("xyz_unorm", N::XyzUnorm),
+                ("octahedral", N::Octahedral),
+                ("octahedral_unorm", N::OctahedralUnorm),
+            ];
             c.normal = pick(value, &named)?;
         }
         "normal_space" => c.normal_space = pick(value, &[("world", NormalSpace::World), ("view", NormalSpace::View)])?,
@@ -62,7 +68,9 @@ pub fn set(c: &mut Conventions, key: &str, value: &str) -> Option<()> {
         }
         "motion_y" => c.motion_y_up = pick(value, &[("down", false), ("up", true)])?,
         "motion_jittered" => c.motion_jittered = value.parse().ok()?,
-        "motion_depth" => c.motion_depth = pick(value, &[("none", M::None), ("difference", M::Difference), ("absolute", M::Absolute)])?,
+        "motion_depth" => {
+            c.motion_depth = pick(value, &[("none", M::None), ("difference", M::Difference), ("absolute", M::Absolute)])?
+        }
         "view_forward" => {
             c.view_forward = pick(value, &[("negative_z", ViewForward::NegativeZ), ("positive_z", ViewForward::PositiveZ)])?;
         }

@@ -112,7 +112,10 @@ fn check(path: &Path, headers: &[Header], file_bytes: u64) -> Result<ExrHeader> 
         return Err(too_large(format!("{} MiB of pixels", bytes >> 20), format!("{} MiB", MAX_FRAME_BYTES >> 20)));
     }
     if chunks.saturating_mul(MIN_CHUNK_BYTES) > file_bytes {
-        return Err(ToolError::exr(path, format!("it is truncated: {file_bytes} bytes cannot hold the {chunks} blocks of its header")));
+        return Err(ToolError::exr(
+            path,
+            format!("it is truncated: {file_bytes} bytes cannot hold the {chunks} blocks of its header"),
+        ));
     }
     Ok(describe(headers))
 }

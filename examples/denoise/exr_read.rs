@@ -4,7 +4,6 @@ use crate::error::{Result, ToolError};
 use crate::exr_header::{from_exr, open, Channel, ExrHeader};
 use crate::panics::caught;
 use exr::block::chunk::Chunk;
-use exr::block::reader::ChunksReader;
 use exr::block::UncompressedBlock;
 use exr::math::Vec2;
 use exr::meta::attribute::SampleType;

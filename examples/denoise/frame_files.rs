@@ -163,7 +163,8 @@ fn take_apart(path: &Path) -> (Stem, Option<u64>) {
     let name = path.file_stem().and_then(|n| n.to_str()).unwrap_or_default();
     let end = name.rfind(|c: char| c.is_ascii_digit()).map(|i| i + 1);
     let Some(end) = end else { return (Stem { before: name.into(), after: String::new() }, None) };
-    let start = name[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + name[i..].chars().next().map_or(1, char::len_utf8));
+    let start =
+        name[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + name[i..].chars().next().map_or(1, char::len_utf8));
     let number = name[start..end].parse().ok();
     (Stem { before: name[..start].into(), after: name[end..].into() }, number)
 }

@@ -34,6 +34,7 @@ impl Mapping {
             let found = match named.iter().rev().find(|n| n.0 == role) {
                 Some((_, name)) if name.eq_ignore_ascii_case("none") => None,
                 Some((_, name)) => Some(names.asked_for(path, role, name, header)?),
+                None if role == Role::Alpha => names.alpha(roles.get(&Role::Noisy)),
                 None => names.known(role, layout, roles.get(&Role::Noisy)),
             };
             if let Some(found) = found {
@@ -143,7 +144,8 @@ impl Names<'_> {
         layers.dedup();
         let in_view = |l: &&&str| view.as_ref().is_some_and(|v| l.starts_with(&format!("{v}.")));
         let preferred = layers.iter().find(in_view).or(layers.first());
-        let whole = || (entry.role.kind().len() == 1 && !ending.is_empty()).then(|| self.find(ending).map(|name| vec![name])).flatten();
+        let whole =
+            || (entry.role.kind().len() == 1 && !ending.is_empty()).then(|| self.find(ending).map(|name| vec![name])).flatten();
         preferred.and_then(|l| self.layer(l, entry.components)).or_else(whole)
     }
 
@@ -152,6 +154,12 @@ impl Names<'_> {
         let mut layers = self.lower.iter().map(|name| split(name)).filter(|(_, last)| *last == "a").map(|(layer, _)| layer);
         let layer = layers.next()?;
         self.layer(layer, &[&["R", "G", "B"]])
+    }
+
+    /// The alpha that belongs to the beauty.
+    fn alpha(&self, beauty: Option<&Vec<String>>) -> Option<Vec<String>> {
+        let layer = split(beauty?.first()?).0.to_lowercase();
+        self.layer(&layer, &[&["A"]])
     }
 
     fn asked_for(&self, path: &Path, role: Role, name: &str, header: &ExrHeader) -> Result<Vec<String>> {

@@ -5,6 +5,8 @@
 pub enum Role {
     /// Radiance to denoise, all of it.
     Noisy,
+    /// Coverage of the beauty, passed through.
+    Alpha,
     /// Light scattered once.
     Direct,
     /// Light scattered more than once.
@@ -72,6 +74,7 @@ impl Kind {
 /// One row: role, name for options and messages, kind, and what is lost without it (empty: nothing worth a word).
 const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::Noisy, "noisy", Kind::Colour, ""),
+    (Role::Alpha, "alpha", Kind::Scalar, ""),
     (Role::Direct, "direct", Kind::Colour, ""),
     (Role::Indirect, "indirect", Kind::Colour, "direct and indirect light are filtered together, which blurs shadow edges more"),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
@@ -80,7 +83,12 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::DiffuseColour, "diffuse_colour", Kind::Colour, ""),
     (Role::Albedo, "albedo", Kind::Colour, "textures are blurred together with the light"),
     (Role::Normal, "normal", Kind::Vector, "light bleeds across creases, where only the orientation of the surface changes"),
-    (Role::Depth, "depth", Kind::Scalar, "light bleeds across silhouettes, and uncovered surfaces keep the history of what hid them"),
+    (
+        Role::Depth,
+        "depth",
+        Kind::Scalar,
+        "light bleeds across silhouettes, and uncovered surfaces keep the history of what hid them",
+    ),
     (Role::Position, "position", Kind::Vector, ""),
     (Role::Motion, "motion", Kind::Motion, ""),
     (Role::PreviousDepth, "previous_depth", Kind::Scalar, ""),
