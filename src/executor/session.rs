@@ -295,6 +295,8 @@ impl Session {
 
 impl Drop for Session {
     fn drop(&mut self) {
+        // Waiting for a device uses its queues.
+        let _queue = self.gpu.queue();
         // SAFETY: the device is live. A failure means that it is lost, and then nothing runs on it.
         let _ = unsafe { self.gpu.device().device_wait_idle() };
     }

@@ -1,1 +1,61 @@
 //! The CPU twin of every stage: plain `f32`, no `unsafe`, written from the equations and not from the shaders.
+//!
+//! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other.
+//! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
+//! [`Svgf`] chains the stages over a sequence of frames.
+//!
+//! | tag | source |
+//! | --- | --- |
+//! | \[EAW\] | Dammertz et al.: Edge-Avoiding À-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010 |
+//! | \[SVGF\] | Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017 |
+//! | \[Karis 2014\] | High-Quality Temporal Supersampling, SIGGRAPH courses 2014 |
+//! | \[Narkowicz 2015\] | ACES Filmic Tone Mapping Curve |
+
+mod atrous;
+mod binary16;
+mod conventions;
+mod demodulate;
+mod geometry_weights;
+mod guide;
+mod image;
+mod import;
+mod luminance;
+mod modulate;
+mod moments;
+mod octahedral;
+mod projection;
+mod render_rect;
+mod reprojection;
+mod statistics;
+mod surface_motion;
+mod svgf;
+mod taa;
+mod temporal_accumulation;
+#[cfg(test)]
+mod test_scene;
+mod tone_map;
+mod variance;
+
+pub use atrous::{atrous, AtrousInputs, LUMINANCE_EPSILON};
+pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
+pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use geometry_weights::DEPTH_EPSILON;
+pub use guide::{fold_id, pack_guide, unpack_guide, Surface};
+pub use image::Image;
+pub use import::{import, ImportInputs, ImportOutputs};
+pub use luminance::luminance;
+pub use modulate::{modulate, ModulateInputs, ModulateOutputs};
+pub use moments::{pack_moments, unpack_moments, Moments, Reason};
+pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
+pub use reprojection::InstanceTransform;
+pub use statistics::{Counter, Statistics};
+pub use surface_motion::{
+    pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
+};
+pub use svgf::{Svgf, SvgfInputs, SvgfOutputs, SvgfViews};
+pub use taa::{taa, TaaInputs};
+pub use temporal_accumulation::{
+    temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
+};
+pub use tone_map::tone_map;
+pub use variance::{variance, VarianceInputs};

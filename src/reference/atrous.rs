@@ -1,0 +1,113 @@
+//! The stage `atrous` [SVGF 4.3, eq. 1 to 5]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
+
+use super::binary16::store;
+use super::geometry_weights::Geometry;
+use super::luminance::texel_luminance;
+use super::{render_rect::RenderRect, Image};
+use crate::FrameConstants;
+use glam::IVec2;
+
+#[cfg(test)]
+mod edge_tests;
+#[cfg(test)]
+mod tests;
+
+/// The B3 spline [EAW]: one axis of the 5×5 kernel.
+const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+
+/// Tolerated difference of luminance where the variance is 0.
+pub const LUMINANCE_EPSILON: f32 = 1e-4;
+
+/// Inputs of [`atrous`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct AtrousInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// For every signal rgb: irradiance, alpha: standard deviation of its luminance.
+    pub irradiance: &'a [&'a Image<[f32; 4]>],
+}
+
+/// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the input.
+pub fn atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    let geometry = Geometry::new(frame, inputs.guide, inputs.depth_gradient);
+    let rect = RenderRect::new(frame.render_extent);
+    let step = 1_i32.checked_shl(level).unwrap_or(i32::MAX / 4);
+    // Geometry weights cost the most: they are computed once for the two signals that there can be.
+    let mut filtered = Vec::with_capacity(inputs.irradiance.len());
+    for pair in inputs.irradiance.chunks(2) {
+        let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
+            let mut sums: [Sum; 2] = std::array::from_fn(|i| Sum::new(frame, &geometry, rect, pair.get(i).copied(), p));
+            if geometry.is_background(p) {
+                return sums.map(|sum| sum.centre);
+            }
+            for (offset, q) in rect.window(p, 2, step) {
+                let kernel = KERNEL[(offset.x + 2) as usize] * KERNEL[(offset.y + 2) as usize];
+                let weight = kernel * geometry.weight(p, q);
+                if weight > 0.0 {
+                    sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
+                }
+            }
+            sums.map(|sum| sum.mean())
+        });
+        filtered.extend((0..pair.len()).map(|i| texels.map(|t| t[i])));
+    }
+    filtered
+}
+
+/// The sums of eq. 1 for one signal of one pixel.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    centre: [f32; 4],
+    luminance: f32,
+    tolerance: f32,
+    weight: f32,
+    irradiance: [f32; 3],
+    variance: f32,
+}
+
+impl Sum {
+    fn new(frame: &FrameConstants, geometry: &Geometry, rect: RenderRect, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
+        let Some(image) = image else { return Self::default() };
+        let centre = image.at(p);
+        if geometry.is_background(p) {
+            return Self { centre, ..Self::default() };
+        }
+        Self {
+            centre,
+            luminance: texel_luminance(centre),
+            tolerance: frame.sigma_l * blurred_deviation(geometry, rect, image, p) + LUMINANCE_EPSILON,
+            ..Self::default()
+        }
+    }
+
+    fn add(&mut self, geometry_weight: f32, is_centre: bool, texel: [f32; 4]) {
+        // [SVGF eq. 5]
+        let weight_l = if is_centre { 1.0 } else { (-(self.luminance - texel_luminance(texel)).abs() / self.tolerance).exp() };
+        let weight = geometry_weight * weight_l;
+        self.weight += weight;
+        (0..3).for_each(|i| self.irradiance[i] += weight * texel[i]);
+        self.variance += weight * weight * texel[3] * texel[3];
+    }
+
+    fn mean(&self) -> [f32; 4] {
+        if self.weight == 0.0 {
+            return [0.0; 4];
+        }
+        let [r, g, b] = self.irradiance.map(|c| store(c / self.weight));
+        [r, g, b, store(self.variance.sqrt() / self.weight)]
+    }
+}
+
+/// `sqrt(g3x3(σ²))`: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
+fn blurred_deviation(geometry: &Geometry, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
+    let (mut sum, mut variance) = (0.0, 0.0);
+    for (offset, q) in rect.window(p, 1, 1).filter(|(_, q)| !geometry.is_background(*q)) {
+        let weight = 0.25 / (1 << offset.abs().element_sum()) as f32;
+        let deviation = image.at(q)[3];
+        sum += weight;
+        variance += weight * deviation * deviation;
+    }
+    (variance / sum).sqrt()
+}

@@ -1,0 +1,51 @@
+//! Half precision, as the GPU's images store it.
+
+use super::Image;
+use half::f16;
+
+/// The largest finite half; every store of irradiance is clamped to it.
+pub const LARGEST_HALF: f32 = 65504.0;
+
+/// `x` rounded to binary16, to nearest, ties to even. Beyond the range it becomes infinite.
+pub fn round_to_half(x: f32) -> f32 {
+    f16::from_f32(x).to_f32()
+}
+
+/// Every component rounded to binary16: what an RGBA16_SFLOAT image keeps of one that is wider.
+pub fn round_image_to_half(image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+    image.map(|texel| texel.map(round_to_half))
+}
+
+/// What a half-float image of irradiance, luminance or deviation keeps: clamped to 0..65504, NaN to 0, rounded.
+pub(crate) fn store(x: f32) -> f32 {
+    round_to_half(x.max(0.0).min(LARGEST_HALF))
+}
+
+/// The bits of `x` as binary16.
+pub(crate) fn half_bits(x: f32) -> u16 {
+    f16::from_f32(x).to_bits()
+}
+
+/// The value of the bits of a binary16.
+pub(crate) fn from_half_bits(bits: u16) -> f32 {
+    f16::from_bits(bits).to_f32()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rounds_to_nearest_even() {
+        assert_eq!(round_to_half(1.0 + 1.0 / 2048.0), 1.0);
+        assert_eq!(round_to_half(1.0 + 3.0 / 2048.0), 1.0 + 2.0 / 1024.0);
+        assert_eq!(round_to_half(0.1), 0.099_975_586);
+    }
+
+    #[test]
+    fn a_store_is_finite_and_not_negative() {
+        for (x, kept) in [(f32::NAN, 0.0), (f32::INFINITY, LARGEST_HALF), (-1.0, 0.0), (1e9, LARGEST_HALF), (2.0, 2.0)] {
+            assert_eq!(store(x), kept);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures [SVGF 3].
+
+use super::binary16::store;
+use super::guide::unpack_guide;
+use super::statistics::{count, Counter, Statistics};
+use super::Image;
+use crate::FrameConstants;
+
+#[cfg(test)]
+mod tests;
+
+/// Smallest divisor: below it, noise of a nearly black surface would be amplified without bound.
+pub const ALBEDO_EPSILON: f32 = 0.01;
+
+/// Inputs of [`demodulate`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct DemodulateInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: noisy radiance of every signal, linear, scene units.
+    pub noisy: &'a [&'a Image<[f32; 4]>],
+    /// rgb: albedo at the primary hit.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
+}
+
+/// Outputs of [`demodulate`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DemodulateOutputs {
+    /// rgb: irradiance of every signal, half precision; alpha 0.
+    pub irradiance: Vec<Image<[f32; 4]>>,
+    /// Bad radiances (once a signal) and albedos (once a pixel).
+    pub statistics: Statistics,
+}
+
+/// What radiance is divided by, and multiplied with again in `modulate`: per component 1 where the albedo is not finite. Also whether it was.
+pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
+    let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
+    let rgb = [r, g, b];
+    (rgb.map(|a| if a.is_finite() { a.max(ALBEDO_EPSILON) } else { 1.0 }), rgb.iter().any(|a| !a.is_finite()))
+}
+
+/// Divides the radiance of every signal by the albedo. The background passes.
+pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> DemodulateOutputs {
+    let extent = inputs.guide.extent();
+    let is_background = |p| unpack_guide(inputs.guide.at(p)).is_background();
+    let divisors = Image::compute(extent, frame.render_extent, |p| {
+        divisor(inputs.albedo.filter(|_| !is_background(p)).map(|albedo| albedo.at(p)))
+    });
+    let mut statistics = Statistics::default();
+    statistics[Counter::Albedo as usize] = count(divisors.texels().iter().map(|d| d.1));
+    let mut irradiance = Vec::with_capacity(inputs.noisy.len());
+    for noisy in inputs.noisy {
+        let texels = Image::compute(extent, frame.render_extent, |p| {
+            let ([r, g, b, _], [dr, dg, db]) = (noisy.at(p), divisors.at(p).0);
+            if [r, g, b].iter().all(|c| c.is_finite()) {
+                ([store(r / dr), store(g / dg), store(b / db), 0.0], false)
+            } else {
+                ([0.0; 4], true)
+            }
+        });
+        statistics[Counter::Radiance as usize] += count(texels.texels().iter().map(|t| t.1));
+        irradiance.push(texels.map(|t| t.0));
+    }
+    DemodulateOutputs { irradiance, statistics }
+}

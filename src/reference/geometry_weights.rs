@@ -1,0 +1,56 @@
+//! Edge stopping by geometry, shared by all signals and by the stages `variance` and `atrous`.
+
+use super::guide::{unpack_guide, Surface};
+use super::surface_motion::unpack_depth_gradient;
+use super::Image;
+use crate::FrameConstants;
+use glam::{IVec2, Vec2};
+
+/// Tolerated relative departure from the local plane, by which a plane that faces the camera has a tolerance as well.
+pub const DEPTH_EPSILON: f32 = 0.001;
+
+/// The decoded guide with the weights `w_z` and `w_n`.
+pub(crate) struct Geometry {
+    surfaces: Image<Surface>,
+    gradients: Image<Vec2>,
+    sigma_z: f32,
+    sigma_n: f32,
+}
+
+impl Geometry {
+    pub fn new(frame: &FrameConstants, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
+        Self {
+            surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
+            gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
+            sigma_z: frame.sigma_z,
+            sigma_n: frame.sigma_n,
+        }
+    }
+
+    pub fn extent(&self) -> [u32; 2] {
+        self.surfaces.extent()
+    }
+
+    pub fn is_background(&self, p: IVec2) -> bool {
+        self.surfaces.at(p).is_background()
+    }
+
+    /// `w_z·w_n` [SVGF eq. 3, 4] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
+    pub fn weight(&self, p: IVec2, q: IVec2) -> f32 {
+        if p == q {
+            return 1.0;
+        }
+        let (at_p, at_q) = (self.surfaces.at(p), self.surfaces.at(q));
+        if at_q.is_background() {
+            return 0.0;
+        }
+        let along_plane = self.gradients.at(p).dot((q - p).as_vec2()).abs();
+        let tolerance = self.sigma_z * along_plane + DEPTH_EPSILON * at_p.linear_depth;
+        let difference = (at_p.linear_depth - at_q.linear_depth).abs();
+        let weight_z = (-difference / tolerance.max(f32::MIN_POSITIVE)).exp();
+        let cosine = at_p.cosine(&at_q).max(0.0);
+        // 0⁰ = 1: a sigma of 0 switches normals off.
+        let weight_n = if self.sigma_n == 0.0 { 1.0 } else { cosine.powf(self.sigma_n) };
+        weight_z * weight_n
+    }
+}

@@ -1,0 +1,36 @@
+//! The part of an image that exists in a frame.
+
+use glam::{IVec2, Vec2};
+
+/// The top left part of an image that a frame renders; pixels outside do not exist.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RenderRect {
+    extent: IVec2,
+}
+
+impl RenderRect {
+    pub fn new(extent: [u32; 2]) -> Self {
+        Self { extent: IVec2::new(extent[0] as i32, extent[1] as i32) }
+    }
+
+    pub fn contains(&self, p: IVec2) -> bool {
+        p.cmpge(IVec2::ZERO).all() && p.cmplt(self.extent).all()
+    }
+
+    /// Whether a position, in pixels with centres at .5, is inside.
+    pub fn contains_position(&self, s: Vec2) -> bool {
+        s.cmpge(Vec2::ZERO).all() && s.cmplt(self.extent.as_vec2()).all()
+    }
+
+    pub fn clamp(&self, p: IVec2) -> IVec2 {
+        p.clamp(IVec2::ZERO, self.extent - 1)
+    }
+
+    /// Offsets and pixels of the window of `2·radius + 1` taps a side, spaced `step`, that exist; in row order.
+    pub fn window(self, p: IVec2, radius: i32, step: i32) -> impl Iterator<Item = (IVec2, IVec2)> {
+        (-radius..=radius)
+            .flat_map(move |y| (-radius..=radius).map(move |x| IVec2::new(x, y)))
+            .map(move |offset| (offset, p + offset * step))
+            .filter(move |(_, q)| self.contains(*q))
+    }
+}

@@ -1,0 +1,100 @@
+//! Where the surface of a pixel was in the previous frame: steps 3 to 5 of the stage `import`.
+
+use super::conventions::{motion_depth, motion_is_jittered, motion_is_negated, motion_points_up, motion_unit};
+use super::projection::{extent, extent_ratio, previous_sample_offset, sample_offset, Projections};
+use super::surface_motion::LARGEST_MOTION;
+use crate::config::{MotionDepth, MotionUnit};
+use crate::FrameConstants;
+use glam::{IVec2, Mat3, Vec2, Vec3, Vec4, Vec4Swizzles};
+
+/// World space of the previous frame from world space of this one: three rows of four, so that `previous = rows · (x, y, z, 1)`.
+pub type InstanceTransform = [[f32; 4]; 3];
+
+/// What the host says of one pixel's motion.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct HostMotion<'a> {
+    /// The texel of the motion image.
+    pub texel: Option<[f32; 4]>,
+    /// The transform of the pixel's instance.
+    pub transform: Option<&'a InstanceTransform>,
+}
+
+/// Where the surface was.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reprojection {
+    /// Pixels of the previous frame.
+    pub motion: Vec2,
+    /// Expected previous linear depth divided by linear depth, minus 1; 0 for the background.
+    pub depth_ratio: f32,
+    /// Whether the host's motion was not finite.
+    pub is_bad: bool,
+}
+
+/// Motion and expected depth of a pixel at `linear_depth` (0: background).
+pub(crate) fn reproject(
+    frame: &FrameConstants,
+    projections: &Projections,
+    p: IVec2,
+    linear_depth: f32,
+    host: HostMotion,
+) -> Reprojection {
+    let carried = carry(projections.world_point(p, linear_depth), host.transform);
+    let given = host.texel.filter(|v| v[0].is_finite() && v[1].is_finite());
+    let motion = match given {
+        Some(v) => motion_in_pixels(frame, Vec2::new(v[0], v[1])),
+        None => match projections.previous_position(carried) {
+            Some(position) => position - projections.sample_position(p) * extent_ratio(frame),
+            // Behind the previous camera: a mirrored position could lie on screen, so it is sent off screen.
+            None => Vec2::splat(LARGEST_MOTION),
+        },
+    };
+    let previous_depth = match (motion_depth(frame), given) {
+        (MotionDepth::Difference, Some(v)) => linear_depth + v[2],
+        (MotionDepth::Absolute, Some(v)) => v[2],
+        _ => projections.previous_linear_depth(carried),
+    };
+    let is_usable = linear_depth > 0.0 && previous_depth.is_finite() && previous_depth > 0.0;
+    Reprojection {
+        motion: motion.clamp(Vec2::splat(-LARGEST_MOTION), Vec2::splat(LARGEST_MOTION)),
+        depth_ratio: if is_usable { previous_depth / linear_depth - 1.0 } else { 0.0 },
+        is_bad: host.texel.is_some() && given.is_none(),
+    }
+}
+
+/// The host's motion as pixels of the previous frame, without jitter.
+fn motion_in_pixels(frame: &FrameConstants, v: Vec2) -> Vec2 {
+    let ratio = extent_ratio(frame);
+    let v = if motion_is_negated(frame) { -v } else { v };
+    let v = match motion_unit(frame) {
+        MotionUnit::Pixels => v * ratio,
+        MotionUnit::Uv => v * extent(frame.previous_render_extent),
+        MotionUnit::Ndc => v * extent(frame.previous_render_extent) * 0.5,
+    };
+    let v = if motion_points_up(frame) { Vec2::new(v.x, -v.y) } else { v };
+    if motion_is_jittered(frame) {
+        // A jittered raster shows x at x − offset: the motion in it lacks the change of the offset.
+        v + (previous_sample_offset(frame) - sample_offset(frame) * ratio)
+    } else {
+        v
+    }
+}
+
+fn carry(world: Vec4, transform: Option<&InstanceTransform>) -> Vec4 {
+    match transform.map(|rows| rows.map(Vec4::from)) {
+        Some([x, y, z]) if world.w != 0.0 => Vec4::new(x.dot(world), y.dot(world), z.dot(world), world.w),
+        _ => world,
+    }
+}
+
+/// The world normal that is expected in the previous frame.
+pub(crate) fn previous_normal(normal: Vec3, transform: Option<&InstanceTransform>) -> Vec3 {
+    let Some(rows) = transform else { return normal };
+    let rotation = Mat3::from_cols_array_2d(&rows.map(|row| Vec4::from(row).xyz().to_array())).transpose();
+    let turned = rotation * normal;
+    let length_squared = turned.length_squared();
+    if length_squared.is_finite() && length_squared >= 1e-8 {
+        turned / length_squared.sqrt()
+    } else {
+        normal
+    }
+}

@@ -1,0 +1,27 @@
+//! Counters of bad input.
+
+/// Counters, indexed by [`Counter`].
+pub type Statistics = [u32; 8];
+
+/// What is counted, in pixels of the render extent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(usize)]
+pub enum Counter {
+    /// A depth that is NaN.
+    Depth = 0,
+    /// A normal that is not finite, on a surface.
+    Normal = 1,
+    /// A motion that is not finite.
+    Motion = 2,
+    /// A radiance that is not finite; once for every signal.
+    Radiance = 3,
+    /// An albedo that is not finite, on a surface.
+    Albedo = 4,
+    /// An emission that is not finite.
+    Emission = 5,
+}
+
+/// How many texels are true.
+pub(crate) fn count(flags: impl Iterator<Item = bool>) -> u32 {
+    flags.filter(|&bad| bad).count() as u32
+}

@@ -1,0 +1,220 @@
+//! The stage `temporal_accumulation` [SVGF 4.1]: irradiance and moments of luminance accumulated along the motion of the surface.
+
+use super::binary16::{store, LARGEST_HALF};
+use super::conventions::is_reset;
+use super::guide::{unpack_guide, Surface};
+use super::luminance::texel_luminance;
+use super::moments::{pack_moments, unpack_moments, Moments, Reason};
+use super::projection::extent_ratio;
+use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use super::{render_rect::RenderRect, Image};
+use crate::FrameConstants;
+use glam::{IVec2, Vec2, Vec3};
+
+#[cfg(test)]
+mod history_tests;
+#[cfg(test)]
+mod tests;
+
+/// Smallest sum of bilinear weights that the 2×2 taps are trusted with.
+const SMALLEST_WEIGHT_SUM: f32 = 0.01;
+
+/// What the previous frame left of a signal.
+#[derive(Clone, Copy, Debug)]
+pub struct SignalHistory<'a> {
+    /// rgb: irradiance, as written by level 0 of `atrous`.
+    pub irradiance: &'a Image<[f32; 4]>,
+    /// As written by this stage.
+    pub moments: &'a Image<[u16; 4]>,
+}
+
+/// What the previous frame left.
+#[derive(Clone, Copy, Debug)]
+pub struct PreviousFrame<'a> {
+    /// The guide of the previous frame.
+    pub guide: &'a Image<[u16; 4]>,
+    /// One for every signal.
+    pub signals: &'a [SignalHistory<'a>],
+}
+
+/// Inputs of [`temporal_accumulation`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct TemporalAccumulationInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// rgb: irradiance of every signal, as written by `demodulate`.
+    pub irradiance: &'a [&'a Image<[f32; 4]>],
+    /// Not read in a reset frame; `None` is treated as one.
+    pub previous: Option<PreviousFrame<'a>>,
+}
+
+/// Outputs of [`temporal_accumulation`], one of each for every signal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TemporalAccumulationOutputs {
+    /// rgb: accumulated irradiance, half precision; alpha 0.
+    pub irradiance: Vec<Image<[f32; 4]>>,
+    /// See [`unpack_moments`].
+    pub moments: Vec<Image<[u16; 4]>>,
+}
+
+/// Where the history of a pixel is, shared by all signals.
+#[derive(Clone, Copy, Default)]
+enum History {
+    #[default]
+    Background,
+    Disoccluded(Reason),
+    /// Pixels with weights that sum to 1; those beyond the valid ones have weight 0.
+    Taps([(IVec2, f32); 9]),
+}
+
+/// Accumulates every signal; they share taps and history length.
+pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulationInputs) -> TemporalAccumulationOutputs {
+    let extent = inputs.guide.extent();
+    let previous = inputs.previous.filter(|_| !is_reset(frame));
+    let surfaces = previous.map(|previous| {
+        Image::compute(previous.guide.extent(), frame.previous_render_extent, |p| unpack_guide(previous.guide.at(p)))
+    });
+    let histories = Image::compute(extent, frame.render_extent, |p| {
+        let surface = unpack_guide(inputs.guide.at(p));
+        match &surfaces {
+            _ if surface.is_background() => History::Background,
+            Some(surfaces) => Reprojected::new(frame, inputs, surface, p).history(surfaces),
+            None => History::Disoccluded(Reason::Reset),
+        }
+    });
+    let mut outputs = TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new() };
+    for (i, irradiance) in inputs.irradiance.iter().enumerate() {
+        let signal = previous.and_then(|previous| previous.signals.get(i));
+        let texels = Image::compute(extent, frame.render_extent, |p| {
+            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), signal);
+            (c, pack_moments(&moments))
+        });
+        outputs.irradiance.push(texels.map(|t| t.0));
+        outputs.moments.push(texels.map(|t| t.1));
+    }
+    outputs
+}
+
+/// A surface with what is expected of it in the previous frame.
+struct Reprojected {
+    /// Position in the previous image; pixel centres are whole numbers.
+    s: Vec2,
+    linear_depth: f32,
+    depth_tolerance: f32,
+    normal: Vec3,
+    normal_tolerance: f32,
+    id: u8,
+    rect: RenderRect,
+}
+
+impl Reprojected {
+    fn new(frame: &FrameConstants, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
+        let motion = unpack_surface_motion(inputs.surface_motion.at(p));
+        let [dx, dy] = unpack_depth_gradient(inputs.depth_gradient.at(p));
+        let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
+        Self {
+            s: (p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion) - 0.5,
+            linear_depth,
+            depth_tolerance: frame.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
+            normal: motion.previous_normal.into(),
+            normal_tolerance: frame.normal_tolerance,
+            id: surface.id,
+            rect: RenderRect::new(frame.previous_render_extent),
+        }
+    }
+
+    /// Why the pixel `q` of the previous frame is not this surface.
+    fn refusal(&self, surfaces: &Image<Surface>, q: IVec2) -> Reason {
+        let Some(tap) = surfaces.get(q.x, q.y).filter(|_| self.rect.contains(q)) else { return Reason::OffScreen };
+        if tap.is_background() || tap.id != self.id {
+            Reason::Id
+        } else if (tap.linear_depth - self.linear_depth).abs() > self.depth_tolerance {
+            Reason::Depth
+        } else if Vec3::from(tap.normal).dot(self.normal) < self.normal_tolerance {
+            Reason::Normal
+        } else {
+            Reason::None
+        }
+    }
+
+    fn history(&self, surfaces: &Image<Surface>) -> History {
+        let corner = self.s.floor();
+        let f = self.s - corner;
+        let corner = corner.as_ivec2();
+        let bilinear = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(x, y)| {
+            let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
+            (corner + IVec2::new(x, y), weight)
+        });
+        let nearest = (self.s + 0.5).floor().as_ivec2();
+        let around = std::array::from_fn::<_, 9, _>(|i| (nearest + IVec2::new(i as i32 % 3 - 1, i as i32 / 3 - 1), 1.0));
+        self.taps(surfaces, &bilinear)
+            .or_else(|| self.taps(surfaces, &around))
+            .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, nearest)))
+    }
+
+    /// The valid ones of some taps, weights normalised; `None` where they weigh too little.
+    fn taps(&self, surfaces: &Image<Surface>, candidates: &[(IVec2, f32)]) -> Option<History> {
+        let mut taps = [(IVec2::ZERO, 0.0); 9];
+        let mut sum = 0.0;
+        for (tap, &(q, weight)) in taps.iter_mut().zip(candidates) {
+            if self.refusal(surfaces, q) == Reason::None {
+                *tap = (q, weight);
+                sum += weight;
+            }
+        }
+        taps.iter_mut().for_each(|tap| tap.1 /= sum);
+        (sum >= SMALLEST_WEIGHT_SUM).then_some(History::Taps(taps))
+    }
+}
+
+/// Blends one signal of one pixel with its history [SVGF 4.1].
+fn accumulate(frame: &FrameConstants, c: [f32; 4], history: History, signal: Option<&SignalHistory>) -> ([f32; 4], Moments) {
+    let l = texel_luminance(c);
+    let fresh = |reason: Reason| {
+        let moments = Moments { mean: l, deviation: 0.0, history_length: 1.0, reason: reason as u16 };
+        ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
+    };
+    let (taps, signal) = match (history, signal) {
+        (History::Background, _) => return fresh(Reason::None),
+        (History::Disoccluded(reason), _) => return fresh(reason),
+        (History::Taps(_), None) => return fresh(Reason::Reset),
+        (History::Taps(taps), Some(signal)) => (taps, signal),
+    };
+    let (irradiance, before) = weighted_history(&taps, signal);
+    // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
+    let scaled = |x: f32| (x * frame.exposure_ratio).min(LARGEST_HALF);
+    let history_length = (before.history_length + 1.0).min(frame.max_history_length);
+    let alpha = frame.alpha.max(1.0 / history_length);
+    let alpha_moments = frame.alpha_moments.max(1.0 / history_length);
+    let [r, g, b] = [0, 1, 2].map(|i| {
+        let before = scaled(irradiance[i]);
+        store(before + alpha * (c[i] - before))
+    });
+    let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
+    let difference = l - mean;
+    let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
+    let moments = Moments { mean: mean + alpha_moments * difference, deviation: variance.sqrt(), history_length, reason: 0 };
+    ([r, g, b, 0.0], moments)
+}
+
+/// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does not cancel.
+fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 3], Moments) {
+    let valid = || taps.iter().filter(|tap| tap.1 > 0.0);
+    let (mut irradiance, mut mean, mut history_length) = ([0.0; 3], 0.0, 0.0);
+    for &(q, weight) in valid() {
+        let (c, moments) = (signal.irradiance.at(q), unpack_moments(signal.moments.at(q)));
+        (0..3).for_each(|i| irradiance[i] += weight * c[i]);
+        mean += weight * moments.mean;
+        history_length += weight * moments.history_length;
+    }
+    let mut variance = 0.0;
+    for &(q, weight) in valid() {
+        let moments = unpack_moments(signal.moments.at(q));
+        variance += weight * (moments.deviation * moments.deviation + (moments.mean - mean) * (moments.mean - mean));
+    }
+    (irradiance, Moments { mean, deviation: variance.sqrt(), history_length, reason: 0 })
+}

@@ -1,0 +1,52 @@
+//! What a host plans with: memory, boundaries, unknown names.
+
+use super::GpuTest;
+use atrous::config::{PostProcess, Signals};
+use atrous::{Access, Config, Lifetime, Phase};
+
+pub const TESTS: &[GpuTest] = &[
+    ("one_signal_takes_at_most_64_bytes_a_pixel", one_signal_takes_at_most_64_bytes_a_pixel),
+    ("memory_is_the_sum_of_its_parts", memory_is_the_sum_of_its_parts),
+    ("the_boundary_of_a_phase_names_first_and_last_access", the_boundary_of_a_phase_names_first_and_last_access),
+    ("phases_come_in_order", phases_come_in_order),
+];
+
+fn one_signal_takes_at_most_64_bytes_a_pixel() {
+    let memory = Config::new([1920, 1080]).declare().expect("valid").memory();
+    let per_pixel = (memory.history + memory.transient) as f64 / (1920.0 * 1080.0);
+    println!("{per_pixel:.2} bytes a pixel: history {}, transient {}", memory.history, memory.transient);
+    assert!(per_pixel <= 64.0, "{per_pixel}");
+}
+
+fn memory_is_the_sum_of_its_parts() {
+    for signals in [Signals::Together, Signals::Apart] {
+        let config = Config { signals, post_process: PostProcess::ToneMapTaa, ..Config::new([320, 180]) };
+        let memory = config.declare().expect("valid").memory();
+        let sum =
+            |want: fn(Lifetime) -> bool| -> u64 { memory.resources.iter().filter(|r| want(r.lifetime)).map(|r| r.bytes).sum() };
+        assert_eq!(sum(Lifetime::is_history), memory.history);
+        assert_eq!(sum(|l| l == Lifetime::Transient), memory.transient_unaliased);
+        assert!(memory.transient < memory.transient_unaliased, "nothing is aliased");
+    }
+}
+
+fn the_boundary_of_a_phase_names_first_and_last_access() {
+    let declaration = Config::new([64, 36]).declare().expect("valid");
+    let boundary = declaration.boundary(Phase::AfterLighting);
+    let of = |name: &str| boundary.iter().find(|b| declaration.resource(b.resource).name == name).expect("touched");
+    let ping = of("filter_ping");
+    assert_eq!((ping.first, ping.written), (Access::StorageWrite, true));
+    assert_eq!(of("guide").first, Access::Sampled);
+    assert!(!of("guide").written);
+    assert!(!boundary.iter().any(|b| declaration.resource(b.resource).name == "depth"), "depth is read before lighting alone");
+}
+
+fn phases_come_in_order() {
+    let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+    let declaration = config.declare().expect("valid");
+    let phases: Vec<_> = declaration.passes().iter().map(|p| p.phase).collect();
+    assert!(phases.is_sorted());
+    for phase in Phase::ALL {
+        assert!(phases.contains(&phase), "{phase:?}");
+    }
+}

@@ -1,0 +1,49 @@
+//! `uses` against the SPIR-V, read by a second reader that the build does not use.
+
+use super::GpuTest;
+use atrous::config::{PostProcess, Signals};
+use atrous::{Access, Config, PassDecl, Shape};
+use spirv_reflect::types::ReflectDescriptorType as Kind;
+use spirv_reflect::ShaderModule;
+
+pub const TESTS: &[GpuTest] = &[("uses_equal_the_spirv_by_a_second_reader", uses_equal_the_spirv_by_a_second_reader)];
+
+fn uses_equal_the_spirv_by_a_second_reader() {
+    let mut modules = 0;
+    for signals in [Signals::Together, Signals::Apart] {
+        for object_normal in [false, true] {
+            let config = Config { signals, object_normal, post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+            let declaration = config.declare().expect("valid");
+            for pass in declaration.passes() {
+                let Some(spirv) = pass.spirv() else { continue };
+                let shapes: Vec<_> = pass.uses.iter().map(|u| declaration.resource(u.resource).shape).collect();
+                check(pass, &shapes, spirv);
+                modules += 1;
+            }
+        }
+    }
+    assert!(modules > 40, "{modules}");
+}
+
+fn check(pass: &PassDecl, shapes: &[Shape], spirv: &[u8]) {
+    let module = ShaderModule::load_u8_data(spirv).expect("SPIR-V");
+    let mut bindings = module.enumerate_descriptor_bindings(None).expect("bindings");
+    bindings.sort_by_key(|b| b.binding);
+    for block in module.enumerate_push_constant_blocks(None).expect("push constants") {
+        assert!(block.size <= 16, "{}: {} bytes of push constants", pass.name, block.size);
+    }
+    for binding in bindings {
+        // The optimiser may drop a binding that a variant does not read, but never add or move one.
+        let place = binding.binding as usize;
+        assert!(binding.set == 0 && place < pass.uses.len(), "{}: binding {place}", pass.name);
+        let image = matches!(shapes[place], Shape::Image { .. });
+        let expected = match (pass.uses[place].access, image) {
+            (Access::Sampled, true) => Kind::SampledImage,
+            (Access::StorageRead | Access::StorageWrite | Access::StorageReadWrite, true) => Kind::StorageImage,
+            (Access::StorageRead | Access::StorageWrite | Access::StorageReadWrite, false) => Kind::StorageBuffer,
+            (Access::Uniform, false) => Kind::UniformBuffer,
+            (access, image) => panic!("{}: {access:?} of an image: {image}", pass.name),
+        };
+        assert_eq!(binding.descriptor_type, expected, "{}: binding {place}", pass.name);
+    }
+}

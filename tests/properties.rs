@@ -1,0 +1,226 @@
+//! What must hold whatever the picture: see also the CPU twins, which have the same properties.
+
+use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session, session_with, upload};
+use super::GpuTest;
+use atrous::config::{PostProcess, Signals};
+use atrous::executor::SessionOptions;
+use atrous::{Config, FrameParams, ResetReason, Tuning};
+
+pub const TESTS: &[GpuTest] = &[
+    ("a_constant_image_is_a_fixed_point", a_constant_image_is_a_fixed_point),
+    ("without_alpha_it_is_the_running_mean", without_alpha_it_is_the_running_mean),
+    ("a_render_rect_gives_the_bits_of_a_tight_image", a_render_rect_gives_the_bits_of_a_tight_image),
+    ("a_reset_frame_equals_a_first_frame", a_reset_frame_equals_a_first_frame),
+    ("results_do_not_depend_on_the_parity_of_the_frame", results_do_not_depend_on_the_parity_of_the_frame),
+    ("two_runs_are_bit_identical", two_runs_are_bit_identical),
+    ("the_number_of_frames_in_flight_changes_nothing", the_number_of_frames_in_flight_changes_nothing),
+    ("the_render_extent_may_change_from_frame_to_frame", the_render_extent_may_change_from_frame_to_frame),
+    ("the_sky_passes_untouched", the_sky_passes_untouched),
+    ("emission_is_added_untouched", emission_is_added_untouched),
+    ("an_exposure_ratio_scales_the_history", an_exposure_ratio_scales_the_history),
+    ("memory_is_what_the_executor_allocates", memory_is_what_the_executor_allocates),
+    ("every_structural_variant_runs", every_structural_variant_runs),
+];
+
+fn a_constant_image_is_a_fixed_point() {
+    let scene = Scene { noise: 0.0, ..Scene::new([48, 27]) };
+    let mut s = session(&Config::new(scene.extent));
+    let mut g = scene.frame(0, 0);
+    g.noisy_radiance.fill([0.5, 0.25, 2.0, 1.0]);
+    s.unbind("albedo").expect("known");
+    for i in 0..4 {
+        for (name, texels) in g.images().into_iter().filter(|(n, _)| ["depth", "normal", "motion", "noisy_radiance"].contains(n)) {
+            s.upload(name, texels).expect(name);
+        }
+        s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
+        s.run(&scene.params(i), &Tuning::default()).expect("frame");
+        for texel in s.download("denoised_radiance").expect("output") {
+            // Weighted sums of equal values round; half floats have 11 bits, and a device may round towards zero.
+            let close = (0..3).all(|c| (texel[c] / [0.5, 0.25, 2.0][c] - 1.0).abs() < 2e-3);
+            assert!(close, "frame {i}: {texel:?}");
+        }
+    }
+    assert_valid();
+}
+
+fn without_alpha_it_is_the_running_mean() {
+    let scene = Scene::new([32, 18]);
+    let mut s = session(&Config::new(scene.extent));
+    // With a luminance tolerance of next to nothing the filter does not mix pixels, so the output is the accumulation.
+    let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, sigma_l: 0.0, ..Tuning::default() };
+    let count = 12;
+    let mut mean = vec![[0.0; 4]; 32 * 18];
+    let mut last = Vec::new();
+    for i in 0..count {
+        let g = scene.frame(0, i);
+        for (m, texel) in mean.iter_mut().zip(&g.noisy_radiance) {
+            (0..3).for_each(|c| m[c] += texel[c] / count as f32);
+        }
+        last = frame(&mut s, &g, &scene.params(0), &tuning).1;
+    }
+    let error = rmse(&last, &mean);
+    let one = rmse(&scene.frame(0, count - 1).noisy_radiance, &mean);
+    assert!(error < 0.004, "{error}, a single frame is {one} away");
+    assert!(one > 0.1, "{one}");
+}
+
+fn a_render_rect_gives_the_bits_of_a_tight_image() {
+    for signals in [Signals::Together, Signals::Apart] {
+        let tight = Scene { speed: 0.15, ..Scene::new([37, 21]) };
+        let loose = Scene { allocated: [64, 40], ..tight };
+        let post_process = PostProcess::ToneMapTaa;
+        let mut a = session(&Config { signals, post_process, ..Config::new(tight.allocated) });
+        let mut b = session(&Config { signals, post_process, ..Config::new(loose.allocated) });
+        for i in 0..5 {
+            let (_, x) = frame(&mut a, &tight.frame(i, i), &tight.params(i), &Tuning::default());
+            let (_, y) = frame(&mut b, &loose.frame(i, i), &loose.params(i), &Tuning::default());
+            let (x_display, y_display) = (a.download("display").expect("display"), b.download("display").expect("display"));
+            for (px, py) in pixels(tight.extent) {
+                let (p, q) = ((py * 37 + px) as usize, (py * 64 + px) as usize);
+                assert_eq!((x[p], x_display[p]), (y[q], y_display[q]), "frame {i}, pixel {px},{py}");
+            }
+        }
+    }
+}
+
+fn a_reset_frame_equals_a_first_frame() {
+    for signals in [Signals::Together, Signals::Apart] {
+        let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
+        let config = Config { signals, post_process: PostProcess::ToneMapTaa, ..Config::new(scene.extent) };
+        let mut used = session(&config);
+        for i in 0..5 {
+            frame(&mut used, &scene.frame(i, i), &scene.params(i), &Tuning::default());
+        }
+        let cut = FrameParams { reset: Some(ResetReason::CameraCut), ..scene.params(9) };
+        let (context, reset) = frame(&mut used, &scene.frame(9, 9), &cut, &Tuning::default());
+        assert_eq!(context.reset, Some(ResetReason::CameraCut));
+        let mut fresh = session(&config);
+        let (context, first) = frame(&mut fresh, &scene.frame(9, 9), &scene.params(9), &Tuning::default());
+        assert_eq!(context.reset, Some(ResetReason::Created));
+        assert_eq!(reset, first);
+        assert_eq!(used.download("display").expect("display"), fresh.download("display").expect("display"));
+    }
+}
+
+fn results_do_not_depend_on_the_parity_of_the_frame() {
+    let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
+    let run = |before: u32| {
+        let mut s = session(&Config::new(scene.extent));
+        for i in 0..before {
+            frame(&mut s, &scene.frame(i, 77 + i), &scene.params(i), &Tuning::default());
+        }
+        s.invalidate();
+        (0..4).map(|i| frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default()).1).last()
+    };
+    assert_eq!(run(0), run(1));
+    assert_eq!(run(0), run(2));
+}
+
+fn two_runs_are_bit_identical() {
+    let scene = Scene { speed: 0.1, ..Scene::new([64, 36]) };
+    let run = || -> Vec<Vec<[f32; 4]>> {
+        let mut s = session(&Config::new(scene.extent));
+        (0..5).map(|i| frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default()).1).collect()
+    };
+    assert_eq!(run(), run());
+}
+
+fn the_number_of_frames_in_flight_changes_nothing() {
+    let scene = Scene { speed: 0.1, ..Scene::new([32, 18]) };
+    let run = |frames_in_flight: u32| -> Vec<Vec<[f32; 4]>> {
+        let mut s = session(&Config { frames_in_flight, ..Config::new(scene.extent) });
+        let params = |i: u32| FrameParams { frame_slot: i % frames_in_flight, ..scene.params(i) };
+        (0..6).map(|i| frame(&mut s, &scene.frame(i, i), &params(i), &Tuning::default()).1).collect()
+    };
+    let one = run(1);
+    assert_eq!(one, run(2));
+    assert_eq!(one, run(3));
+}
+
+fn the_render_extent_may_change_from_frame_to_frame() {
+    let allocated = [64, 36];
+    let mut s = session(&Config { post_process: PostProcess::ToneMapTaa, ..Config::new(allocated) });
+    for (i, extent) in (0..).zip([[64, 36], [48, 27], [48, 27], [64, 36], [33, 19], [1, 1], [64, 36]]) {
+        let scene = Scene { allocated, ..Scene::new(extent) };
+        frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
+        if i == 3 {
+            let lengths = s.download("moments").expect("moments");
+            let kept = lengths.iter().filter(|m| half::f16::from_bits(m[2] as u16).to_f32() > 1.0).count();
+            let surface = scene.frame(0, i).surface_id.iter().filter(|&&id| id != 0).count();
+            assert!(kept * 100 > surface * 98, "history of {kept} pixels of {surface} only survived a change of resolution");
+        }
+    }
+}
+
+fn the_sky_passes_untouched() {
+    let scene = Scene { speed: 0.2, ..Scene::new([64, 64]) };
+    let mut s = session(&Config::new(scene.extent));
+    let mut sky = 0;
+    for i in 0..4 {
+        let g = scene.frame(i, i);
+        let (_, image) = frame(&mut s, &g, &scene.params(i), &Tuning::default());
+        for (texel, noisy) in image.iter().zip(&g.noisy_radiance).zip(&g.surface_id).filter(|(_, &id)| id == 0).map(|(t, _)| t) {
+            sky += 1;
+            assert!((0..3).all(|c| (texel[c] / noisy[c] - 1.0).abs() < 1e-3), "{texel:?} {noisy:?}");
+        }
+    }
+    assert!(sky > 400, "{sky} pixels of sky");
+}
+
+fn emission_is_added_untouched() {
+    let scene = Scene::new([32, 18]);
+    let (mut with, mut without) = (session(&Config::new(scene.extent)), session(&Config::new(scene.extent)));
+    with.upload("emission", &[[3.0, 2.0, 1.0, 0.0]; 32 * 18]).expect("emission");
+    for i in 0..3 {
+        let (_, a) = frame(&mut with, &scene.frame(i, i), &scene.params(i), &Tuning::default());
+        let (_, b) = frame(&mut without, &scene.frame(i, i), &scene.params(i), &Tuning::default());
+        for (a, b) in a.iter().zip(&b) {
+            assert!((0..3).all(|c| (a[c] - b[c] - [3.0, 2.0, 1.0][c]).abs() < 0.01), "{a:?} {b:?}");
+        }
+    }
+}
+
+fn an_exposure_ratio_scales_the_history() {
+    let scene = Scene::new([32, 18]);
+    let mut s = session(&Config::new(scene.extent));
+    let mut before = Vec::new();
+    for i in 0..12 {
+        before = frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default()).1;
+    }
+    let bright = Scene { light: 4.0, ..scene };
+    let params = FrameParams { exposure_ratio: 4.0, ..scene.params(0) };
+    let (_, after) = frame(&mut s, &bright.frame(0, 12), &params, &Tuning::default());
+    let scaled: Vec<[f32; 4]> = before.iter().map(|t| t.map(|v| 4.0 * v)).collect();
+    let (kept, dropped) = (rmse(&after, &scaled), rmse(&after, &before));
+    assert!(kept < 0.1 * dropped, "{kept} from the scaled history, {dropped} from the old one");
+}
+
+fn memory_is_what_the_executor_allocates() {
+    for signals in [Signals::Together, Signals::Apart] {
+        let config = Config { signals, ..Config::new([320, 180]) };
+        let s = session(&config);
+        let (planned, allocated) = (config.declare().expect("valid").memory(), s.executor().allocated());
+        println!("{signals:?}: planned {} + {}, allocated {allocated:?}", planned.history, planned.transient);
+        // A device may pad an image; software Vulkan does not at this extent.
+        assert_eq!((planned.history, planned.transient), (allocated.history, allocated.transient));
+    }
+}
+
+fn every_structural_variant_runs() {
+    let scene = Scene { speed: 0.1, ..Scene::new([24, 16]) };
+    for signals in [Signals::Together, Signals::Apart] {
+        for (surface_id, object_normal) in [(false, false), (false, true), (true, true)] {
+            for levels in [1, 2, 10] {
+                let post_process = PostProcess::ToneMap;
+                let config = Config { signals, surface_id, object_normal, levels, post_process, ..Config::new(scene.extent) };
+                let mut s = session_with(&config, SessionOptions { poison: true, timestamps: true, ..Default::default() });
+                for i in 0..3 {
+                    frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());
+                }
+                let times = s.times();
+                assert_eq!(times.len(), config.declare().expect("valid").passes().len());
+                upload(&mut s, &scene.frame(3, 3));
+            }
+        }
+    }
+}

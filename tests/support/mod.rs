@@ -1,0 +1,92 @@
+//! What the tests share: the device, sessions on it, and a synthetic scene.
+
+pub mod scene;
+
+use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
+use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
+use scene::Guides;
+use std::sync::{Arc, OnceLock};
+
+static GPU: OnceLock<Result<Arc<HeadlessDevice>, Error>> = OnceLock::new();
+
+/// The device that all tests share, under validation.
+pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
+    let open = || HeadlessDevice::new(&HeadlessOptions { device: None, validation: Validation::On }).map(Arc::new);
+    GPU.get_or_init(open).clone()
+}
+
+pub fn gpu() -> Arc<HeadlessDevice> {
+    try_gpu().expect("tests that need a device are ignored without one")
+}
+
+/// A session with poison: transients and previous copies hold NaN before they are written.
+pub fn session(config: &Config) -> Session {
+    session_with(config, SessionOptions { poison: true, ..Default::default() })
+}
+
+pub fn session_with(config: &Config, options: SessionOptions) -> Session {
+    Session::new(gpu(), config, options).expect("session")
+}
+
+/// No error of the validation layer so far.
+pub fn assert_valid() {
+    let errors = gpu().validation_errors();
+    assert!(errors.is_empty(), "{} validation messages, the first:\n{}", errors.len(), errors[0]);
+}
+
+/// Uploads what a frame of the synthetic scene has, for the inputs that the configuration declares.
+pub fn upload(session: &mut Session, guides: &Guides) {
+    let declaration = session.executor().denoiser().declaration().clone();
+    for (name, texels) in guides.images() {
+        if declaration.find(name).is_some() {
+            session.upload(name, texels).expect(name);
+        }
+    }
+    if declaration.find("surface_id").is_some() {
+        session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
+    }
+}
+
+/// Uploads and runs one frame; checks the output for values that are not finite, and the layer for messages.
+pub fn frame(session: &mut Session, guides: &Guides, params: &FrameParams, tuning: &Tuning) -> (FrameContext, Vec<[f32; 4]>) {
+    upload(session, guides);
+    let context = session.run(params, tuning).expect("frame");
+    let image = session.download("denoised_radiance").expect("denoised_radiance");
+    assert_finite(&image, context.render_extent, session.executor().denoiser().config().allocated_extent);
+    assert_valid();
+    (context, image)
+}
+
+/// Every texel of the render rect is finite.
+pub fn assert_finite(image: &[[f32; 4]], render: [u32; 2], allocated: [u32; 2]) {
+    for (x, y) in pixels(render) {
+        let texel = image[(y * allocated[0] + x) as usize];
+        assert!(texel.iter().all(|v| v.is_finite()), "pixel {x},{y} is {texel:?}");
+    }
+}
+
+/// Every pixel, row by row.
+pub fn pixels(extent: [u32; 2]) -> impl Iterator<Item = (u32, u32)> {
+    (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)))
+}
+
+/// 32 random bits of three numbers.
+pub fn hash(a: u32, b: u32, c: u32) -> u32 {
+    let mut h = a.wrapping_mul(0x9e37_79b9) ^ b.wrapping_mul(0x85eb_ca6b) ^ c.wrapping_mul(0xc2b2_ae35);
+    for _ in 0..2 {
+        h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
+        h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
+    }
+    h ^ h >> 16
+}
+
+/// Uniform in 0..1.
+pub fn random(a: u32, b: u32, c: u32) -> f32 {
+    (hash(a, b, c) >> 8) as f32 / (1 << 24) as f32
+}
+
+/// Root of the mean squared difference of colours.
+pub fn rmse(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
+    let squared = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).powi(2)).sum::<f64>();
+    (a.iter().zip(b).map(squared).sum::<f64>() / (3 * a.len()) as f64).sqrt()
+}

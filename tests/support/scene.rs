@@ -1,0 +1,164 @@
+//! A synthetic scene with exact guides: a ball before a checkered wall, a sky above, seen by a camera that may slide.
+//!
+//! Rays are intersected analytically, so depth, normal, motion and the clean radiance have no error of their own.
+
+use super::{pixels, random};
+use atrous::FrameParams;
+
+/// The inputs of one frame.
+#[derive(Clone)]
+pub struct Guides {
+    pub depth: Vec<[f32; 4]>,
+    pub normal: Vec<[f32; 4]>,
+    pub motion: Vec<[f32; 4]>,
+    pub albedo: Vec<[f32; 4]>,
+    pub surface_id: Vec<u32>,
+    pub noisy_radiance: Vec<[f32; 4]>,
+    pub noisy_direct: Vec<[f32; 4]>,
+    pub noisy_indirect: Vec<[f32; 4]>,
+    /// What a converged renderer would give.
+    pub clean: Vec<[f32; 4]>,
+}
+
+impl Guides {
+    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 8] {
+        [
+            ("depth", &self.depth),
+            ("normal", &self.normal),
+            ("object_normal", &self.normal),
+            ("motion", &self.motion),
+            ("albedo", &self.albedo),
+            ("noisy_radiance", &self.noisy_radiance),
+            ("noisy_direct", &self.noisy_direct),
+            ("noisy_indirect", &self.noisy_indirect),
+        ]
+    }
+}
+
+/// What is rendered.
+#[derive(Clone, Copy)]
+pub struct Scene {
+    pub extent: [u32; 2],
+    /// Extent of the images around it; what lies outside the render extent is NaN.
+    pub allocated: [u32; 2],
+    /// Camera speed, scene units a frame, to the right.
+    pub speed: f32,
+    /// Standard deviation of the noise relative to the clean value.
+    pub noise: f32,
+    pub light: f32,
+}
+
+const FOCAL: f32 = 1.2;
+const WALL: f32 = 6.0;
+const BALL: [f32; 4] = [0.3, -0.2, 4.0, 1.0];
+
+struct Hit {
+    depth: f32,
+    normal: [f32; 3],
+    albedo: [f32; 3],
+    light: f32,
+    id: u32,
+}
+
+impl Scene {
+    pub fn new(extent: [u32; 2]) -> Self {
+        Self { extent, allocated: extent, speed: 0.0, noise: 0.7, light: 1.0 }
+    }
+
+    pub fn params(&self, index: u32) -> FrameParams {
+        let aspect = self.extent[0] as f32 / self.extent[1] as f32;
+        let (near, far) = (0.1, 100.0);
+        FrameParams {
+            view_from_world: [
+                [1.0, 0.0, 0.0, 0.0],
+                [0.0, 1.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                [-self.camera(index), 0.0, 0.0, 1.0],
+            ],
+            clip_from_view: [
+                [FOCAL / aspect, 0.0, 0.0, 0.0],
+                [0.0, -FOCAL, 0.0, 0.0],
+                [0.0, 0.0, far / (near - far), -1.0],
+                [0.0, 0.0, near * far / (near - far), 0.0],
+            ],
+            ..FrameParams::new(self.extent)
+        }
+    }
+
+    fn camera(&self, index: u32) -> f32 {
+        self.speed * index as f32
+    }
+
+    /// The inputs of frame `index`; `seed` picks the noise.
+    pub fn frame(&self, index: u32, seed: u32) -> Guides {
+        let count = (self.allocated[0] * self.allocated[1]) as usize;
+        let nan = vec![[f32::NAN; 4]; count];
+        let mut g = Guides {
+            depth: nan.clone(),
+            normal: nan.clone(),
+            motion: nan.clone(),
+            albedo: nan.clone(),
+            surface_id: vec![u32::MAX; count],
+            noisy_radiance: nan.clone(),
+            noisy_direct: nan.clone(),
+            noisy_indirect: nan.clone(),
+            clean: nan,
+        };
+        for (x, y) in pixels(self.extent) {
+            let i = (y * self.allocated[0] + x) as usize;
+            let direction = self.direction(x, y);
+            let hit = trace(self.camera(index), direction);
+            let lit = hit.albedo.map(|a| a * hit.light * self.light);
+            let u = [random(x, y, seed * 4), random(x, y, seed * 4 + 1), random(x, y, seed * 4 + 2)];
+            let noise = |u: f32| if hit.id == 0 { 1.0 } else { 1.0 + self.noise * 12f32.sqrt() * (u - 0.5) };
+            let rgba = |scale: f32| [lit[0] * scale, lit[1] * scale, lit[2] * scale, 1.0];
+            g.depth[i] = [hit.depth; 4];
+            g.normal[i] = [hit.normal[0], hit.normal[1], hit.normal[2], 0.0];
+            g.motion[i] = [self.motion_uv(hit.depth), 0.0, 0.0, 0.0];
+            g.albedo[i] = [hit.albedo[0], hit.albedo[1], hit.albedo[2], 1.0];
+            g.surface_id[i] = hit.id;
+            g.noisy_radiance[i] = rgba(noise(u[0]).max(0.0));
+            g.noisy_direct[i] = rgba(0.75 * noise(u[1]).max(0.0));
+            g.noisy_indirect[i] = rgba(0.25 * noise(u[2]).max(0.0));
+            g.clean[i] = rgba(1.0);
+        }
+        g
+    }
+
+    fn direction(&self, x: u32, y: u32) -> [f32; 2] {
+        let ndc = |p: u32, side: u32| (p as f32 + 0.5) / side as f32 * 2.0 - 1.0;
+        let aspect = self.extent[0] as f32 / self.extent[1] as f32;
+        [ndc(x, self.extent[0]) * aspect / FOCAL, -ndc(y, self.extent[1]) / FOCAL]
+    }
+
+    /// `uv_previous − uv_current` of a point at this depth when the camera slides along x.
+    fn motion_uv(&self, depth: f32) -> f32 {
+        let aspect = self.extent[0] as f32 / self.extent[1] as f32;
+        if depth == 0.0 {
+            0.0
+        } else {
+            self.speed / depth * FOCAL / aspect * 0.5
+        }
+    }
+}
+
+/// What the ray `(x, y, −1)·t` from the camera meets; `t` is the linear depth.
+fn trace(camera: f32, [dx, dy]: [f32; 2]) -> Hit {
+    let o = [camera - BALL[0], -BALL[1], BALL[2]];
+    let (a, b) = (dx * dx + dy * dy + 1.0, o[0] * dx + o[1] * dy - o[2]);
+    let c = o[0] * o[0] + o[1] * o[1] + o[2] * o[2] - BALL[3];
+    let discriminant = b * b - a * c;
+    if discriminant > 0.0 {
+        let t = (-b - discriminant.sqrt()) / a;
+        let n = [o[0] + dx * t, o[1] + dy * t, o[2] - t];
+        let light = 0.2 + 0.8 * (0.5 * n[0] + 0.5 * n[1] + 0.7 * n[2]).max(0.0);
+        return Hit { depth: t, normal: n, albedo: [0.8, 0.3, 0.2], light, id: 2 };
+    }
+    let (x, y) = (camera + dx * WALL, dy * WALL);
+    if y > 2.2 {
+        return Hit { depth: 0.0, normal: [0.0; 3], albedo: [1.0; 3], light: 0.4, id: 0 };
+    }
+    let odd = ((x.floor() + y.floor()) as i32).rem_euclid(2) as f32;
+    let albedo = [0.2 + 0.6 * odd, 0.5, 0.7 - 0.4 * odd];
+    Hit { depth: WALL, normal: [0.0, 0.0, 1.0], albedo, light: 0.6 + 0.3 * (0.8 * x).sin(), id: 1 }
+}
