@@ -1,6 +1,7 @@
 //! Denoises a sequence of EXR frames: `cargo run --release --example denoise -- FRAMES -o FOLDER`. See docs/denoise.md.
 
 mod backend;
+mod backend_reference;
 mod camera;
 mod cli;
 mod conventions;

@@ -1,6 +1,7 @@
 //! The run from options to the last line printed.
 
 use crate::backend::{Backend, GpuBackend};
+use crate::backend_reference::ReferenceBackend;
 use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_write;
@@ -70,6 +71,9 @@ pub fn run(cli: &Cli) -> Result<()> {
 }
 
 fn open(cli: &Cli, setup: &Setup, tuning: atrous::Tuning) -> Result<Box<dyn Backend>> {
+    if cli.device.as_deref() == Some("reference") {
+        return Ok(Box::new(ReferenceBackend::new(&setup.config, tuning)?));
+    }
     Ok(Box::new(GpuBackend::new(cli.device.clone(), &setup.config, tuning)?))
 }
 
