@@ -3,7 +3,6 @@
 use crate::camera::{self, Camera, SequenceFile};
 use crate::conventions;
 use crate::error::{Result, ToolError};
-use crate::exr_header::ExrHeader;
 use crate::frame_files::FrameFiles;
 use crate::frame_source;
 use crate::layouts::Layout;
@@ -41,8 +40,6 @@ pub struct Setup {
     pub sequence: Option<SequenceFile>,
     /// Lines to print.
     pub report: Vec<String>,
-    /// Header of the first frame.
-    pub header: ExrHeader,
 }
 
 impl Setup {
@@ -80,7 +77,7 @@ impl Setup {
         if header.windows_differ {
             report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
         }
-        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), report, header })
+        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), report })
     }
 
     /// The camera of a frame.
