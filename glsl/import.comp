@@ -122,14 +122,19 @@ vec4 background_direction(ivec2 p) {
 }
 
 vec4 carry(vec4 world, uint id, inout vec3 n) {
-    uint row = id * 3u;
-    if (!is_present(6u) || world.w == 0.0 || row + 2u >= uint(instance_transforms.rows.length())) return world;
-    vec4 x = instance_transforms.rows[row], y = instance_transforms.rows[row + 1u], z = instance_transforms.rows[row + 2u];
+#if SURFACE_ID
+    uint count = uint(instance_transforms.rows.length()) / 3u;
+    if (!is_present(6u) || world.w == 0.0 || id >= count) return world;
+    vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
+    if (!is_finite(x) || !is_finite(y) || !is_finite(z)) return world;
     vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
     float squared = dot(turned, turned);
     if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
     vec4 carried = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
     return is_finite(carried.xyz) ? carried : world;
+#else
+    return world;
+#endif
 }
 
 // Motion in pixels of the previous frame, from the host's image. False: there is none that can be used.
@@ -146,7 +151,8 @@ bool host_motion(ivec2 p, out vec3 m) {
     m.xy *= scale;
     if (has_flag(FLAG_MOTION_NEGATED)) m.xy = -m.xy;
     if (has_flag(FLAG_MOTION_Y_UP)) m.y = -m.y;
-    if (has_flag(FLAG_MOTION_JITTERED)) m.xy -= frame.previous_jitter - frame.jitter;
+    // A sample lies jitter beside its pixel's centre, so a rasterised position is the true one minus jitter.
+    if (has_flag(FLAG_MOTION_JITTERED)) m.xy += frame.previous_jitter - frame.jitter * (previous_extent / extent);
     return true;
 }
 
@@ -183,7 +189,7 @@ SurfaceMotion motion_of(ivec2 p, float z, uint id, vec3 n) {
 float gradient_along(ivec2 p, ivec2 axis, float z) {
     float best = 0.0;
     bool found = false;
-    for (int side = -1; side <= 1; side += 2) {
+    for (int side = 1; side >= -1; side -= 2) {
         ivec2 q = p + axis * side;
         if (!is_inside(q) || id_at(q) != id_at(p)) continue;
         float z_q = depth_at(q, false);
@@ -205,8 +211,9 @@ void main() {
     vec3 n = world_normal(p, background);
     float rough = is_present(5u) ? texelFetch(roughness, p, 0).x : 1.0;
     rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
-    imageStore(guide, p, pack_guide(Guide(z, n, rough, background ? 0u : fold_id(id))));
-    imageStore(surface_motion, p, pack_surface_motion(motion_of(p, z, id, n)));
+    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, rough, fold_id(id))));
+    uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
+    imageStore(surface_motion, p, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
     vec2 gradient = background ? vec2(0.0) : vec2(gradient_along(p, ivec2(1, 0), z), gradient_along(p, ivec2(0, 1), z));
     imageStore(depth_gradient, p, uvec4(packHalf2x16(gradient), 0u, 0u, 0u));
 #if OBJECT_NORMAL

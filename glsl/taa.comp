@@ -63,6 +63,8 @@ struct Neighbourhood {
 Neighbourhood neighbourhood(ivec2 p) {
     vec3 sum = vec3(0.0), first = vec3(0.0), second = vec3(0.0);
     float weight_sum = 0.0, count = 0.0;
+    // Moments around the centre's colour: the difference of squares would cancel otherwise.
+    vec3 centre = ycocg(texelFetch(tone_mapped, p, 0).rgb);
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 q = p + ivec2(x, y);
@@ -72,19 +74,19 @@ Neighbourhood neighbourhood(ivec2 p) {
             float weight = exp(-2.29 * dot(d, d));
             sum += weight * c;
             weight_sum += weight;
-            c = ycocg(c);
+            c = ycocg(c) - centre;
             first += c;
             second += c * c;
             count += 1.0;
         }
     first /= count;
-    return Neighbourhood(sum / weight_sum, first, sqrt(max(second / count - first * first, 0.0)));
+    return Neighbourhood(sum / weight_sum, centre + first, sqrt(max(second / count - first * first, 0.0)));
 }
 
 // Towards the mean and not per channel, which would shift the hue.
 vec3 clip_to_box(vec3 history, Neighbourhood around) {
     vec3 offset = ycocg(history) - around.mean;
-    vec3 extent = frame.taa_gamma * around.deviation + 1e-4;
+    vec3 extent = max(frame.taa_gamma * around.deviation, 1e-6);
     vec3 ratio = abs(offset) / extent;
     return rgb(around.mean + offset / max(1.0, max(ratio.x, max(ratio.y, ratio.z))));
 }

@@ -150,6 +150,14 @@ pub enum PostProcess {
     ToneMapTaa,
 }
 
+/// Which filter: a list of nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preset {
+    /// Spatiotemporal variance-guided filtering [SVGF].
+    #[default]
+    Svgf,
+}
+
 /// What is decided once. [`crate::Tuning`] holds what may change from frame to frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {
@@ -157,6 +165,8 @@ pub struct Config {
     pub allocated_extent: [u32; 2],
     /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
+    /// Filter.
+    pub preset: Preset,
     /// Signals.
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
@@ -180,6 +190,7 @@ impl Config {
         Self {
             allocated_extent,
             frames_in_flight: 2,
+            preset: Preset::default(),
             signals: Signals::default(),
             levels: 5,
             surface_id: true,

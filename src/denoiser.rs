@@ -1,6 +1,6 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
-use crate::config::Config;
+use crate::config::{Config, Preset};
 use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
@@ -15,7 +15,9 @@ impl Config {
     /// As [`Config::validate`].
     pub fn declare(&self) -> Result<Declaration, Error> {
         self.validate()?;
-        Ok(crate::presets::svgf(self))
+        Ok(match self.preset {
+            Preset::Svgf => crate::presets::svgf(self),
+        })
     }
 }
 

@@ -6,6 +6,7 @@
 mod bad_input;
 mod contract;
 mod declarations;
+mod parity;
 mod pattern;
 mod properties;
 mod sequences;
@@ -27,11 +28,12 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 7] = [
+    let groups: [(&str, &[GpuTest], bool); 8] = [
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("bad_input", bad_input::TESTS, true),
         ("properties", properties::TESTS, true),
+        ("parity", parity::TESTS, true),
         ("pattern", pattern::TESTS, true),
         ("sequences", sequences::TESTS, true),
         ("sync_validation", sync_validation::TESTS, true),

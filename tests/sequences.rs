@@ -25,15 +25,15 @@ fn the_temporal_error_settles_ten_times_below_the_input() {
     let scene = Scene::new(EXTENT);
     let mut s = session(&Config::new(EXTENT));
     let (mut errors, mut noisy_errors) = (Vec::new(), Vec::new());
-    let mut previous: Option<(Vec<[f32; 4]>, Vec<[f32; 4]>)> = None;
+    let mut previous: Option<[Vec<[f32; 4]>; 2]> = None;
     for i in 0..60 {
         let g = scene.frame(0, i);
         let (_, image) = frame(&mut s, &g, &scene.params(0), &Tuning::default());
-        if let Some((before, noisy_before)) = &previous {
+        if let Some([before, noisy_before]) = &previous {
             errors.push(change(&image, before));
             noisy_errors.push(change(&g.noisy_radiance, noisy_before));
         }
-        previous = Some((image, g.noisy_radiance));
+        previous = Some([image, g.noisy_radiance]);
     }
     let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
     let (soon, late, noisy) = (mean(&errors[15..20]), mean(&errors[40..]), mean(&noisy_errors));
@@ -66,7 +66,7 @@ fn reasons(s: &mut atrous::executor::Session) -> [usize; 6] {
 }
 
 fn disoccluded_pixels_say_why() {
-    let scene = Scene { speed: 0.3, ..Scene::new(EXTENT) };
+    let scene = Scene { speed: 0.8, ..Scene::new(EXTENT) };
     let mut s = session(&Config::new(EXTENT));
     let first = scene.frame(0, 0);
     let surface = first.surface_id.iter().filter(|&&id| id != 0).count();
@@ -79,7 +79,7 @@ fn disoccluded_pixels_say_why() {
     assert_eq!(reset, 0);
     assert!(off_screen > 25, "a sliding camera uncovers a border: {off_screen}");
     assert!(id > 5, "the ball uncovers the wall behind it: {id}");
-    assert!(kept * 10 > surface * 9, "{kept} of {surface}");
+    assert!(kept * 10 > surface * 8, "{kept} of {surface}");
 }
 
 fn a_light_that_changes_leaves_no_trace() {

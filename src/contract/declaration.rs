@@ -113,7 +113,7 @@ impl ResourceDecl {
 }
 
 /// Which copy of a history a use means. Everything else is always `Current`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum UseFrame {
     /// Of this frame.

@@ -1,7 +1,6 @@
 //! Barriers, derived from the declared uses and from what was last done to each image and buffer.
 
-use super::memory::Memory;
-use super::storage::Storage;
+use super::storage::{Storage, Storages};
 use crate::contract::{Access, Declaration, FrameContext, Lifetime, ResourceId, UseFrame};
 use ash::vk;
 
@@ -49,6 +48,7 @@ impl Scope {
 /// Collects barriers; the vectors are kept from pass to pass, so that a steady state allocates nothing.
 #[derive(Default)]
 pub(crate) struct Barriers {
+    globals: Vec<vk::MemoryBarrier2<'static>>,
     images: Vec<vk::ImageMemoryBarrier2<'static>>,
     buffers: Vec<vk::BufferMemoryBarrier2<'static>>,
 }
@@ -65,28 +65,33 @@ impl Barriers {
         frame: &FrameContext,
         pass: usize,
         omit: bool,
-        memory: &mut Memory,
+        storages: &mut Storages,
     ) {
+        self.collect(declaration, frame, pass, storages);
+        // SAFETY: the caller's.
+        unsafe { self.flush(device, cmd, omit) };
+    }
+
+    fn collect(&mut self, declaration: &Declaration, frame: &FrameContext, pass: usize, storages: &mut Storages) {
         for u in &declaration.passes()[pass].uses {
             let copy = declaration.copy(u, frame);
-            let starts = memory.starts_transient(u.resource, pass);
-            let source = if starts { memory.scope_of_aliases(u.resource) } else { None };
-            let Some(storage) = memory.storage_mut(u.resource, copy) else { continue };
+            let starts = storages.starts_transient(u.resource, pass);
+            let source = if starts { storages.scope_of_aliases(u.resource) } else { None };
+            let Some(storage) = storages.storage_mut(u.resource, copy) else { continue };
             if let Some(source) = source {
-                storage.scope = Scope { layout: vk::ImageLayout::UNDEFINED, ..source };
+                self.take_over(storage, &source, Scope::of(u.access));
+                storage.scope.layout = vk::ImageLayout::UNDEFINED;
             }
             self.to(storage, Scope::of(u.access), u.access.reads());
         }
-        // SAFETY: the caller's.
-        unsafe { self.flush(device, cmd, omit) };
     }
 
     /// Brings the host's images and buffers back to the state that they were bound in.
     ///
     /// # Safety
     /// As `Executor::record`.
-    pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, memory: &mut Memory) {
-        for storage in memory.touched_host_storages() {
+    pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storages: &mut Storages) {
+        for storage in storages.touched_host_storages() {
             if let Some(home) = storage.home {
                 // Even where only reads met: the host's next write must wait for ours.
                 self.push(storage, home, true);
@@ -116,7 +121,7 @@ impl Barriers {
         cmd: vk::CommandBuffer,
         declaration: &Declaration,
         frame: &FrameContext,
-        memory: &mut Memory,
+        storages: &mut Storages,
     ) {
         for index in 0..declaration.resources().len() as u32 {
             let id = ResourceId(index);
@@ -129,13 +134,13 @@ impl Barriers {
                     Lifetime::HistoryInPlace => frame.reset.is_some(),
                     Lifetime::Input { .. } => false,
                 };
-                let source = memory.scope_of_aliases(id);
-                let Some(storage) = memory.storage_mut(id, copy).filter(|_| undefined) else { continue };
+                let source = storages.scope_of_aliases(id);
+                let Some(storage) = storages.storage_mut(id, copy).filter(|_| undefined) else { continue };
                 if storage.image == vk::Image::null() {
                     continue;
                 }
                 if let Some(source) = source {
-                    storage.scope.merge(&source);
+                    self.take_over(storage, &source, Scope::of(Access::Clear));
                 }
                 self.to(storage, Scope::of(Access::Clear), false);
                 let image = storage.image;
@@ -151,6 +156,13 @@ impl Barriers {
                 }
             }
         }
+    }
+
+    /// Orders an image after what was done to its memory through others: a barrier of the image alone does not reach that, and a global one does
+    /// not come before the image's own layout transition.
+    fn take_over(&mut self, storage: &mut Storage, source: &Scope, next: Scope) {
+        self.globals.push(dependency(source, &next));
+        storage.scope.merge(source);
     }
 
     fn to(&mut self, storage: &mut Storage, next: Scope, keep: bool) {
@@ -199,15 +211,27 @@ impl Barriers {
     }
 
     unsafe fn flush(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, omit: bool) {
-        let nothing = self.images.is_empty() && self.buffers.is_empty();
+        let nothing = self.globals.is_empty() && self.images.is_empty() && self.buffers.is_empty();
         if !omit && !nothing {
-            let info = vk::DependencyInfo::default().image_memory_barriers(&self.images).buffer_memory_barriers(&self.buffers);
+            let info = vk::DependencyInfo::default()
+                .memory_barriers(&self.globals)
+                .image_memory_barriers(&self.images)
+                .buffer_memory_barriers(&self.buffers);
             // SAFETY: the caller's.
             unsafe { device.cmd_pipeline_barrier2(cmd, &info) };
         }
+        self.globals.clear();
         self.images.clear();
         self.buffers.clear();
     }
+}
+
+fn dependency(from: &Scope, to: &Scope) -> vk::MemoryBarrier2<'static> {
+    vk::MemoryBarrier2::default()
+        .src_stage_mask(from.stage)
+        .src_access_mask(from.access)
+        .dst_stage_mask(to.stage)
+        .dst_access_mask(to.access)
 }
 
 /// The one mip level and layer that every image of ours has.
@@ -218,3 +242,6 @@ pub(crate) const WHOLE: vk::ImageSubresourceRange = vk::ImageSubresourceRange {
     base_array_layer: 0,
     layer_count: 1,
 };
+
+#[cfg(test)]
+mod hazard_tests;

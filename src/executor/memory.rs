@@ -1,10 +1,10 @@
 //! Images, buffers and their memory: histories with memory of their own, transients aliased by lifetime.
 
-use super::barriers::{Scope, WHOLE};
-use super::storage::Storage;
+use super::barriers::WHOLE;
+use super::storage::{Storage, Storages};
 use super::{AllocatedMemory, ExecutorOptions};
 use crate::contract::{alias, component_of, Component, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
-use crate::denoiser::{Binding, Device};
+use crate::denoiser::Device;
 use crate::error::Error;
 use ash::vk;
 use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, Allocator, AllocatorCreateDesc};
@@ -16,14 +16,8 @@ pub(crate) struct Memory {
     device: ash::Device,
     allocator: Option<Allocator>,
     allocations: Vec<Allocation>,
-    /// By resource, then copy.
-    storages: Vec<[Option<Storage>; 2]>,
+    pub storages: Storages,
     owned: Vec<Storage>,
-    /// Outputs that we allocated, for when a host unbinds its own.
-    own_outputs: Vec<Option<Storage>>,
-    /// By resource: the transients that share memory with it, and the pass that it starts in.
-    aliases: Vec<Vec<ResourceId>>,
-    first_pass: Vec<Option<usize>>,
     labels: Vec<CString>,
     pub allocated: AllocatedMemory,
 }
@@ -41,16 +35,12 @@ impl Memory {
             allocation_sizes: Default::default(),
         })
         .map_err(|_| Error::OutOfMemory { what: "the allocator".into(), bytes: 0 })?;
-        let count = declaration.resources().len();
         let mut this = Self {
             device: host.device.clone(),
             allocator: Some(allocator),
             allocations: Vec::new(),
-            storages: vec![[None, None]; count],
+            storages: Storages::new(declaration),
             owned: Vec::new(),
-            own_outputs: vec![None; count],
-            aliases: vec![Vec::new(); count],
-            first_pass: vec![None; count],
             labels: declaration.passes().iter().map(|p| CString::new(p.name).unwrap_or_default()).collect(),
             allocated: AllocatedMemory::default(),
         };
@@ -62,58 +52,8 @@ impl Memory {
         Ok(this)
     }
 
-    pub fn storage(&self, id: ResourceId, copy: usize) -> Option<&Storage> {
-        self.storages.get(id.0 as usize)?.get(copy)?.as_ref()
-    }
-
-    pub fn storage_mut(&mut self, id: ResourceId, copy: usize) -> Option<&mut Storage> {
-        self.storages.get_mut(id.0 as usize)?.get_mut(copy)?.as_mut()
-    }
-
-    pub fn bind(&mut self, id: ResourceId, storage: Storage) {
-        self.storages[id.0 as usize][0] = Some(storage);
-    }
-
-    pub fn unbind(&mut self, id: ResourceId) {
-        self.storages[id.0 as usize][0] = self.own_outputs[id.0 as usize];
-    }
-
-    pub fn binding(&self, id: ResourceId, copy: usize) -> Binding {
-        match self.storage(id, copy) {
-            Some(s) if s.image != vk::Image::null() => Binding::Image { view: s.view, layout: s.scope.layout },
-            Some(s) => Binding::Buffer { buffer: s.buffer, offset: 0, range: vk::WHOLE_SIZE },
-            None => Binding::Absent,
-        }
-    }
-
     pub fn label(&self, pass: usize) -> &CStr {
         &self.labels[pass]
-    }
-
-    pub fn touched_host_storages(&mut self) -> impl Iterator<Item = &mut Storage> {
-        self.storages
-            .iter_mut()
-            .flatten()
-            .flatten()
-            .filter_map(|s| (s.home.is_some() && std::mem::take(&mut s.touched)).then_some(s))
-    }
-
-    /// Whether a pass is the first of a frame that uses a transient.
-    pub fn starts_transient(&self, id: ResourceId, pass: usize) -> bool {
-        self.first_pass[id.0 as usize] == Some(pass)
-    }
-
-    /// What was last done to the memory of a transient, through it or through those that share it.
-    pub fn scope_of_aliases(&self, id: ResourceId) -> Option<Scope> {
-        self.first_pass[id.0 as usize]?;
-        let mut scope = self.storage(id, 0)?.scope;
-        for other in &self.aliases[id.0 as usize] {
-            if let Some(other) = self.storage(*other, 0) {
-                scope.stage |= other.scope.stage;
-                scope.access |= other.scope.access;
-            }
-        }
-        Some(scope)
     }
 
     /// Histories, outputs, and every buffer.
@@ -132,12 +72,9 @@ impl Memory {
                         self.own_buffer(resource)?
                     }
                 };
-                self.storages[index][copy] = Some(storage);
+                self.storages.set(ResourceId(index as u32), copy, storage);
                 match resource.lifetime {
-                    Lifetime::Output => {
-                        self.own_outputs[index] = Some(storage);
-                        self.allocated.output += bytes;
-                    }
+                    Lifetime::Output => self.allocated.output += bytes,
                     Lifetime::Transient => self.allocated.transient += bytes,
                     _ => self.allocated.history += bytes,
                 }
@@ -180,7 +117,6 @@ impl Memory {
         let mut block = vk::MemoryRequirements { size: 0, alignment: 1, memory_type_bits: u32::MAX };
         for (id, first, last) in declaration.transients() {
             let resource = declaration.resource(id);
-            self.first_pass[id.0 as usize] = Some(first);
             if matches!(resource.shape, Shape::Buffer { .. }) {
                 continue;
             }
@@ -208,14 +144,10 @@ impl Memory {
             for ((id, storage), offset) in ids.iter().zip(&mut storages).zip(&offsets) {
                 self.device.bind_image_memory(storage.image, memory, base + offset).map_err(Error::vulkan("vkBindImageMemory"))?;
                 self.create_view(storage)?;
-                self.storages[id.0 as usize][0] = Some(*storage);
+                self.storages.set(*id, 0, *storage);
             }
         }
-        let shares =
-            |i: usize, j: usize| i != j && offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
-        for i in 0..ids.len() {
-            self.aliases[ids[i].0 as usize] = (0..ids.len()).filter(|&j| shares(i, j)).map(|j| ids[j]).collect();
-        }
+        self.storages.share(&ids, &spans, &offsets);
         Ok(())
     }
 

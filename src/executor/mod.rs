@@ -7,6 +7,7 @@ mod barriers;
 mod headless;
 mod memory;
 mod profiler;
+mod readback;
 mod session;
 mod session_objects;
 mod storage;
@@ -14,6 +15,7 @@ mod transfer;
 
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
 pub use profiler::PassTime;
+pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
 
 use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
@@ -140,7 +142,7 @@ impl Executor {
             let pixels = |e: [u32; 2]| format!("{}x{} pixels", e[0], e[1]);
             return Err(Error::Size { resource: name.to_owned(), given: pixels(image.extent), needed: pixels(extent) });
         }
-        self.memory.bind(id, Storage::of_host_image(&image));
+        self.memory.storages.bind(id, Storage::of_host_image(&image));
         Ok(())
     }
 
@@ -168,7 +170,7 @@ impl Executor {
             let (given, needed) = (format!("{size} bytes"), format!("at least {needed} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
         }
-        self.memory.bind(id, Storage::of_host_buffer(buffer, size, Scope { stage, access, ..Scope::NONE }));
+        self.memory.storages.bind(id, Storage::of_host_buffer(buffer, size, Scope { stage, access, ..Scope::NONE }));
         Ok(())
     }
 
@@ -178,7 +180,7 @@ impl Executor {
     /// [`Error::UnknownResource`].
     pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
         let id = find(self.denoiser.declaration(), name)?;
-        self.memory.unbind(id);
+        self.memory.storages.unbind(id);
         Ok(())
     }
 
@@ -189,7 +191,7 @@ impl Executor {
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let declaration = self.denoiser.declaration();
         let missing = (0..declaration.resources().len() as u32).map(ResourceId).find(|&id| {
-            declaration.resource(id).lifetime != Lifetime::Input { optional: true } && self.memory.storage(id, 0).is_none()
+            declaration.resource(id).lifetime != Lifetime::Input { optional: true } && self.memory.storages.storage(id, 0).is_none()
         });
         if let Some(id) = missing {
             return Err(Error::NotBound(declaration.resource(id).name.to_owned()));
@@ -222,7 +224,7 @@ impl Executor {
             }
         }
         // SAFETY: the caller's.
-        unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory) };
+        unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())
     }
 
@@ -234,16 +236,16 @@ impl Executor {
                     profiler.start(cmd, frame.slot);
                 }
                 if self.options.poison {
-                    self.barriers.poison(&self.device, cmd, self.denoiser.declaration(), frame, &mut self.memory);
+                    self.barriers.poison(&self.device, cmd, self.denoiser.declaration(), frame, &mut self.memory.storages);
                 }
             }
             let declaration = self.denoiser.declaration();
             let decl = &declaration.passes()[pass];
             let omit = self.options.omit_barriers_before == Some(pass);
-            self.barriers.before_pass(&self.device, cmd, declaration, frame, pass, omit, &mut self.memory);
+            self.barriers.before_pass(&self.device, cmd, declaration, frame, pass, omit, &mut self.memory.storages);
             self.bindings.clear();
             for u in &decl.uses {
-                self.bindings.push(self.memory.binding(u.resource, declaration.copy(u, frame)));
+                self.bindings.push(self.memory.storages.binding(u.resource, declaration.copy(u, frame)));
             }
             if let Some(labels) = &self.labels {
                 labels.cmd_begin_debug_utils_label(cmd, &vk::DebugUtilsLabelEXT::default().label_name(self.memory.label(pass)));

@@ -4,8 +4,8 @@ use super::barriers::{Barriers, Scope};
 use super::headless::HeadlessDevice;
 use super::session_objects::{Commands, OwnedImage};
 use super::transfer::{to_floats, whole_image, Staging, UPLOADED};
-use super::{find, Executor, ExecutorOptions, HostImage, PassTime};
-use crate::contract::{bytes_per_texel, FrameContext, FrameParams, ResourceId, Shape, Tuning, UseFrame};
+use super::{find, Executor, ExecutorOptions, HostImage, PassTime, Readback};
+use crate::contract::{FrameContext, FrameParams, Shape, Tuning, UseFrame};
 use crate::error::Error;
 use crate::Config;
 use ash::vk;
@@ -213,50 +213,15 @@ impl Session {
     }
 
     fn download_copy(&mut self, name: &str, which: UseFrame) -> Result<(vk::Format, Vec<u8>), Error> {
-        let not_bound = || Error::NotBound(name.to_owned());
-        let declaration = self.executor.denoiser().declaration();
-        let id = find(declaration, name)?;
-        let frame = self.frame.ok_or_else(not_bound)?;
-        let copy = match declaration.resource(id).lifetime {
-            crate::Lifetime::History => frame.history_copy(which),
-            _ => 0,
-        };
-        let storage = *self.executor.memory.storage(id, copy).ok_or_else(not_bound)?;
-        let is_image = storage.image != vk::Image::null();
-        let size = match is_image {
-            true => u64::from(storage.extent[0]) * u64::from(storage.extent[1]) * bytes_per_texel(storage.format),
-            false => storage.size,
-        };
-        self.stage(size)?;
-        self.submit(|session, cmd| session.copy_out(cmd, id, copy, size))?;
-        Ok((storage.format, self.stage(size)?.bytes()[..size as usize].to_vec()))
-    }
-
-    fn copy_out(&mut self, cmd: vk::CommandBuffer, id: ResourceId, copy: usize, size: u64) -> Result<(), Error> {
-        let buffer = self.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
-        let device = self.gpu.device();
-        let Some(storage) = self.executor.memory.storage_mut(id, copy) else { return Ok(()) };
-        // SAFETY: the command buffer is recording; image and staging buffer are live and large enough.
-        unsafe {
-            let home = storage.scope;
-            self.barriers.single(device, cmd, storage, Scope::COPY_SOURCE, true);
-            if storage.image != vk::Image::null() {
-                let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-                device.cmd_copy_image_to_buffer(cmd, storage.image, layout, buffer, &[whole_image(storage.extent)]);
-            } else {
-                device.cmd_copy_buffer(cmd, storage.buffer, buffer, &[vk::BufferCopy { src_offset: 0, dst_offset: 0, size }]);
-            }
-            if storage.home.is_some() {
-                self.barriers.single(device, cmd, storage, home, true);
-            }
-            let to_host = vk::MemoryBarrier2::default()
-                .src_stage_mask(vk::PipelineStageFlags2::ALL_TRANSFER)
-                .src_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
-                .dst_stage_mask(vk::PipelineStageFlags2::HOST)
-                .dst_access_mask(vk::AccessFlags2::HOST_READ);
-            device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().memory_barriers(&[to_host]));
-        }
-        Ok(())
+        let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let Readback { format, bytes } = self.executor.readback(name, &frame, which)?;
+        self.stage(bytes)?;
+        self.submit(|session, cmd| {
+            let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
+            // SAFETY: the command buffer is recording; the staging buffer is live and large enough.
+            unsafe { session.executor.record_copy(cmd, &frame, name, which, buffer) }
+        })?;
+        Ok((format, self.stage(bytes)?.bytes()[..bytes as usize].to_vec()))
     }
 
     /// GPU time per pass of the frame before the last: see [`Executor::times`].

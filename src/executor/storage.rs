@@ -1,8 +1,9 @@
-//! One physical image or buffer, and what was last done to it.
+//! Physical images and buffers: what was last done to each, and which share memory. Knows no device.
 
 use super::barriers::Scope;
 use super::HostImage;
-use crate::contract::{component_of, Component};
+use crate::contract::{component_of, Component, Declaration, ResourceId, Span};
+use crate::denoiser::Binding;
 use ash::vk;
 
 /// One physical image or buffer with what was last done to it.
@@ -56,5 +57,99 @@ impl Storage {
 
     pub fn of_host_buffer(buffer: vk::Buffer, size: u64, home: Scope) -> Self {
         Self { buffer, size, scope: home, home: Some(home), ..Self::EMPTY }
+    }
+}
+
+/// Every physical image and buffer of a declaration.
+pub(crate) struct Storages {
+    /// By resource, then copy.
+    storages: Vec<[Option<Storage>; 2]>,
+    /// What a resource has when nothing of the host is bound to it: an output of our own, or nothing.
+    own: Vec<Option<Storage>>,
+    /// By resource: the transients that share memory with it.
+    aliases: Vec<Vec<ResourceId>>,
+    /// By resource: the pass that a transient starts in.
+    first_pass: Vec<Option<usize>>,
+}
+
+impl Storages {
+    pub fn new(declaration: &Declaration) -> Self {
+        let count = declaration.resources().len();
+        let mut first_pass = vec![None; count];
+        for (id, first, _) in declaration.transients() {
+            first_pass[id.0 as usize] = Some(first);
+        }
+        Self { storages: vec![[None, None]; count], own: vec![None; count], aliases: vec![Vec::new(); count], first_pass }
+    }
+
+    /// Something of our own.
+    pub fn set(&mut self, id: ResourceId, copy: usize, storage: Storage) {
+        self.storages[id.0 as usize][copy] = Some(storage);
+        if copy == 0 {
+            self.own[id.0 as usize] = Some(storage);
+        }
+    }
+
+    /// Notes which transients overlap in memory: `offsets` is where each span was placed.
+    pub fn share(&mut self, ids: &[ResourceId], spans: &[Span], offsets: &[u64]) {
+        let shares =
+            |i: usize, j: usize| i != j && offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
+        for i in 0..ids.len() {
+            self.aliases[ids[i].0 as usize] = (0..ids.len()).filter(|&j| shares(i, j)).map(|j| ids[j]).collect();
+        }
+    }
+
+    pub fn storage(&self, id: ResourceId, copy: usize) -> Option<&Storage> {
+        self.storages.get(id.0 as usize)?.get(copy)?.as_ref()
+    }
+
+    pub fn storage_mut(&mut self, id: ResourceId, copy: usize) -> Option<&mut Storage> {
+        self.storages.get_mut(id.0 as usize)?.get_mut(copy)?.as_mut()
+    }
+
+    pub fn bind(&mut self, id: ResourceId, storage: Storage) {
+        let slot = &mut self.storages[id.0 as usize][0];
+        if let Some(own) = slot.filter(|s| s.home.is_none()) {
+            self.own[id.0 as usize] = Some(own);
+        }
+        *slot = Some(storage);
+    }
+
+    pub fn unbind(&mut self, id: ResourceId) {
+        self.storages[id.0 as usize][0] = self.own[id.0 as usize];
+    }
+
+    pub fn binding(&self, id: ResourceId, copy: usize) -> Binding {
+        match self.storage(id, copy) {
+            Some(s) if s.image != vk::Image::null() => Binding::Image { view: s.view, layout: s.scope.layout },
+            Some(s) => Binding::Buffer { buffer: s.buffer, offset: 0, range: vk::WHOLE_SIZE },
+            None => Binding::Absent,
+        }
+    }
+
+    pub fn touched_host_storages(&mut self) -> impl Iterator<Item = &mut Storage> {
+        self.storages
+            .iter_mut()
+            .flatten()
+            .flatten()
+            .filter_map(|s| (s.home.is_some() && std::mem::take(&mut s.touched)).then_some(s))
+    }
+
+    /// Whether a pass is the first of a frame that uses a transient.
+    pub fn starts_transient(&self, id: ResourceId, pass: usize) -> bool {
+        self.first_pass[id.0 as usize] == Some(pass)
+    }
+
+    /// What was last done to the memory of a transient through those that share it; `None` where it has its memory alone.
+    pub fn scope_of_aliases(&self, id: ResourceId) -> Option<Scope> {
+        let aliases = Some(&self.aliases[id.0 as usize]).filter(|a| !a.is_empty())?;
+        let mut scope = Scope::NONE;
+        for other in aliases {
+            if let Some(other) = self.storage(*other, 0) {
+                scope.stage |= other.scope.stage;
+                scope.access |= other.scope.access;
+            }
+        }
+        Some(scope)
     }
 }

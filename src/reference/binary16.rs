@@ -18,7 +18,12 @@ pub fn round_image_to_half(image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
 
 /// What a half-float image of irradiance, luminance or deviation keeps: clamped to 0..65504, NaN to 0, rounded.
 pub(crate) fn store(x: f32) -> f32 {
-    round_to_half(x.max(0.0).min(LARGEST_HALF))
+    // `clamp` would pass a NaN on.
+    if x.is_nan() {
+        0.0
+    } else {
+        round_to_half(x.clamp(0.0, LARGEST_HALF))
+    }
 }
 
 /// The bits of `x` as binary16.

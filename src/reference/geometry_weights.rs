@@ -47,10 +47,9 @@ impl Geometry {
         let along_plane = self.gradients.at(p).dot((q - p).as_vec2()).abs();
         let tolerance = self.sigma_z * along_plane + DEPTH_EPSILON * at_p.linear_depth;
         let difference = (at_p.linear_depth - at_q.linear_depth).abs();
-        let weight_z = (-difference / tolerance.max(f32::MIN_POSITIVE)).exp();
-        let cosine = at_p.cosine(&at_q).max(0.0);
-        // 0⁰ = 1: a sigma of 0 switches normals off.
-        let weight_n = if self.sigma_n == 0.0 { 1.0 } else { cosine.powf(self.sigma_n) };
-        weight_z * weight_n
+        let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
+        // 0⁰ = 1: a sigma of 0 switches normals off. A cosine of 0 is an exponent of −∞, a weight of 0.
+        let exponent_n = if self.sigma_n == 0.0 { 0.0 } else { self.sigma_n * at_p.cosine(&at_q).max(0.0).ln() };
+        (exponent_z + exponent_n).exp()
     }
 }

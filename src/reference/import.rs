@@ -2,7 +2,7 @@
 
 use super::conventions::{normal_encoding, normals_are_in_view_space};
 use super::guide::{fold_id, pack_guide, Surface};
-use super::octahedral::from_square;
+use super::octahedral::{from_square, octahedral10};
 use super::projection::Projections;
 use super::reprojection::{previous_normal, reproject, HostMotion, InstanceTransform};
 use super::statistics::{count, Counter, Statistics};
@@ -29,6 +29,8 @@ pub struct ImportInputs<'a> {
     pub normal: &'a Image<[f32; 4]>,
     /// xy: motion, z: depth of 2.5D motion; in the unit and sign of the conventions. Without it motion follows from the matrices.
     pub motion: Option<&'a Image<[f32; 4]>>,
+    /// xyz in object space: the history test's normals for a turning object.
+    pub object_normal: Option<&'a Image<[f32; 4]>>,
     /// Stable per instance, 0 is the background.
     pub surface_id: Option<&'a Image<u32>>,
     /// x: roughness, 0 to 1.
@@ -57,6 +59,8 @@ pub struct ImportOutputs {
     pub surface_motion: Image<[u16; 4]>,
     /// See [`super::unpack_depth_gradient`].
     pub depth_gradient: Image<u32>,
+    /// Object-space normals, see [`super::octahedral10`]; where the host gives them.
+    pub object_normal_guide: Option<Image<u32>>,
     /// Bad depths, normals and motions.
     pub statistics: Statistics,
 }
@@ -87,6 +91,9 @@ pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
         guide: texels.map(|t| t.guide),
         surface_motion: texels.map(|t| t.surface_motion),
         depth_gradient: texels.map(|t| t.depth_gradient),
+        object_normal_guide: inputs
+            .object_normal
+            .map(|normals| Image::compute(extent, render_extent, |p| octahedral10(object_normal(normals.at(p)).to_array()))),
         statistics,
     }
 }
@@ -136,6 +143,17 @@ fn world_normal(frame: &FrameConstants, projections: &Projections, v: [f32; 4]) 
         (n / length_squared.sqrt(), false)
     } else {
         (projections.towards_camera(), !length_squared.is_finite())
+    }
+}
+
+/// The object-space unit normal of a texel; +z where there is none, so that the test compares equal values.
+fn object_normal([x, y, z, _]: [f32; 4]) -> Vec3 {
+    let n = Vec3::new(x, y, z);
+    let length_squared = n.length_squared();
+    if length_squared.is_finite() && length_squared >= SMALLEST_LENGTH_SQUARED {
+        n / length_squared.sqrt()
+    } else {
+        Vec3::Z
     }
 }
 

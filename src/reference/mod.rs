@@ -2,7 +2,8 @@
 //!
 //! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other.
 //! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
-//! [`Svgf`] chains the stages over a sequence of frames.
+//! [`Svgf`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an image that is
+//! smaller than the render extent.
 //!
 //! | tag | source |
 //! | --- | --- |
@@ -55,7 +56,7 @@ pub use surface_motion::{
 pub use svgf::{Svgf, SvgfInputs, SvgfOutputs, SvgfViews};
 pub use taa::{taa, TaaInputs};
 pub use temporal_accumulation::{
-    temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
+    temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
 };
 pub use tone_map::tone_map;
 pub use variance::{variance, VarianceInputs};

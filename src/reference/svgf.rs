@@ -64,6 +64,7 @@ pub struct SvgfViews {
 #[derive(Clone, Debug)]
 struct History {
     guide: Image<[u16; 4]>,
+    object_normal_guide: Option<Image<u32>>,
     irradiance: Vec<Image<[f32; 4]>>,
     moments: Vec<Image<[u16; 4]>>,
     display: Option<Image<[f32; 4]>>,
@@ -117,6 +118,7 @@ impl Svgf {
         let stages = [imported.statistics, demodulated.statistics, modulated.statistics];
         self.history = Some(History {
             guide: imported.guide.clone(),
+            object_normal_guide: imported.object_normal_guide.clone(),
             irradiance: first.clone(),
             moments: accumulated.moments.clone(),
             display: display.clone(),
@@ -142,6 +144,11 @@ impl Svgf {
             surface_motion: &imported.surface_motion,
             depth_gradient: &imported.depth_gradient,
             irradiance: &each(irradiance),
+            object_normals: imported
+                .object_normal_guide
+                .as_ref()
+                .zip(self.history.as_ref().and_then(|history| history.object_normal_guide.as_ref()))
+                .map(|(current, previous)| ObjectNormals { current, previous }),
             previous: self.history.as_ref().map(|history| PreviousFrame { guide: &history.guide, signals: &signals }),
         };
         temporal_accumulation(&frame.constants, &inputs)

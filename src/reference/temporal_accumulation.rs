@@ -5,6 +5,7 @@ use super::conventions::is_reset;
 use super::guide::{unpack_guide, Surface};
 use super::luminance::texel_luminance;
 use super::moments::{pack_moments, unpack_moments, Moments, Reason};
+use super::octahedral::octahedral10_to_normal;
 use super::projection::extent_ratio;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
@@ -37,6 +38,15 @@ pub struct PreviousFrame<'a> {
     pub signals: &'a [SignalHistory<'a>],
 }
 
+/// Object-space normals of both frames, packed by [`super::octahedral10`]: they replace the world normals in the history test.
+#[derive(Clone, Copy, Debug)]
+pub struct ObjectNormals<'a> {
+    /// As written by `import` for this frame.
+    pub current: &'a Image<u32>,
+    /// As written by `import` for the previous frame.
+    pub previous: &'a Image<u32>,
+}
+
 /// Inputs of [`temporal_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct TemporalAccumulationInputs<'a> {
@@ -48,6 +58,8 @@ pub struct TemporalAccumulationInputs<'a> {
     pub depth_gradient: &'a Image<u32>,
     /// rgb: irradiance of every signal, as written by `demodulate`.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
+    /// Where the host gives them.
+    pub object_normals: Option<ObjectNormals<'a>>,
     /// Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
 }
@@ -76,7 +88,10 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
     let extent = inputs.guide.extent();
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let surfaces = previous.map(|previous| {
-        Image::compute(previous.guide.extent(), frame.previous_render_extent, |p| unpack_guide(previous.guide.at(p)))
+        Image::compute(previous.guide.extent(), frame.previous_render_extent, |p| {
+            let surface = unpack_guide(previous.guide.at(p));
+            inputs.object_normals.map_or(surface, |n| Surface { normal: octahedral10_to_normal(n.previous.at(p)), ..surface })
+        })
     });
     let histories = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
@@ -120,7 +135,7 @@ impl Reprojected {
             s: (p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion) - 0.5,
             linear_depth,
             depth_tolerance: frame.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
-            normal: motion.previous_normal.into(),
+            normal: inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p))).into(),
             normal_tolerance: frame.normal_tolerance,
             id: surface.id,
             rect: RenderRect::new(frame.previous_render_extent),

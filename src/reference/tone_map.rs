@@ -9,7 +9,7 @@ use crate::{FrameConstants, ToneCurve};
 pub fn tone_map(frame: &FrameConstants, denoised_radiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     Image::compute(denoised_radiance.extent(), frame.render_extent, |p| {
         let [r, g, b, _] = denoised_radiance.at(p);
-        let [r, g, b] = curve(frame.tone_curve, [r, g, b].map(|c| c * frame.exposure)).map(|c| round_to_half(c.max(0.0).min(1.0)));
+        let [r, g, b] = curve(frame.tone_curve, [r, g, b].map(|c| c * frame.exposure)).map(|c| round_to_half(c.clamp(0.0, 1.0)));
         [r, g, b, 1.0]
     })
 }

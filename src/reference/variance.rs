@@ -12,6 +12,7 @@ mod tests;
 
 /// Radius of the neighbourhood, pixels: 7×7.
 const RADIUS: i32 = 3;
+const SIDE: usize = 7;
 
 /// Inputs of [`variance`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -50,19 +51,15 @@ fn deviation(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moment
         return centre.deviation;
     }
     let rect = RenderRect::new(frame.render_extent);
-    let (mut sum, mut mean) = (0.0, 0.0);
-    for (_, q) in rect.window(p, RADIUS, 1) {
-        let weight = geometry.weight(p, q);
-        sum += weight;
-        mean += weight * moments.at(q).mean;
+    let mut window = [(0.0, Moments::default()); SIDE * SIDE];
+    for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, RADIUS, 1)) {
+        *tap = (geometry.weight(p, q), moments.at(q));
     }
-    mean /= sum;
+    let sum: f32 = window.iter().map(|tap| tap.0).sum();
+    let mean = window.iter().map(|(weight, m)| weight * m.mean).sum::<f32>() / sum;
     // μ2 − μ1² of the window, taken about the mean, so that it does not cancel.
-    let mut variance = 0.0;
-    for (_, q) in rect.window(p, RADIUS, 1) {
-        let Moments { mean: m, deviation, .. } = moments.at(q);
-        variance += geometry.weight(p, q) * (deviation * deviation + (m - mean) * (m - mean));
-    }
+    let second = |m: &Moments| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
+    let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
     // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
     (variance / sum * frame.spatial_variance_frames / centre.history_length.max(1.0)).sqrt()
 }

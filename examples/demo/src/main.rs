@@ -1,2 +1,42 @@
-//! The standalone demo.
-fn main() {}
+//! Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
+
+mod options;
+mod run;
+
+use std::process::ExitCode;
+
+use atrous_demo::{Gpu, GpuOptions, Result};
+use clap::Parser;
+use options::Options;
+
+fn main() -> ExitCode {
+    match demo(&Options::parse()) {
+        Ok(0) => ExitCode::SUCCESS,
+        Ok(count) => {
+            eprintln!("error: {count} validation messages");
+            ExitCode::FAILURE
+        }
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Gives the number of validation messages.
+fn demo(options: &Options) -> Result<usize> {
+    if options.list_devices {
+        Gpu::list_devices()?.iter().for_each(|device| println!("{device}"));
+        return Ok(0);
+    }
+    options.check()?;
+    let gpu = Gpu::new(&GpuOptions { device: options.device.clone(), validation: options.validate })?;
+    println!("device {}", gpu.info());
+    for scene in &options.scenes {
+        run::run(options, &gpu, scene)?;
+    }
+    println!("pictures and tables are in {}", options.out.display());
+    let messages = gpu.validation_messages();
+    messages.iter().for_each(|message| eprintln!("{message}"));
+    Ok(messages.len())
+}

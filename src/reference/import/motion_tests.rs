@@ -35,6 +35,7 @@ impl Scene<'_> {
                 motion: self.motion.map(|m| Image::new(allocated, m)).as_ref(),
                 surface_id: Some(&Image::new(allocated, self.id)),
                 roughness: None,
+                object_normal: None,
                 instance_transforms: self.transforms,
             },
         );

@@ -15,7 +15,7 @@ fn with_conventions(conventions: Conventions, params: FrameParams) -> FrameConst
 }
 
 fn inputs<'a>(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> ImportInputs<'a> {
-    ImportInputs { depth, normal, motion: None, surface_id: None, roughness: None, instance_transforms: None }
+    ImportInputs { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
 }
 
 fn up(extent: [u32; 2]) -> Image<[f32; 4]> {

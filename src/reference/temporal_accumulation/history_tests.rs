@@ -51,6 +51,7 @@ impl Scene {
                 surface_motion: &Image::new(EXTENT, pack_surface_motion(self.motion, Some(self.expected))),
                 depth_gradient: &Image::new(EXTENT, pack_depth_gradient(self.gradient)),
                 irradiance: &[&new],
+                object_normals: None,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
                     signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -165,6 +166,7 @@ fn another_render_extent_is_scaled() {
             surface_motion: &guides.surface_motion,
             depth_gradient: &guides.depth_gradient,
             irradiance: &[&Image::new(now, [0.0; 4])],
+            object_normals: None,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
                 signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -194,6 +196,7 @@ fn signals_are_independent_but_for_taps_and_length() {
                     surface_motion: &guides.surface_motion,
                     depth_gradient: &guides.depth_gradient,
                     irradiance: &new.iter().collect::<Vec<_>>(),
+                    object_normals: None,
                     previous: output.as_ref().map(|_| PreviousFrame { guide: &guides.guide, signals: &signals }),
                 },
             );

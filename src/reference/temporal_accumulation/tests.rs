@@ -20,6 +20,7 @@ fn step(
             surface_motion: &guides.surface_motion,
             depth_gradient: &guides.depth_gradient,
             irradiance: &[c],
+            object_normals: None,
             previous: signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals }),
         },
     )

@@ -1,0 +1,56 @@
+//! Compiles `glsl/*.comp` to SPIR-V (Vulkan 1.1) and writes `$OUT_DIR/shaders.rs`, one constant for each shader.
+
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+fn main() -> Result<(), String> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR").map_err(|e| e.to_string())?).join("glsl");
+    let out = PathBuf::from(env::var("OUT_DIR").map_err(|e| e.to_string())?);
+    println!("cargo:rerun-if-changed={}", root.display());
+    println!("cargo:rerun-if-changed={}", root.join("include").display());
+    let compiler = shaderc::Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
+    let mut generated = String::new();
+    for shader in shaders(&root)? {
+        let stem = shader.file_stem().and_then(|s| s.to_str()).ok_or("a shader's name is not UTF-8")?;
+        let words = compile(&compiler, &root, &shader)?;
+        let spirv = out.join(format!("{stem}.spv"));
+        fs::write(&spirv, words).map_err(|e| format!("{}: {e}", spirv.display()))?;
+        generated += &format!(
+            "/// SPIR-V of `glsl/{stem}.comp`.\npub const {}: &[u8] = include_bytes!({:?});\n",
+            stem.to_uppercase(),
+            spirv.display().to_string()
+        );
+    }
+    fs::write(out.join("shaders.rs"), generated).map_err(|e| e.to_string())
+}
+
+/// The compute shaders, sorted so that the generated file does not depend on the file system.
+fn shaders(root: &Path) -> Result<Vec<PathBuf>, String> {
+    let entries = fs::read_dir(root).map_err(|e| format!("{}: {e}", root.display()))?;
+    let mut found: Vec<PathBuf> =
+        entries.flatten().map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "comp")).collect();
+    found.sort();
+    Ok(found)
+}
+
+fn compile(compiler: &shaderc::Compiler, root: &Path, shader: &Path) -> Result<Vec<u8>, String> {
+    println!("cargo:rerun-if-changed={}", shader.display());
+    let source = fs::read_to_string(shader).map_err(|e| format!("{}: {e}", shader.display()))?;
+    // One set of options for each shader: shaderc's include callback keeps state between compilations otherwise.
+    let mut options = shaderc::CompileOptions::new().map_err(|e| e.to_string())?;
+    options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
+    options.set_optimization_level(shaderc::OptimizationLevel::Performance);
+    options.set_warnings_as_errors();
+    let include_root = root.join("include");
+    options.set_include_callback(move |name, _, _, _| {
+        let path = include_root.join(name);
+        println!("cargo:rerun-if-changed={}", path.display());
+        fs::read_to_string(&path)
+            .map(|content| shaderc::ResolvedInclude { resolved_name: path.display().to_string(), content })
+            .map_err(|e| format!("{}: {e}", path.display()))
+    });
+    compiler
+        .compile_into_spirv(&source, shaderc::ShaderKind::Compute, &shader.display().to_string(), "main", Some(&options))
+        .map(|artifact| artifact.as_binary_u8().to_vec())
+        .map_err(|e| e.to_string())
+}

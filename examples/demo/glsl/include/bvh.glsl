@@ -1,0 +1,113 @@
+// Ray queries over a binary BVH of world-space triangles (obvhs, 32-byte nodes, children side by side).
+// Near child first; a shadow ray leaves at its first hit. Triangles: Möller and Trumbore with stored edges.
+#ifndef BVH_GLSL
+#define BVH_GLSL
+#include "scene.glsl"
+
+const uint BVH_STACK_SIZE = 40u; // the host checks the depth of the tree against it
+
+struct Hit {
+    float distance;
+    uint instance;  // NO_INSTANCE: nothing was hit
+    uint triangle;  // within the instance
+    vec2 barycentrics;
+};
+
+// Entry distance of the ray into a box, or a huge number when it misses. `limit` is the nearest hit so far.
+float box_entry(vec3 lower, vec3 upper, vec3 origin_over_direction, vec3 inverse_direction, float limit) {
+    vec3 t0 = lower * inverse_direction - origin_over_direction;
+    vec3 t1 = upper * inverse_direction - origin_over_direction;
+    vec3 near = min(t0, t1);
+    vec3 far = max(t0, t1);
+    float entry = max(max(near.x, near.y), max(near.z, 0.0));
+    float leave = min(min(far.x, far.y), min(far.z, limit));
+    // One part in a million more room: rounding must not lose triangles that lie in a face of their box.
+    return entry <= leave * 1.000002 ? entry : 3.0e38;
+}
+
+// Distance along the ray, or a negative number for a miss.
+float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 barycentrics) {
+    vec3 corner = fetch_floats(bvh_triangles, 3u * index).xyz;
+    vec3 edge1 = fetch_floats(bvh_triangles, 3u * index + 1u).xyz;
+    vec3 edge2 = fetch_floats(bvh_triangles, 3u * index + 2u).xyz;
+    vec3 p = cross(direction, edge2);
+    float determinant = dot(edge1, p);
+    float inverse = 1.0 / (determinant == 0.0 ? 1.0e-30 : determinant);
+    vec3 t = origin - corner;
+    float u = dot(t, p) * inverse;
+    vec3 q = cross(t, edge1);
+    float v = dot(direction, q) * inverse;
+    barycentrics = vec2(u, v);
+    bool inside = determinant != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0;
+    return inside ? dot(edge2, q) * inverse : -1.0;
+}
+
+vec3 safe_inverse(vec3 direction) {
+    vec3 magnitude = max(abs(direction), vec3(1.0e-12));
+    return vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0) / magnitude;
+}
+
+// What the stack holds: the first child or triangle, and above it the number of triangles (0: an inner node).
+const uint COUNT_SHIFT = 25u;
+const uint FIRST_MASK = (1u << COUNT_SHIFT) - 1u;
+
+uint node_reference(uvec4 lower, uvec4 upper) { return upper.w | lower.w << COUNT_SHIFT; }
+
+// Walks the tree. `any_hit` is a literal at every call, so that the compiler makes two functions of this one.
+Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
+    Hit hit = Hit(limit, NO_INSTANCE, 0u, vec2(0.0));
+    vec3 inverse_direction = safe_inverse(direction);
+    vec3 scaled_origin = origin * inverse_direction;
+    uint stack[BVH_STACK_SIZE];
+    uint depth = 0u;
+    uint node = node_reference(texelFetch(bvh_nodes, 0), texelFetch(bvh_nodes, 1));
+    uint best = 0xffffffffu;
+    while (true) {
+        uint count = node >> COUNT_SHIFT;
+        uint first = node & FIRST_MASK;
+        bool pop = true;
+        if (count > 0u) {
+            for (uint i = first; i < first + count; i++) {
+                vec2 barycentrics;
+                float t = triangle_distance(i, origin, direction, barycentrics);
+                if (t > 0.0 && t < hit.distance) {
+                    hit.distance = t;
+                    hit.barycentrics = barycentrics;
+                    best = i;
+                }
+            }
+            if (any_hit && best != 0xffffffffu) break;
+        } else {
+            int base = int(2u * first);
+            uvec4 left_lower = texelFetch(bvh_nodes, base);
+            uvec4 left_upper = texelFetch(bvh_nodes, base + 1);
+            uvec4 right_lower = texelFetch(bvh_nodes, base + 2);
+            uvec4 right_upper = texelFetch(bvh_nodes, base + 3);
+            float left = box_entry(uintBitsToFloat(left_lower.xyz), uintBitsToFloat(left_upper.xyz), scaled_origin, inverse_direction, hit.distance);
+            float right = box_entry(uintBitsToFloat(right_lower.xyz), uintBitsToFloat(right_upper.xyz), scaled_origin, inverse_direction, hit.distance);
+            uint left_node = node_reference(left_lower, left_upper);
+            uint right_node = node_reference(right_lower, right_upper);
+            if (min(left, right) < 1.0e38) {
+                bool swap = right < left;
+                node = swap ? right_node : left_node;
+                pop = false;
+                if (max(left, right) < 1.0e38 && depth < BVH_STACK_SIZE) stack[depth++] = swap ? left_node : right_node;
+            }
+        }
+        if (pop) {
+            if (depth == 0u) break;
+            node = stack[--depth];
+        }
+    }
+    if (best != 0xffffffffu) {
+        hit.instance = texelFetch(bvh_triangles, int(3u * best)).w;
+        hit.triangle = texelFetch(bvh_triangles, int(3u * best + 1u)).w;
+    }
+    return hit;
+}
+
+Hit closest_hit(vec3 origin, vec3 direction) { return traverse(origin, direction, 3.0e37, false); }
+
+bool occluded(vec3 origin, vec3 direction, float distance) { return traverse(origin, direction, distance, true).instance != NO_INSTANCE; }
+
+#endif

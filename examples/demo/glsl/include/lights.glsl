@@ -1,0 +1,98 @@
+// Next event estimation: one light is chosen by its power, one point on it by area, and one shadow ray is sent to it.
+// Emissive triangles may also be hit by a sampled direction; the balance heuristic weighs the two [Veach 1997].
+#ifndef LIGHTS_GLSL
+#define LIGHTS_GLSL
+#include "bsdf.glsl"
+#include "bvh.glsl"
+
+struct LightSample {
+    vec3 direction; // to the light
+    float distance;
+    vec3 radiance;  // divided by the density in solid angle (by the probability of choosing it for a point or a sun)
+    float density;  // solid angle; 0: only light sampling finds it
+};
+
+uint select_light(inout float u) {
+    uint low = 0u;
+    uint high = frame.counts.x - 1u;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        if (u < fetch_floats(lights, 4u * middle + 1u).w) high = middle; else low = middle + 1u;
+    }
+    float upper = fetch_floats(lights, 4u * low + 1u).w;
+    float probability = fetch_floats(lights, 4u * low + 2u).w;
+    u = clamp((u - (upper - probability)) / max(probability, 1.0e-12), 0.0, 0.99999994);
+    return low;
+}
+
+vec2 light_uv(Light light, vec2 barycentrics) {
+    uint triangle = floatBitsToUint(light.position_kind.w) >> 2u;
+    TriangleAttributes t = load_triangle(triangle);
+    vec2 a = vec2(t.position_u[0].w, t.normal_v[0].w);
+    return a + barycentrics.x * (vec2(t.position_u[1].w, t.normal_v[1].w) - a) + barycentrics.y * (vec2(t.position_u[2].w, t.normal_v[2].w) - a);
+}
+
+LightSample sample_triangle(Light light, vec3 from, vec2 u) {
+    float root = sqrt(u.x);
+    vec2 barycentrics = vec2(1.0 - root, u.y * root);
+    vec3 edge1 = light.edge1_cdf.xyz;
+    vec3 edge2 = light.edge2_probability.xyz;
+    vec3 offset = light.position_kind.xyz + barycentrics.x * edge1 + barycentrics.y * edge2 - from;
+    vec3 face = cross(edge1, edge2);
+    float twice_area = length(face);
+    float distance2 = dot(offset, offset);
+    float distance = sqrt(distance2);
+    vec3 direction = offset / max(distance, 1.0e-12);
+    Material material = load_material(floatBitsToUint(light.radiance_material.w));
+    float cosine = -light.radiance_material.x * dot(face, direction) / max(twice_area, 1.0e-20);
+    cosine = material.two_sided_emission ? abs(cosine) : cosine;
+    if (cosine <= 1.0e-5 || distance2 <= 0.0) return LightSample(direction, 0.0, vec3(0.0), 0.0);
+    float density = light.edge2_probability.w * distance2 / (cosine * 0.5 * twice_area);
+    vec3 radiance = material.emission;
+    if (material.emission_texture != NO_TEXTURE) radiance = emitted_radiance(material, light_uv(light, barycentrics));
+    return LightSample(direction, distance, radiance / density, density);
+}
+
+LightSample sample_sun(Light light, vec2 u) {
+    float r = sqrt(u.x) * light.edge2_probability.x;
+    float phi = 2.0 * PI * u.y;
+    vec3 direction = normalize(basis(light.position_kind.xyz) * vec3(r * cos(phi), r * sin(phi), sqrt(1.0 - r * r)));
+    return LightSample(direction, 1.0e30, light.radiance_material.rgb / light.edge2_probability.w, 0.0);
+}
+
+LightSample sample_point(Light light, vec3 from) {
+    vec3 offset = light.position_kind.xyz - from;
+    float distance2 = max(dot(offset, offset), 1.0e-6);
+    float distance = sqrt(distance2);
+    vec3 direction = offset / distance;
+    vec2 cone = light.edge2_probability.xy;
+    float spot = clamp((-dot(direction, light.edge1_cdf.xyz) - cone.y) / max(cone.x - cone.y, 1.0e-4), 0.0, 1.0);
+    float falloff = cone.y <= -1.0 ? 1.0 : spot * spot;
+    return LightSample(direction, distance, light.radiance_material.rgb * (falloff / distance2 / light.edge2_probability.w), 0.0);
+}
+
+// Density in solid angle with which light sampling finds an emitter that a sampled direction has hit.
+float emitter_density(Surface emitter, vec3 direction, float distance) {
+    float cosine = max(dot(emitter.geometric_normal, -direction), 1.0e-5);
+    return emitter.emission_weight / frame.jitter_epsilon_weight.w * distance * distance / cosine;
+}
+
+// Reflected radiance from one sampled light. `weighted`: sampled directions find area lights, too.
+vec3 next_event(Surface s, vec3 view, vec2 u, bool weighted) {
+    if (frame.counts.x == 0u) return vec3(0.0);
+    Light light = load_light(select_light(u.x));
+    vec3 origin = ray_origin(s);
+    uint kind = floatBitsToUint(light.position_kind.w) & 3u;
+    LightSample found;
+    if (kind == LIGHT_TRIANGLE) found = sample_triangle(light, origin, u);
+    else if (kind == LIGHT_SUN) found = sample_sun(light, u);
+    else found = sample_point(light, origin);
+    if (found.distance <= 0.0) return vec3(0.0);
+    float density;
+    vec3 reflected = evaluate_bsdf(s, view, found.direction, density) * found.radiance;
+    if (weighted && found.density > 0.0) reflected *= found.density / (found.density + density);
+    if (max(reflected.r, max(reflected.g, reflected.b)) <= 0.0) return vec3(0.0);
+    return occluded(origin, found.direction, found.distance * 0.9995) ? vec3(0.0) : reflected;
+}
+
+#endif

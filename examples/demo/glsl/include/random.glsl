@@ -1,0 +1,66 @@
+// Random numbers for one pixel: a PCG stream from the pixel's seed, or, with RANDOM_SOBOL defined, Owen-scrambled Sobol'
+// points. Both depend on the seed and the sample index alone, so that equal seeds give equal light paths.
+// [Jarzynski and Olano 2020] for the hash, [Burley 2020] for the scrambling and for padding pairs of dimensions.
+#ifndef RANDOM_GLSL
+#define RANDOM_GLSL
+
+uint pcg_hash(uint value) {
+    uint state = value * 747796405u + 2891336453u;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+
+// Top 24 bits, so that 1.0 is never returned.
+float unit_float(uint bits) { return float(bits >> 8u) * (1.0 / 16777216.0); }
+
+struct Rng {
+    uint state;
+    uint sample_index;
+};
+
+#ifndef RANDOM_SOBOL
+
+Rng rng_new(uint seed, uint sample_index) { return Rng(seed, sample_index); }
+
+vec2 random2(inout Rng rng) {
+    rng.state = rng.state * 747796405u + 2891336453u;
+    uint x = pcg_hash(rng.state);
+    rng.state = rng.state * 747796405u + 2891336453u;
+    return vec2(unit_float(x), unit_float(pcg_hash(rng.state)));
+}
+
+#else
+
+// Laine-Karras permutation on bit-reversed numbers: an Owen scramble, with Vegdahl's constants.
+uint laine_karras(uint x, uint seed) {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16u) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+// The second Sobol' dimension before bit reversal: the Pascal matrix modulo 2, factor by factor.
+uint pascal(uint x) {
+    x ^= x >> 16u;
+    x ^= (x & 0xff00ff00u) >> 8u;
+    x ^= (x & 0xf0f0f0f0u) >> 4u;
+    x ^= (x & 0xccccccccu) >> 2u;
+    x ^= (x & 0xaaaaaaaau) >> 1u;
+    return x;
+}
+
+Rng rng_new(uint seed, uint sample_index) { return Rng(seed, bitfieldReverse(sample_index)); }
+
+// Each call is one pair of dimensions: the sample order is shuffled, then both coordinates are scrambled.
+vec2 random2(inout Rng rng) {
+    rng.state = pcg_hash(rng.state + 0x9e3779b9u);
+    uint index = bitfieldReverse(laine_karras(rng.sample_index, rng.state));
+    uint x = bitfieldReverse(laine_karras(index, pcg_hash(rng.state ^ 0x68bc21ebu)));
+    uint y = bitfieldReverse(laine_karras(pascal(index), pcg_hash(rng.state ^ 0x02e5be93u)));
+    return vec2(unit_float(x), unit_float(y));
+}
+
+#endif
+#endif

@@ -1,0 +1,121 @@
+//! Two-dimensional images with one mip level.
+
+use std::sync::Arc;
+
+use ash::vk;
+use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
+use gpu_allocator::MemoryLocation;
+
+use super::{Gpu, Shared};
+use crate::error::{Doing, Error, Result};
+
+/// An image, its view and its memory. Usage: storage, sampled, transfer source and destination.
+pub struct Image {
+    /// The image.
+    pub handle: vk::Image,
+    /// A view of all of it.
+    pub view: vk::ImageView,
+    /// Its format.
+    pub format: vk::Format,
+    /// Its size in pixels.
+    pub extent: vk::Extent2D,
+    /// Its debug name.
+    pub name: &'static str,
+    allocation: Option<Allocation>,
+    shared: Arc<Shared>,
+}
+
+/// Every image here has one level and one layer.
+pub(crate) const WHOLE_IMAGE: vk::ImageSubresourceRange = vk::ImageSubresourceRange {
+    aspect_mask: vk::ImageAspectFlags::COLOR,
+    base_mip_level: 0,
+    level_count: 1,
+    base_array_layer: 0,
+    layer_count: 1,
+};
+
+impl Image {
+    /// Makes an image; its content and layout are undefined.
+    ///
+    /// # Errors
+    /// An extent of zero or beyond the device's limit, or no memory.
+    pub fn new(gpu: &Gpu, name: &'static str, format: vk::Format, extent: vk::Extent2D) -> Result<Self> {
+        check_extent(gpu, extent)?;
+        let info = vk::ImageCreateInfo::default()
+            .image_type(vk::ImageType::TYPE_2D)
+            .format(format)
+            .extent(extent.into())
+            .mip_levels(1)
+            .array_layers(1)
+            .samples(vk::SampleCountFlags::TYPE_1)
+            .tiling(vk::ImageTiling::OPTIMAL)
+            .usage(
+                vk::ImageUsageFlags::STORAGE
+                    | vk::ImageUsageFlags::SAMPLED
+                    | vk::ImageUsageFlags::TRANSFER_SRC
+                    | vk::ImageUsageFlags::TRANSFER_DST,
+            );
+        // SAFETY: the device is alive and the extent is within its limits.
+        let handle = unsafe { gpu.device().create_image(&info, None) }.doing("create an image")?;
+        // From here on, dropping `image` frees whatever was made.
+        let mut image =
+            Self { handle, view: vk::ImageView::null(), format, extent, name, allocation: None, shared: gpu.shared.clone() };
+        // SAFETY: the image was just made by this device.
+        let requirements = unsafe { gpu.device().get_image_memory_requirements(handle) };
+        let description = AllocationCreateDesc {
+            name,
+            requirements,
+            location: MemoryLocation::GpuOnly,
+            linear: false,
+            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
+        };
+        let allocation = gpu.allocator().allocate(&description).map_err(|source| Error::Memory {
+            what: name.into(),
+            bytes: requirements.size,
+            source,
+        })?;
+        let memory = &*image.allocation.insert(allocation);
+        // SAFETY: fresh memory of the size and kind that the image asked for, bound once.
+        unsafe { gpu.device().bind_image_memory(handle, memory.memory(), memory.offset()) }.doing("bind an image's memory")?;
+        let view = vk::ImageViewCreateInfo::default()
+            .image(handle)
+            .view_type(vk::ImageViewType::TYPE_2D)
+            .format(format)
+            .subresource_range(WHOLE_IMAGE);
+        // SAFETY: the image has memory, and the view has its format.
+        image.view = unsafe { gpu.device().create_image_view(&view, None) }.doing("create an image view")?;
+        Ok(image)
+    }
+
+    /// Bytes of one texel, for the formats that the demo makes.
+    pub fn texel_bytes(&self) -> u64 {
+        match self.format {
+            vk::Format::R32_SFLOAT | vk::Format::R32_UINT | vk::Format::R8G8B8A8_UNORM => 4,
+            vk::Format::R16G16B16A16_SFLOAT => 8,
+            _ => 16,
+        }
+    }
+}
+
+impl Drop for Image {
+    fn drop(&mut self) {
+        // SAFETY: the owner keeps an image until the work that uses it is complete (every submit here waits).
+        unsafe {
+            self.shared.device.destroy_image_view(self.view, None);
+            self.shared.device.destroy_image(self.handle, None);
+        }
+        if let Some(allocation) = self.allocation.take() {
+            // Freeing what this allocator gave cannot fail; there is nobody to tell if it did.
+            let _ = self.shared.allocator().free(allocation);
+        }
+    }
+}
+
+fn check_extent(gpu: &Gpu, extent: vk::Extent2D) -> Result<()> {
+    let limit = gpu.limits().max_image_dimension2_d;
+    let allowed = 1..=limit;
+    if allowed.contains(&extent.width) && allowed.contains(&extent.height) {
+        return Ok(());
+    }
+    Err(Error::Extent { width: extent.width, height: extent.height, limit })
+}

@@ -1,0 +1,124 @@
+//! The Vulkan instance, with validation and a place for its messages.
+
+use std::ffi::{c_void, CStr};
+use std::sync::Mutex;
+
+use ash::vk;
+
+use crate::error::{Doing, Error, Result};
+
+const VALIDATION_LAYER: &CStr = c"VK_LAYER_KHRONOS_validation";
+/// More messages than this tell nothing new.
+const MESSAGE_LIMIT: usize = 200;
+
+type Messages = Mutex<Vec<String>>;
+
+/// An instance that destroys itself.
+pub struct Instance {
+    pub raw: ash::Instance,
+    pub entry: ash::Entry,
+    messenger: Option<(ash::ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT)>,
+    // Boxed: the messenger holds its address.
+    messages: Box<Messages>,
+}
+
+impl Instance {
+    pub fn new(validation: bool) -> Result<Self> {
+        // SAFETY: the system's Vulkan loader is trusted to initialise as specified.
+        let entry = unsafe { ash::Entry::load() }?;
+        let mut layers = Vec::new();
+        let mut extensions = Vec::new();
+        if validation {
+            require_layer(&entry)?;
+            layers.push(VALIDATION_LAYER.as_ptr());
+            extensions.push(ash::ext::debug_utils::NAME.as_ptr());
+            extensions.push(ash::ext::validation_features::NAME.as_ptr());
+        }
+        let version = highest_version(&entry)?;
+        let application = vk::ApplicationInfo::default().application_name(c"atrous demo").api_version(version);
+        let enabled = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
+        let mut features = vk::ValidationFeaturesEXT::default().enabled_validation_features(&enabled);
+        let mut info = vk::InstanceCreateInfo::default()
+            .application_info(&application)
+            .enabled_layer_names(&layers)
+            .enabled_extension_names(&extensions);
+        let messages: Box<Messages> = Box::default();
+        let mut messenger_info = messenger_info(&messages);
+        if validation {
+            info = info.push_next(&mut features).push_next(&mut messenger_info);
+        }
+        // SAFETY: the layers and extensions named were found; everything pointed to outlives the call.
+        let raw = unsafe { entry.create_instance(&info, None) }.doing("create an instance")?;
+        let mut instance = Self { raw, entry, messenger: None, messages };
+        if validation {
+            let functions = ash::ext::debug_utils::Instance::new(&instance.entry, &instance.raw);
+            let info = self::messenger_info(&instance.messages);
+            // SAFETY: the extension is enabled, and `messages` is boxed and lives until the messenger is destroyed.
+            let handle = unsafe { functions.create_debug_utils_messenger(&info, None) }.doing("create a debug messenger")?;
+            instance.messenger = Some((functions, handle));
+        }
+        Ok(instance)
+    }
+
+    pub fn messages(&self) -> Vec<String> {
+        self.messages.lock().map(|messages| messages.clone()).unwrap_or_default()
+    }
+}
+
+impl Drop for Instance {
+    fn drop(&mut self) {
+        // SAFETY: everything made from the instance is gone, since the device's owner drops this last.
+        unsafe {
+            if let Some((functions, handle)) = self.messenger.take() {
+                functions.destroy_debug_utils_messenger(handle, None);
+            }
+            self.raw.destroy_instance(None);
+        }
+        // What the layers say of leaks comes too late for anyone to ask.
+        for message in self.messages().iter().filter(|message| message.contains("OBJ ERROR") || message.contains("DestroyDevice")) {
+            eprintln!("{message}");
+        }
+    }
+}
+
+/// 1.3 where the loader has it, since the denoiser's built-in executor wants synchronization2.
+fn highest_version(entry: &ash::Entry) -> Result<u32> {
+    // SAFETY: a plain query of the loader.
+    let found = unsafe { entry.try_enumerate_instance_version() }.doing("query the loader's version")?;
+    Ok(found.unwrap_or(vk::API_VERSION_1_0).clamp(vk::API_VERSION_1_1, vk::API_VERSION_1_3))
+}
+
+fn require_layer(entry: &ash::Entry) -> Result<()> {
+    // SAFETY: a plain query of the loader.
+    let layers = unsafe { entry.enumerate_instance_layer_properties() }.doing("list the layers")?;
+    let found = layers.iter().any(|layer| layer.layer_name_as_c_str() == Ok(VALIDATION_LAYER));
+    found.then_some(()).ok_or(Error::NoValidationLayer)
+}
+
+fn messenger_info(messages: &Messages) -> vk::DebugUtilsMessengerCreateInfoEXT<'static> {
+    vk::DebugUtilsMessengerCreateInfoEXT::default()
+        .message_severity(vk::DebugUtilsMessageSeverityFlagsEXT::ERROR | vk::DebugUtilsMessageSeverityFlagsEXT::WARNING)
+        .message_type(vk::DebugUtilsMessageTypeFlagsEXT::VALIDATION)
+        .pfn_user_callback(Some(on_message))
+        .user_data(std::ptr::from_ref(messages).cast_mut().cast())
+}
+
+unsafe extern "system" fn on_message(
+    _severity: vk::DebugUtilsMessageSeverityFlagsEXT,
+    _kind: vk::DebugUtilsMessageTypeFlagsEXT,
+    data: *const vk::DebugUtilsMessengerCallbackDataEXT<'_>,
+    user_data: *mut c_void,
+) -> vk::Bool32 {
+    // SAFETY: the layers pass valid callback data for the time of the call, and `user_data` is the boxed `Messages`
+    // of an `Instance` that still lives.
+    let (text, messages) = unsafe {
+        let text = (*data).message_as_c_str().unwrap_or(c"(no text)").to_string_lossy().into_owned();
+        (text, &*user_data.cast::<Messages>())
+    };
+    if let Ok(mut messages) = messages.lock() {
+        if messages.len() < MESSAGE_LIMIT {
+            messages.push(text);
+        }
+    }
+    vk::FALSE
+}

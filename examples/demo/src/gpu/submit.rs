@@ -1,0 +1,119 @@
+//! One command buffer at a time, submitted and waited for; and reading images back.
+
+use ash::vk;
+
+use super::image::WHOLE_IMAGE;
+use super::{Buffer, Gpu, Image, MemoryKind};
+use crate::error::{Doing, Result};
+
+impl Gpu {
+    /// Records with `record`, submits, and waits until the device is done. `record` must not submit or read images
+    /// itself: the command pool is locked meanwhile.
+    ///
+    /// # Errors
+    /// What `record` returns, and a lost device.
+    pub fn submit<T>(&self, record: impl FnOnce(vk::CommandBuffer) -> Result<T>) -> Result<T> {
+        let device = self.device();
+        let pool = self.shared.command_pool.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let info = vk::CommandBufferAllocateInfo::default().command_pool(*pool).command_buffer_count(1);
+        // SAFETY: the pool is locked, so this thread is the only one to use it.
+        let cmd = unsafe { device.allocate_command_buffers(&info) }.doing("allocate a command buffer")?[0];
+        let result = self.record_and_wait(cmd, record);
+        // SAFETY: the wait is over (or nothing was submitted), so the command buffer is not in use.
+        unsafe { device.free_command_buffers(*pool, &[cmd]) };
+        result
+    }
+
+    fn record_and_wait<T>(&self, cmd: vk::CommandBuffer, record: impl FnOnce(vk::CommandBuffer) -> Result<T>) -> Result<T> {
+        let device = self.device();
+        let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        // SAFETY: `cmd` is fresh.
+        unsafe { device.begin_command_buffer(cmd, &begin) }.doing("begin a command buffer")?;
+        let value = record(cmd)?;
+        // SAFETY: `cmd` is recording.
+        unsafe { device.end_command_buffer(cmd) }.doing("end a command buffer")?;
+        let commands = [cmd];
+        let submits = [vk::SubmitInfo::default().command_buffers(&commands)];
+        // SAFETY: the queue belongs to the device, and the pool's lock keeps other threads from submitting.
+        unsafe {
+            device.queue_submit(self.queue(), &submits, vk::Fence::null()).doing("submit")?;
+            device.queue_wait_idle(self.queue()).doing("wait for the device")?;
+        }
+        Ok(value)
+    }
+
+    /// Texels of an image in layout `GENERAL`, row by row. Integers are converted to floating point; missing channels are 0.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn read_image(&self, image: &Image) -> Result<Vec<[f32; 4]>> {
+        let bytes = self.read_bytes(image)?;
+        let texels = bytes.chunks_exact(image.texel_bytes() as usize);
+        Ok(match image.format {
+            vk::Format::R16G16B16A16_SFLOAT => texels.map(half_texel).collect(),
+            vk::Format::R32_SFLOAT => texels.map(|t| [f32::from_bits(word(t, 0)), 0.0, 0.0, 0.0]).collect(),
+            vk::Format::R32_UINT => texels.map(|t| [word(t, 0) as f32, 0.0, 0.0, 0.0]).collect(),
+            vk::Format::R8G8B8A8_UNORM => texels.map(|t| [0, 1, 2, 3].map(|i| f32::from(t[i]) / 255.0)).collect(),
+            vk::Format::R32G32B32A32_UINT => texels.map(|t| [0, 1, 2, 3].map(|i| word(t, i) as f32)).collect(),
+            _ => texels.map(|t| [0, 1, 2, 3].map(|i| f32::from_bits(word(t, i)))).collect(),
+        })
+    }
+
+    /// First channel of an image of 32-bit integers in layout `GENERAL`, row by row.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn read_image_u32(&self, image: &Image) -> Result<Vec<u32>> {
+        let bytes = self.read_bytes(image)?;
+        Ok(bytes.chunks_exact(image.texel_bytes() as usize).map(|texel| word(texel, 0)).collect())
+    }
+
+    /// The bytes of an image in layout `GENERAL`, as its format lays them out, without padding.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn read_bytes(&self, image: &Image) -> Result<Vec<u8>> {
+        let size = u64::from(image.extent.width) * u64::from(image.extent.height) * image.texel_bytes();
+        let target = Buffer::new(self, "readback", size, MemoryKind::Readback)?;
+        self.submit(|cmd| {
+            self.record_readback(cmd, image, &target);
+            Ok(())
+        })?;
+        Ok(target.bytes()[..size as usize].to_vec())
+    }
+
+    fn record_readback(&self, cmd: vk::CommandBuffer, image: &Image, target: &Buffer) {
+        let device = self.device();
+        let before = vk::MemoryBarrier::default()
+            .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
+            .dst_access_mask(vk::AccessFlags::TRANSFER_READ);
+        let after = vk::MemoryBarrier::default()
+            .src_access_mask(vk::AccessFlags::TRANSFER_WRITE)
+            .dst_access_mask(vk::AccessFlags::HOST_READ);
+        let region = vk::BufferImageCopy::default()
+            .image_subresource(vk::ImageSubresourceLayers {
+                aspect_mask: WHOLE_IMAGE.aspect_mask,
+                layer_count: 1,
+                ..Default::default()
+            })
+            .image_extent(image.extent.into());
+        let (all, copy, host) =
+            (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::HOST);
+        let none = vk::DependencyFlags::empty();
+        // SAFETY: `cmd` is recording; the image is in GENERAL, and the buffer has room for all of its texels.
+        unsafe {
+            device.cmd_pipeline_barrier(cmd, all, copy, none, &[before], &[], &[]);
+            device.cmd_copy_image_to_buffer(cmd, image.handle, vk::ImageLayout::GENERAL, target.handle, &[region]);
+            device.cmd_pipeline_barrier(cmd, copy, host, none, &[after], &[], &[]);
+        }
+    }
+}
+
+fn word(texel: &[u8], index: usize) -> u32 {
+    let at = 4 * index;
+    u32::from_le_bytes([texel[at], texel[at + 1], texel[at + 2], texel[at + 3]])
+}
+
+fn half_texel(texel: &[u8]) -> [f32; 4] {
+    [0, 1, 2, 3].map(|i| half::f16::from_le_bytes([texel[2 * i], texel[2 * i + 1]]).to_f32())
+}

@@ -1,0 +1,141 @@
+//! The command line.
+
+use std::path::PathBuf;
+
+use atrous::config::Signals;
+use atrous::Tuning;
+use atrous_demo::{DenoiserOptions, Error, Result, SceneOptions, TracerOptions};
+use clap::{Parser, ValueEnum};
+
+/// Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
+///
+/// Without options: 24 frames of `cornell` and `pillars` at 320x180, with references of the last two frames.
+#[derive(Parser)]
+#[command(version)]
+pub struct Options {
+    /// Scenes: cornell, pillars, glossy, hall, or a glTF 2.0 file (.glb, .gltf); may be given several times
+    #[arg(long = "scene", default_values_t = ["cornell".to_owned(), "pillars".to_owned()])]
+    pub scenes: Vec<String>,
+    /// Width and height in pixels
+    #[arg(long, default_value = "320x180", value_parser = parse_size)]
+    pub size: (u32, u32),
+    /// Frames of the animation
+    #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
+    pub frames: u32,
+    /// Filter
+    #[arg(long, value_enum, default_value_t = PresetName::Svgf)]
+    pub preset: PresetName,
+    /// Direct and indirect light filtered apart, or their sum
+    #[arg(long, value_enum, default_value_t = SignalsName::Apart)]
+    pub signals: SignalsName,
+    /// A number of the filter, for example alpha=0.1; may be given several times. Unknown names list the known ones
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse_setting)]
+    pub settings: Vec<(String, f32)>,
+    /// Folder for pictures and tables
+    #[arg(long, default_value = "out")]
+    pub out: PathBuf,
+    /// Frames to render a reference of, separated by commas; the default is the last two
+    #[arg(long, value_delimiter = ',')]
+    pub reference_frames: Option<Vec<u32>>,
+    /// Paths per pixel of a reference; 0: no references
+    #[arg(long, default_value_t = 1024)]
+    pub reference_spp: u32,
+    /// Index or a part of the name of the device
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Print the devices and stop
+    #[arg(long)]
+    pub list_devices: bool,
+    /// Run under the Khronos validation layer; its messages are errors
+    #[arg(long)]
+    pub validate: bool,
+    /// Lights keep their intensity
+    #[arg(long)]
+    pub static_light: bool,
+    /// The camera stands still
+    #[arg(long)]
+    pub static_camera: bool,
+    /// Objects stand still
+    #[arg(long)]
+    pub static_objects: bool,
+    /// Jitter the primary rays, and resolve them by temporal anti-aliasing
+    #[arg(long)]
+    pub taa: bool,
+    /// Another seed gives other noise
+    #[arg(long, default_value_t = 0)]
+    pub seed: u32,
+}
+
+/// Filters of the demo.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum PresetName {
+    /// Spatiotemporal variance-guided filtering
+    Svgf,
+}
+
+/// What is filtered.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum SignalsName {
+    /// Direct and indirect light, each by itself
+    Apart,
+    /// Their sum
+    Together,
+}
+
+impl Options {
+    /// What clap cannot check.
+    pub fn check(&self) -> Result<()> {
+        self.tuning()?;
+        match self.reference_frames().into_iter().find(|&f| f >= self.frames) {
+            Some(given) => Err(Error::ReferenceFrame { given, frames: self.frames }),
+            None => Ok(()),
+        }
+    }
+
+    /// Frames that get a reference.
+    pub fn reference_frames(&self) -> Vec<u32> {
+        if self.reference_spp == 0 {
+            return Vec::new();
+        }
+        let last_two = (self.frames.saturating_sub(2)..self.frames).collect();
+        self.reference_frames.clone().unwrap_or(last_two)
+    }
+
+    /// What the scene is asked for.
+    pub fn scene(&self) -> SceneOptions {
+        SceneOptions { static_light: self.static_light, static_camera: self.static_camera, static_objects: self.static_objects }
+    }
+
+    /// What the path tracer is asked for.
+    pub fn tracer(&self) -> TracerOptions {
+        TracerOptions { jitter: self.taa, seed: self.seed, ..TracerOptions::default() }
+    }
+
+    /// What the denoiser is asked for.
+    pub fn denoiser(&self) -> Result<DenoiserOptions> {
+        let signals = match self.signals {
+            SignalsName::Apart => Signals::Apart,
+            SignalsName::Together => Signals::Together,
+        };
+        let PresetName::Svgf = self.preset;
+        Ok(DenoiserOptions { signals, taa: self.taa, tuning: self.tuning()? })
+    }
+
+    fn tuning(&self) -> Result<Tuning> {
+        let mut tuning = Tuning::default();
+        for (name, value) in &self.settings {
+            tuning.set(name, *value)?;
+        }
+        Ok(tuning)
+    }
+}
+
+fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
+    let parsed = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    parsed.ok_or_else(|| format!("\"{text}\" is not a size: give width and height like 320x180"))
+}
+
+fn parse_setting(text: &str) -> std::result::Result<(String, f32), String> {
+    let parsed = text.split_once('=').and_then(|(name, value)| Some((name.to_owned(), value.parse().ok()?)));
+    parsed.ok_or_else(|| format!("\"{text}\" is not a setting: give a name and a number like alpha=0.1"))
+}

@@ -1,0 +1,37 @@
+//! Light that does not come from meshes.
+
+use glam::Vec3;
+
+/// A light that no ray can hit by chance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Lamp {
+    /// Parallel light from a small disc in the sky.
+    Sun {
+        /// Unit vector towards it.
+        direction: Vec3,
+        /// On a surface that faces it.
+        irradiance: Vec3,
+        /// Sine of the disc's angular radius.
+        radius: f32,
+    },
+    /// A point, or a spot.
+    Point {
+        /// Where it is.
+        position: Vec3,
+        /// Radiant intensity.
+        intensity: Vec3,
+        /// Where a spot shines, and the cosines of its inner and outer angle.
+        spot: Option<(Vec3, f32, f32)>,
+    },
+}
+
+/// Light from everywhere, as a gradient. All black: none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Environment {
+    /// Radiance from above.
+    pub zenith: Vec3,
+    /// Radiance from the side.
+    pub horizon: Vec3,
+    /// Radiance from below.
+    pub ground: Vec3,
+}

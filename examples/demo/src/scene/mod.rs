@@ -1,0 +1,186 @@
+//! Worlds to look at: meshes, materials, lights and a camera, all of them functions of the frame index.
+
+mod cornell;
+mod glossy;
+mod gltf_bounds;
+mod gltf_file;
+mod gltf_parts;
+mod hall;
+mod lamp;
+mod material;
+mod mesh;
+mod pillars;
+mod shapes;
+
+pub use lamp::{Environment, Lamp};
+pub use material::{Material, Pattern, Texture};
+pub use mesh::Mesh;
+
+use glam::{Affine3A, Vec3};
+
+use crate::error::{Error, Result};
+
+/// Frames in one second of animation.
+pub const FRAMES_PER_SECOND: f32 = 30.0;
+
+/// The built-in scenes' names.
+pub const BUILT_IN: [&str; 4] = ["cornell", "pillars", "glossy", "hall"];
+
+/// Parts of the animation that stand still.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SceneOptions {
+    /// Lights keep the intensity that they have in frame 0.
+    pub static_light: bool,
+    /// The camera stays where it is in frame 0.
+    pub static_camera: bool,
+    /// Objects stay where they are in frame 0.
+    pub static_objects: bool,
+}
+
+/// Where a thing is at a time in seconds.
+pub enum Placement {
+    /// It never moves.
+    Fixed(Affine3A),
+    /// `world_from_object` as a function of time; must depend on nothing else.
+    Animated(Box<dyn Fn(f32) -> Affine3A + Send + Sync>),
+}
+
+/// A mesh in the world. Its `surface_id` is its index plus one.
+pub struct Instance {
+    /// Index into [`Scene::meshes`].
+    pub mesh: usize,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+    /// Where it is.
+    pub placement: Placement,
+}
+
+/// A perspective camera at one time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Where it is.
+    pub eye: Vec3,
+    /// A point that it looks at, in the middle of the picture.
+    pub target: Vec3,
+    /// Roughly upwards.
+    pub up: Vec3,
+    /// Vertical field of view in radians.
+    pub vertical_fov: f32,
+}
+
+/// A world, as a function of the frame index.
+pub struct Scene {
+    /// What to call it.
+    pub name: String,
+    /// Triangles in object space.
+    pub meshes: Vec<Mesh>,
+    /// What they are made of.
+    pub materials: Vec<Material>,
+    /// Pictures on them.
+    pub textures: Vec<Texture>,
+    /// Where they are.
+    pub instances: Vec<Instance>,
+    /// Lights that are not meshes.
+    pub lamps: Vec<Lamp>,
+    /// Light from everywhere.
+    pub environment: Environment,
+    camera: Box<dyn Fn(f32) -> View + Send + Sync>,
+    light_scale: Box<dyn Fn(u32) -> f32 + Send + Sync>,
+    options: SceneOptions,
+}
+
+impl Scene {
+    /// An empty world.
+    pub fn new(name: &str, view: View) -> Self {
+        Self {
+            name: name.to_string(),
+            meshes: Vec::new(),
+            materials: Vec::new(),
+            textures: Vec::new(),
+            instances: Vec::new(),
+            lamps: Vec::new(),
+            environment: Environment::default(),
+            camera: Box::new(move |_| view),
+            light_scale: Box::new(|_| 1.0),
+            options: SceneOptions::default(),
+        }
+    }
+
+    /// A built-in scene by name (see [`BUILT_IN`]), or a glTF 2.0 file by path.
+    ///
+    /// # Errors
+    /// An unknown name, or a file that cannot be used.
+    pub fn load(name: &str, options: &SceneOptions) -> Result<Self> {
+        let lower = name.to_lowercase();
+        let mut scene = match lower.as_str() {
+            "cornell" => cornell::scene(),
+            "pillars" => pillars::scene(),
+            "glossy" => glossy::scene(),
+            "hall" => hall::scene(),
+            _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,
+            _ => return Err(Error::UnknownScene { given: name.to_string() }),
+        };
+        scene.options = *options;
+        Ok(scene)
+    }
+
+    /// The view at a frame.
+    pub fn view(&self, frame: u32) -> View {
+        (self.camera)(seconds(if self.options.static_camera { 0 } else { frame }))
+    }
+
+    /// Factor of all lights and emitters (not of the environment) at a frame.
+    pub fn light_scale(&self, frame: u32) -> f32 {
+        (self.light_scale)(if self.options.static_light { 0 } else { frame })
+    }
+
+    /// `world_from_object` of each instance at a frame.
+    pub fn transforms(&self, frame: u32) -> Vec<Affine3A> {
+        let time = seconds(if self.options.static_objects { 0 } else { frame });
+        self.instances
+            .iter()
+            .map(|instance| match &instance.placement {
+                Placement::Fixed(transform) => *transform,
+                Placement::Animated(path) => path(time),
+            })
+            .collect()
+    }
+
+    /// Sets the camera's path.
+    pub fn set_camera(&mut self, path: impl Fn(f32) -> View + Send + Sync + 'static) {
+        self.camera = Box::new(path);
+    }
+
+    /// Sets the lights' intensity over the frames.
+    pub fn set_light_scale(&mut self, scale: impl Fn(u32) -> f32 + Send + Sync + 'static) {
+        self.light_scale = Box::new(scale);
+    }
+
+    /// Adds a mesh, a material and one fixed instance of them.
+    pub fn place(&mut self, mesh: Mesh, material: Material, transform: Affine3A) {
+        let mesh = self.add_mesh(mesh);
+        let material = self.add_material(material);
+        self.add_instance(mesh, material, Placement::Fixed(transform));
+    }
+
+    /// Adds a mesh and gives its index.
+    pub fn add_mesh(&mut self, mesh: Mesh) -> usize {
+        self.meshes.push(mesh);
+        self.meshes.len() - 1
+    }
+
+    /// Adds a material and gives its index.
+    pub fn add_material(&mut self, material: Material) -> usize {
+        self.materials.push(material);
+        self.materials.len() - 1
+    }
+
+    /// Adds an instance.
+    pub fn add_instance(&mut self, mesh: usize, material: usize, placement: Placement) {
+        self.instances.push(Instance { mesh, material, placement });
+    }
+}
+
+fn seconds(frame: u32) -> f32 {
+    frame as f32 / FRAMES_PER_SECOND
+}

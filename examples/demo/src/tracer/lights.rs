@@ -1,0 +1,125 @@
+//! Materials and the list of lights at one time: each light is chosen with a probability in proportion to its power.
+
+use std::f32::consts::PI;
+
+use glam::{Affine3A, Vec3};
+
+use super::layout::{with, LightData, MaterialData, CHECKER_TEXTURE, NO_TEXTURE};
+use crate::scene::{Lamp, Material, Pattern, Scene};
+
+const KIND_TRIANGLE: u32 = 0;
+const KIND_SUN: u32 = 1;
+const KIND_POINT: u32 = 2;
+
+/// The lights, and the sum of their weights.
+pub struct Lights {
+    pub data: Vec<LightData>,
+    pub total_weight: f32,
+}
+
+/// The materials with their emission scaled.
+pub fn materials(scene: &Scene, scale: f32) -> Vec<MaterialData> {
+    scene.materials.iter().map(|material| material_data(material, scale)).collect()
+}
+
+fn material_data(material: &Material, scale: f32) -> MaterialData {
+    let emission = material.emission * scale;
+    let side = if material.two_sided_emission { -1.0 } else { 1.0 };
+    let (texture, other, squares) = match material.pattern {
+        Pattern::Plain => (NO_TEXTURE, Vec3::ZERO, 0.0),
+        Pattern::Checker { other, scale } => (CHECKER_TEXTURE, other, scale),
+        Pattern::Texture(index) => (index as u32, Vec3::ZERO, 0.0),
+    };
+    MaterialData {
+        base_color_roughness: with(material.base_color, material.roughness),
+        checker_color_scale: with(other, squares),
+        emission_weight: with(emission, side * luminance(emission) * PI),
+        metallic: material.metallic,
+        specular: material.specular,
+        base_color_texture: texture,
+        emission_texture: material.emission_texture.map_or(NO_TEXTURE, |index| index as u32),
+    }
+}
+
+/// All lights. `first_triangles` says where each mesh begins among the attributes; `diagonal` gives a sun its power.
+pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], scale: f32, diagonal: f32) -> Lights {
+    let materials = materials(scene, scale);
+    let mut data = Vec::new();
+    let mut weights = Vec::new();
+    for (instance, transform) in scene.instances.iter().zip(transforms) {
+        let material = &materials[instance.material];
+        let weight = material.emission_weight[3].abs();
+        if weight <= 0.0 {
+            continue;
+        }
+        let mesh = &scene.meshes[instance.mesh];
+        // A mirrored instance turns its winding round; the shader's normals do the same.
+        let mirrored = transform.matrix3.determinant() < 0.0;
+        for (number, triangle) in mesh.triangles.iter().enumerate() {
+            let [a, b, c] = mesh.corners(*triangle).map(|corner| transform.transform_point3(corner));
+            let area = 0.5 * (b - a).cross(c - a).length();
+            if area <= 0.0 {
+                continue;
+            }
+            let tag = KIND_TRIANGLE | (first_triangles[instance.mesh] + number as u32) << 2;
+            weights.push(area * weight);
+            data.push(LightData {
+                position_kind: with(a, f32::from_bits(tag)),
+                edge1_cdf: with(b - a, 0.0),
+                edge2_probability: with(c - a, 0.0),
+                radiance_material: [if mirrored { -1.0 } else { 1.0 }, 0.0, 0.0, f32::from_bits(instance.material as u32)],
+            });
+        }
+    }
+    for lamp in &scene.lamps {
+        let (light, weight) = lamp_data(lamp, scale, diagonal);
+        if weight > 0.0 {
+            data.push(light);
+            weights.push(weight);
+        }
+    }
+    let total_weight = fill_distribution(&mut data, &weights);
+    Lights { data, total_weight }
+}
+
+fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {
+    match *lamp {
+        Lamp::Sun { direction, irradiance, radius } => {
+            let light = LightData {
+                position_kind: with(direction, f32::from_bits(KIND_SUN)),
+                edge2_probability: [radius, 0.0, 0.0, 0.0],
+                radiance_material: with(irradiance * scale, 0.0),
+                ..Default::default()
+            };
+            (light, luminance(irradiance * scale) * 0.25 * PI * diagonal * diagonal)
+        }
+        Lamp::Point { position, intensity, spot } => {
+            let (direction, inner, outer) = spot.unwrap_or((Vec3::NEG_Y, 1.0, -1.0));
+            let light = LightData {
+                position_kind: with(position, f32::from_bits(KIND_POINT)),
+                edge1_cdf: with(direction, 0.0),
+                edge2_probability: [inner, outer, 0.0, 0.0],
+                radiance_material: with(intensity * scale, 0.0),
+            };
+            (light, luminance(intensity * scale) * 4.0 * PI)
+        }
+    }
+}
+
+/// Writes probabilities and cumulated probabilities; gives the sum of the weights.
+fn fill_distribution(data: &mut [LightData], weights: &[f32]) -> f32 {
+    let total: f64 = weights.iter().map(|weight| f64::from(*weight)).sum();
+    let mut sum = 0.0;
+    let last = data.len().saturating_sub(1);
+    for (index, (light, weight)) in data.iter_mut().zip(weights).enumerate() {
+        sum += f64::from(*weight) / total;
+        // The last bound is 1 whatever the rounding, so that every number finds a light.
+        light.edge1_cdf[3] = if index == last { 1.0 } else { sum as f32 };
+        light.edge2_probability[3] = (f64::from(*weight) / total) as f32;
+    }
+    total as f32
+}
+
+fn luminance(radiance: Vec3) -> f32 {
+    radiance.dot(glam::vec3(0.2126, 0.7152, 0.0722))
+}

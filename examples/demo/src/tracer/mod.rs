@@ -1,0 +1,202 @@
+//! The path tracer: visibility, lighting, and the ground truth.
+
+mod barriers;
+mod bvh;
+mod camera;
+mod layout;
+mod lights;
+mod outputs;
+mod reference;
+mod scene_buffers;
+
+pub use camera::Camera;
+pub use outputs::Outputs;
+pub use reference::Reference;
+
+use std::sync::Arc;
+
+use ash::vk;
+
+use crate::error::Result;
+use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Pipeline, SetLayout};
+use crate::scene::{Environment, Scene};
+use barriers::{general_barrier, memory_barrier};
+use layout::FrameConstants;
+use scene_buffers::SceneBuffers;
+
+mod shaders {
+    include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
+}
+
+/// How area lights are found. All agree in the mean; only the noise differs.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LightSampling {
+    /// Both ways, weighed by the balance heuristic.
+    #[default]
+    Both,
+    /// Shadow rays to sampled lights only.
+    Lights,
+    /// Directions sampled from the material only; lamps without an area are not found.
+    Bsdf,
+}
+
+/// What the path tracer does differently from its default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TracerOptions {
+    /// Moves the primary rays by a Halton sequence within their pixels (default: through the centres).
+    pub jitter: bool,
+    /// Other seeds give other noise (default 0).
+    pub seed: u32,
+    /// How area lights are found.
+    pub light_sampling: LightSampling,
+}
+
+/// A path tracer of one scene into images of one size.
+pub struct PathTracer {
+    gpu: Gpu,
+    scene: Arc<Scene>,
+    extent: vk::Extent2D,
+    options: TracerOptions,
+    frame: u32,
+    buffers: SceneBuffers,
+    outputs: Outputs,
+    scene_set: DescriptorSet,
+    gbuffer_set: DescriptorSet,
+    lighting_set: DescriptorSet,
+    gbuffer: Pipeline,
+    lighting: Pipeline,
+    scene_layout: SetLayout,
+}
+
+impl PathTracer {
+    /// Makes everything, and prepares frame 0.
+    ///
+    /// # Errors
+    /// An extent of zero or beyond the device's limit, a scene beyond a fixed limit, or no memory.
+    pub fn new(gpu: &Gpu, scene: &Arc<Scene>, extent: vk::Extent2D, options: TracerOptions) -> Result<Self> {
+        let outputs = Outputs::new(gpu, extent)?;
+        let buffers = SceneBuffers::new(gpu, scene)?;
+        let bound = buffers.bindings();
+        let kinds = bound.map(Bound::kind);
+        let scene_layout = SetLayout::new(gpu, &kinds)?;
+        let gbuffer_layout = SetLayout::new(gpu, &storage_images(8))?;
+        let lighting_layout = SetLayout::new(gpu, &storage_images(6))?;
+        let lit = [&outputs.visibility, &outputs.seed, &outputs.direct, &outputs.indirect, &outputs.emission, &outputs.scattered];
+        let mut tracer = Self {
+            scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
+            gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
+            lighting_set: DescriptorSet::of_images(gpu, &lighting_layout, &lit.map(|image| image.view))?,
+            gbuffer: Pipeline::new(gpu, shaders::GBUFFER, &[&scene_layout, &gbuffer_layout], 0)?,
+            lighting: Pipeline::new(gpu, shaders::PATH_TRACE, &[&scene_layout, &lighting_layout], 0)?,
+            gpu: gpu.clone(),
+            scene: scene.clone(),
+            extent,
+            options,
+            frame: 0,
+            buffers,
+            outputs,
+            scene_layout,
+        };
+        tracer.begin_frame(0)?;
+        Ok(tracer)
+    }
+
+    /// Animates the scene to a frame, whose motion is relative to the frame with the index before it (frame 0 stands
+    /// still), and writes the staging buffers. All work recorded for earlier frames must be complete.
+    ///
+    /// # Errors
+    /// A BVH that becomes too deep for the shaders.
+    pub fn begin_frame(&mut self, frame: u32) -> Result<()> {
+        self.frame = frame;
+        let state = self.buffers.animate(&self.scene, frame)?;
+        let view = self.scene.view(frame);
+        let previous = self.scene.view(frame.saturating_sub(1));
+        let jitter = self.jitter(frame);
+        let Environment { zenith, horizon, ground } = self.scene.environment;
+        let lit = (zenith + horizon + ground).max_element() > 0.0;
+        // Two parts in a hundred thousand of the scene: above float32's error at its edge, below what the eye sees.
+        let epsilon = 2.0e-5 * state.diagonal;
+        let constants = FrameConstants {
+            camera: camera::camera_frame(&view, self.extent),
+            previous_camera: camera::camera_frame(&previous, self.extent),
+            extent_frame_seed: [self.extent.width, self.extent.height, frame, self.options.seed],
+            jitter_epsilon_weight: [jitter[0], jitter[1], epsilon, state.total_weight],
+            sky_zenith: layout::with(zenith, f32::from(u8::from(lit))),
+            sky_horizon: layout::with(horizon, 0.0),
+            sky_ground: layout::with(ground, 0.0),
+            counts: [state.light_count, self.options.light_sampling as u32, 0, 0],
+        };
+        self.buffers.set_constants(&constants);
+        Ok(())
+    }
+
+    /// Records the copies of the frame's data and the visibility pass. Waits for all earlier commands of the queue.
+    pub fn record_gbuffer(&mut self, cmd: vk::CommandBuffer) {
+        let device = self.gpu.device().clone();
+        let (all, copy, compute) =
+            (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::COMPUTE_SHADER);
+        let anything = vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE;
+        let written = vk::AccessFlags::TRANSFER_WRITE;
+        let read = vk::AccessFlags::SHADER_READ | vk::AccessFlags::UNIFORM_READ;
+        memory_barrier(&device, cmd, (all, anything), (copy, written));
+        self.buffers.record(&device, cmd);
+        memory_barrier(&device, cmd, (copy, written), (compute, read));
+        general_barrier(&device, cmd, &self.outputs.gbuffer());
+        self.gbuffer.record(cmd, &[&self.scene_set, &self.gbuffer_set], &[], self.extent);
+    }
+
+    /// Records the lighting pass: one path for each pixel. Waits for all earlier commands of the queue, so whatever
+    /// wrote the visibility samples and seeds last is seen.
+    pub fn record_lighting(&mut self, cmd: vk::CommandBuffer) {
+        let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
+        let written = vk::AccessFlags::MEMORY_WRITE;
+        let source = (vk::PipelineStageFlags::ALL_COMMANDS, written);
+        memory_barrier(self.gpu.device(), cmd, source, (compute, vk::AccessFlags::SHADER_READ));
+        general_barrier(self.gpu.device(), cmd, &self.outputs.lighting());
+        self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
+    }
+
+    /// The images of the frame.
+    pub fn outputs(&self) -> &Outputs {
+        &self.outputs
+    }
+
+    /// For each `surface_id` three rows of the map from world space now to world space in the previous frame (entry 0:
+    /// identity). Last written by a copy in [`Self::record_gbuffer`] and made visible to shader reads of compute.
+    pub fn previous_from_current(&self) -> &Buffer {
+        &self.buffers.previous_from_current.buffer
+    }
+
+    /// The inverses of [`Self::previous_from_current`]: they carry a point of the previous frame to where it is now.
+    pub fn current_from_previous(&self) -> &Buffer {
+        &self.buffers.current_from_previous.buffer
+    }
+
+    /// The camera of any frame.
+    pub fn camera(&self, frame: u32) -> Camera {
+        Camera::new(&self.scene.view(frame), self.extent, self.jitter(frame))
+    }
+
+    /// The frame of the last [`Self::begin_frame`].
+    pub fn frame(&self) -> u32 {
+        self.frame
+    }
+
+    /// Size of the images in pixels.
+    pub fn extent(&self) -> vk::Extent2D {
+        self.extent
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    fn jitter(&self, frame: u32) -> [f32; 2] {
+        if self.options.jitter {
+            camera::halton_jitter(frame)
+        } else {
+            [0.0; 2]
+        }
+    }
+}

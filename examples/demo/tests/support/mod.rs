@@ -1,0 +1,54 @@
+//! A device under validation, and small pictures.
+#![allow(dead_code)] // each test binary uses a part of this
+
+use std::sync::Arc;
+
+use ash::vk::Extent2D;
+use atrous_demo::{Gpu, GpuOptions, PathTracer, Scene, SceneOptions, TracerOptions};
+
+pub const SMALL: Extent2D = Extent2D { width: 32, height: 18 };
+
+/// A device under synchronisation validation; the test fails when it goes with messages.
+pub struct Validated(pub Gpu);
+
+impl Validated {
+    pub fn new() -> Self {
+        Self(Gpu::new(&GpuOptions { device: None, validation: true }).expect("a device and the validation layer"))
+    }
+}
+
+impl Drop for Validated {
+    fn drop(&mut self) {
+        let messages = self.0.validation_messages();
+        if !std::thread::panicking() {
+            assert!(messages.is_empty(), "validation: {messages:#?}");
+        }
+    }
+}
+
+pub fn built_in(name: &str, options: SceneOptions) -> Arc<Scene> {
+    Arc::new(Scene::load(name, &options).expect("a built-in scene"))
+}
+
+pub fn tracer(gpu: &Validated, scene: &Arc<Scene>, options: TracerOptions) -> PathTracer {
+    PathTracer::new(&gpu.0, scene, SMALL, options).expect("a path tracer")
+}
+
+pub fn render(gpu: &Validated, tracer: &mut PathTracer, frame: u32) {
+    tracer.begin_frame(frame).expect("a frame");
+    gpu.0
+        .submit(|cmd| {
+            tracer.record_gbuffer(cmd);
+            tracer.record_lighting(cmd);
+            Ok(())
+        })
+        .expect("a submit");
+}
+
+pub fn mean(pixels: &[[f32; 3]]) -> f64 {
+    pixels.iter().flatten().map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
+}
+
+pub fn rgb(pixels: Vec<[f32; 4]>) -> Vec<[f32; 3]> {
+    pixels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
+}

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Runs the demo: installs what is missing, builds, renders and denoises `cornell` and `pillars`, and writes pictures and a table to out/.
+# With arguments they are passed on: scripts/demo.sh --help
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+export MESA_SHADER_CACHE_DIR=$PWD/target/shader-cache
+
+echo "demo: building (the first time takes some minutes)"
+cargo build --release --quiet --package atrous-demo
+exec target/release/atrous-demo "$@"

@@ -1,0 +1,218 @@
+//! An independent look at the barriers: every access that conflicts with an earlier one to the same memory must be ordered after it.
+//! Validation does not find a missing barrier between two writes, nor in read-modify-write, nor between images that share memory.
+
+use super::*;
+use crate::config::{Config, PostProcess, Signals};
+use crate::contract::{alias, FrameParams, FrameState, Shape, Span, Tuning, Use};
+use ash::vk::Handle;
+
+/// One access in the past.
+#[derive(Clone)]
+struct Event {
+    what: &'static str,
+    access: Access,
+    /// What barriers have ordered after it so far.
+    before: Vec<Ordered>,
+}
+
+#[derive(Clone, Copy)]
+struct Ordered {
+    to: Side,
+    /// By a global barrier, which reaches images that share the memory.
+    global: bool,
+}
+
+/// Stage and access mask of one side of a barrier.
+type Side = (vk::PipelineStageFlags2, vk::AccessFlags2);
+
+impl Event {
+    fn order(&mut self, from: Side, to: Side, global: bool) {
+        let own = self.access.scope();
+        let directly = from.0.contains(own.stage) && (!self.access.writes() || from.1.contains(own.access));
+        // An execution dependency chains; the write was made available by the first link.
+        if directly || self.before.iter().any(|o| from.0.contains(o.to.0)) {
+            self.before.push(Ordered { to, global });
+        }
+    }
+
+    fn is_before(&self, next: Access, through_memory: bool) -> bool {
+        let next = next.scope();
+        self.before.iter().any(|o| (o.global || !through_memory) && o.to.0.contains(next.stage) && o.to.1.contains(next.access))
+    }
+}
+
+/// Everything that was done to each physical image or buffer and is not yet ordered before what comes.
+struct Tracker {
+    declaration: Declaration,
+    storages: Storages,
+    barriers: Barriers,
+    shared: Vec<Vec<usize>>,
+    /// By resource, then copy.
+    events: Vec<[Vec<Event>; 2]>,
+}
+
+impl Tracker {
+    fn new(config: &Config) -> Self {
+        let declaration = config.declare().expect("valid");
+        let mut storages = Storages::new(&declaration);
+        let mut handle = 0;
+        for index in 0..declaration.resources().len() as u32 {
+            let id = ResourceId(index);
+            for copy in 0..declaration.resource(id).lifetime.copies().max(1) {
+                handle += 1;
+                storages.set(id, copy, fake(&declaration, id, handle));
+            }
+        }
+        let shared = share(&declaration, &mut storages);
+        let events = vec![[Vec::new(), Vec::new()]; declaration.resources().len()];
+        Self { declaration, storages, barriers: Barriers::default(), shared, events }
+    }
+
+    /// Runs one pass; `broken` drops its barriers.
+    fn pass(&mut self, frame: &FrameContext, pass: usize, broken: bool) -> Vec<String> {
+        self.barriers.collect(&self.declaration, frame, pass, &mut self.storages);
+        if broken {
+            self.barriers.globals.clear();
+            self.barriers.images.clear();
+            self.barriers.buffers.clear();
+        }
+        self.apply();
+        let decl = self.declaration.passes()[pass].clone();
+        let mut hazards = Vec::new();
+        for u in &decl.uses {
+            hazards.extend(self.conflicts(decl.name, u, self.declaration.copy(u, frame)));
+        }
+        for u in &decl.uses {
+            let copy = self.declaration.copy(u, frame);
+            self.remember(decl.name, u, copy);
+        }
+        self.barriers.globals.clear();
+        self.barriers.images.clear();
+        self.barriers.buffers.clear();
+        hazards
+    }
+
+    /// Lets every barrier of the pass order what came before it.
+    fn apply(&mut self) {
+        let Barriers { globals, images, buffers } = &self.barriers;
+        for (index, copies) in self.events.iter_mut().enumerate() {
+            for (copy, events) in copies.iter_mut().enumerate() {
+                let Some(storage) = self.storages.storage(ResourceId(index as u32), copy) else { continue };
+                for e in events {
+                    for b in globals {
+                        e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), true);
+                    }
+                    for b in images.iter().filter(|b| b.image == storage.image) {
+                        e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), false);
+                    }
+                    for b in buffers.iter().filter(|b| b.buffer == storage.buffer) {
+                        e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), false);
+                    }
+                }
+            }
+        }
+    }
+
+    fn conflicts(&self, pass: &'static str, u: &Use, copy: usize) -> Vec<String> {
+        let index = u.resource.0 as usize;
+        let name = self.declaration.resource(u.resource).name;
+        let own = self.events[index][copy].iter().filter(|e| e.access.writes() || u.access.writes());
+        let missing = own.filter(|e| !e.is_before(u.access, false)).map(|e| format!("{pass}: {name} after {}", e.what));
+        let alias = self.shared[index].iter().flat_map(|&other| self.events[other][0].iter().map(move |e| (other, e)));
+        let image = self.storages.storage(u.resource, copy).map_or(vk::Image::null(), |s| s.image);
+        // The layout transition writes memory: it too must come after what was done through the other image.
+        let transition = |e: &Event| {
+            let waits = |b: &vk::ImageMemoryBarrier2| b.image == image && b.src_stage_mask.contains(e.access.scope().stage);
+            self.barriers.images.iter().any(waits)
+        };
+        let through = alias
+            .filter(|(_, e)| !e.is_before(u.access, true) || !transition(e))
+            .map(|(other, e)| format!("{pass}: {name} after {} of {}", e.what, self.declaration.resources()[other].name));
+        missing.chain(through).collect()
+    }
+
+    /// A write is ordered after all that came before, so that nothing before it can conflict any more; aliases of a resource that starts are dead.
+    fn remember(&mut self, pass: &'static str, u: &Use, copy: usize) {
+        let index = u.resource.0 as usize;
+        if u.access.writes() {
+            self.events[index][copy].clear();
+            for other in self.shared[index].clone() {
+                self.events[other][0].clear();
+            }
+        }
+        self.events[index][copy].push(Event { what: pass, access: u.access, before: Vec::new() });
+    }
+}
+
+fn fake(declaration: &Declaration, id: ResourceId, handle: u64) -> Storage {
+    let mut storage = Storage::EMPTY;
+    match declaration.resource(id).shape {
+        Shape::Image { format, .. } => {
+            storage.image = vk::Image::from_raw(handle);
+            storage.format = format.preferred();
+        }
+        Shape::Buffer { .. } => storage.buffer = vk::Buffer::from_raw(handle),
+    }
+    storage
+}
+
+/// Places the transient images as the executor does, and gives who shares memory with whom.
+fn share(declaration: &Declaration, storages: &mut Storages) -> Vec<Vec<usize>> {
+    let is_image = |id: ResourceId| matches!(declaration.resource(id).shape, Shape::Image { .. });
+    let transients: Vec<_> = declaration.transients().filter(|t| is_image(t.0)).collect();
+    let ids: Vec<_> = transients.iter().map(|t| t.0).collect();
+    let size = |id: ResourceId| declaration.resource(id).bytes(declaration.allocated_extent());
+    let spans: Vec<_> = transients.iter().map(|&(id, first, last)| Span { first, last, size: size(id), alignment: 64 }).collect();
+    let (offsets, _) = alias(&spans);
+    storages.share(&ids, &spans, &offsets);
+    let mut shared = vec![Vec::new(); declaration.resources().len()];
+    for i in 0..ids.len() {
+        for j in (0..ids.len()).filter(|&j| j != i) {
+            if offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size {
+                shared[ids[i].0 as usize].push(ids[j].0 as usize);
+            }
+        }
+    }
+    shared
+}
+
+fn frames(config: &Config, broken: Option<usize>) -> Vec<String> {
+    let mut tracker = Tracker::new(config);
+    let mut state = FrameState::default();
+    let mut hazards = Vec::new();
+    for _ in 0..4 {
+        let frame = state.begin(config, &FrameParams::new(config.allocated_extent), &Tuning::default()).expect("valid");
+        for pass in 0..tracker.declaration.passes().len() {
+            hazards.extend(tracker.pass(&frame, pass, broken == Some(pass)));
+        }
+    }
+    hazards
+}
+
+fn configs() -> Vec<Config> {
+    let base = Config::new([64, 36]);
+    let taa = Config { post_process: PostProcess::ToneMapTaa, ..base };
+    let apart = Config { signals: Signals::Apart, object_normal: true, ..taa };
+    vec![base, taa, apart, Config { levels: 1, ..base }, Config { levels: 2, ..apart }, Config { levels: 10, ..taa }]
+}
+
+#[test]
+fn every_conflict_is_ordered() {
+    for config in configs() {
+        assert_eq!(frames(&config, None), [] as [String; 0], "{config:?}");
+    }
+}
+
+#[test]
+fn a_pass_without_its_barriers_is_found() {
+    let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+    for pass in 0..config.declare().expect("valid").passes().len() {
+        assert!(!frames(&config, Some(pass)).is_empty(), "pass {pass}");
+    }
+}
+
+#[test]
+fn memory_is_shared_at_all() {
+    let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+    assert!(Tracker::new(&config).shared.iter().any(|s| !s.is_empty()));
+}

@@ -1,0 +1,101 @@
+//! Copies of resources for tools, captures and tests.
+
+use super::barriers::Scope;
+use super::storage::Storage;
+use super::transfer::{to_floats, whole_image};
+use super::{find, Executor};
+use crate::contract::{bytes_per_texel, FrameContext, Lifetime, ResourceId, UseFrame};
+use crate::error::Error;
+use ash::vk;
+
+/// What a copy of a resource consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Readback {
+    /// Format of the texels; `UNDEFINED` for a buffer.
+    pub format: vk::Format,
+    /// Bytes, tightly packed.
+    pub bytes: u64,
+}
+
+impl Readback {
+    /// Texels as floats, whatever the format; missing components are 0.
+    pub fn to_floats(&self, bytes: &[u8]) -> Vec<[f32; 4]> {
+        to_floats(self.format, bytes)
+    }
+}
+
+impl Executor {
+    /// What a copy of a resource will hold.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input that nothing is bound to.
+    pub fn readback(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<Readback, Error> {
+        let (id, copy) = self.locate(name, frame, which)?;
+        let storage = self.memory.storages.storage(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let bytes = match storage.image == vk::Image::null() {
+            true => storage.size,
+            false => u64::from(storage.extent[0]) * u64::from(storage.extent[1]) * bytes_per_texel(storage.format),
+        };
+        Ok(Readback { format: storage.format, bytes })
+    }
+
+    /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has run. A transient holds what the last pass
+    /// that used its memory left there, unless [`super::ExecutorOptions::no_aliasing`] is set.
+    ///
+    /// # Errors
+    /// As [`Self::readback`].
+    ///
+    /// # Safety
+    /// As [`Self::record`]; images have `TRANSFER_SRC` usage (see [`super::ExecutorOptions::extra_image_usage`]), and `buffer` has
+    /// `TRANSFER_DST` usage and room for [`Readback::bytes`].
+    pub unsafe fn record_copy(
+        &mut self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        name: &str,
+        which: UseFrame,
+        buffer: vk::Buffer,
+    ) -> Result<(), Error> {
+        let (id, copy) = self.locate(name, frame, which)?;
+        let storage = self.memory.storages.storage_mut(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        // SAFETY: the caller's.
+        unsafe {
+            let home = storage.scope;
+            self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
+            copy_out(&self.device, cmd, storage, buffer);
+            if storage.home.is_some() {
+                self.barriers.single(&self.device, cmd, storage, home, true);
+            }
+        }
+        Ok(())
+    }
+
+    fn locate(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<(ResourceId, usize), Error> {
+        let declaration = self.denoiser.declaration();
+        let id = find(declaration, name)?;
+        let copy = match declaration.resource(id).lifetime {
+            Lifetime::History => frame.history_copy(which),
+            _ => 0,
+        };
+        Ok((id, copy))
+    }
+}
+
+unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Storage, buffer: vk::Buffer) {
+    // SAFETY: the caller's.
+    unsafe {
+        if storage.image != vk::Image::null() {
+            let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+            device.cmd_copy_image_to_buffer(cmd, storage.image, layout, buffer, &[whole_image(storage.extent)]);
+        } else {
+            let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size: storage.size };
+            device.cmd_copy_buffer(cmd, storage.buffer, buffer, &[region]);
+        }
+        let to_host = vk::MemoryBarrier2::default()
+            .src_stage_mask(vk::PipelineStageFlags2::ALL_TRANSFER)
+            .src_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
+            .dst_stage_mask(vk::PipelineStageFlags2::HOST)
+            .dst_access_mask(vk::AccessFlags2::HOST_READ);
+        device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().memory_barriers(&[to_host]));
+    }
+}

@@ -1,0 +1,154 @@
+//! `import`: packed guides, compared as what they mean.
+
+use super::compare::{texels, Tolerance};
+use super::{run, Captured};
+use crate::support::{assert_valid, pixels, scene::Guides, scene::Scene, session_with};
+use atrous::config::{
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+};
+use atrous::executor::SessionOptions;
+use atrous::reference::{import, octahedral10_to_normal, unpack_depth_gradient, unpack_guide, unpack_surface_motion, ImportInputs};
+use atrous::{Config, FrameParams, Tuning, UseFrame};
+
+pub fn check(c: &Captured) {
+    let depth = c.host("depth");
+    let normal = c.host("normal");
+    let motion = c.optional_host("motion");
+    let roughness = c.optional_host("roughness");
+    let object_normal = c.optional_host("object_normal");
+    let surface_id = c.config.surface_id.then(|| c.uints("surface_id", UseFrame::Current));
+    let inputs = ImportInputs {
+        depth: &depth,
+        normal: &normal,
+        motion: motion.as_ref(),
+        object_normal: object_normal.as_ref(),
+        surface_id: surface_id.as_ref(),
+        roughness: roughness.as_ref(),
+        instance_transforms: None,
+    };
+    let twin = import(&c.frame.constants, &inputs);
+    // Normals are rounded to a grid of 1/511, and either side of a step is right.
+    let step = Tolerance { relative: 1e-5, absolute: 5e-3, outliers: 0.0 };
+    texels("guide", c, &c.written_packed("guide"), &twin.guide, step, |t| {
+        let s = unpack_guide(t);
+        [s.linear_depth, s.normal[0], s.normal[1], s.normal[2], s.roughness, f32::from(s.id)]
+    });
+    texels(
+        "surface_motion",
+        c,
+        &c.written_packed("surface_motion"),
+        &twin.surface_motion,
+        Tolerance { absolute: 2e-2, ..step },
+        |t| {
+            let n = unpack_surface_motion(t).previous_normal;
+            if t[2] == 0 && t[3] == 0 {
+                [0.0; 3]
+            } else {
+                n
+            }
+        },
+    );
+    let motion = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
+    texels("surface_motion", c, &c.written_packed("surface_motion"), &twin.surface_motion, motion, |t| {
+        let m = unpack_surface_motion(t);
+        [m.motion[0], m.motion[1], m.depth_ratio]
+    });
+    texels("depth_gradient", c, &c.written_uints("depth_gradient"), &twin.depth_gradient, motion, unpack_depth_gradient);
+    if let Some(twin) = &twin.object_normal_guide {
+        texels("object_normal_guide", c, &c.written_uints("object_normal_guide"), twin, step, octahedral10_to_normal);
+    }
+}
+
+/// The synthetic scene, re-encoded: every encoding of every guide at least once.
+pub fn every_encoding() {
+    let base = Conventions::default();
+    let cases = [
+        Conventions { depth: DepthEncoding::Device, motion_unit: MotionUnit::Pixels, ..base },
+        Conventions { depth: DepthEncoding::RayLength, motion_unit: MotionUnit::Ndc, normal: NormalEncoding::XyzUnorm, ..base },
+        Conventions { normal: NormalEncoding::Octahedral, motion_direction: MotionDirection::CurrentMinusPrevious, ..base },
+        Conventions { normal: NormalEncoding::OctahedralUnorm, motion_y_up: true, motion_jittered: true, ..base },
+        Conventions { normal_space: NormalSpace::View, motion_depth: MotionDepth::Difference, ..base },
+        Conventions { motion_depth: MotionDepth::Absolute, background_depth: 5.9, ..base },
+        Conventions { view_forward: ViewForward::PositiveZ, ..base },
+    ];
+    for conventions in cases {
+        for with_motion in [true, false] {
+            encoded(conventions, with_motion);
+        }
+    }
+    assert_valid();
+}
+
+fn encoded(conventions: Conventions, with_motion: bool) {
+    let scene = Scene { speed: 0.15, ..Scene::new([41, 23]) };
+    let config = Config { conventions, ..Config::new(scene.extent) };
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    let roughness: Vec<_> = pixels(scene.extent).map(|(x, y)| [(x + y) as f32 / 64.0; 4]).collect();
+    s.upload("roughness", &roughness).expect("roughness");
+    for i in 0..2 {
+        let params = FrameParams { jitter: [0.25 - 0.6 * i as f32, 0.4 * i as f32 - 0.4], ..params(&scene, i, &conventions) };
+        let mut g = scene.frame(i, i);
+        encode(&mut g, &scene, &params, &conventions);
+        for (name, texels) in g.images().into_iter().filter(|(n, _)| ["depth", "normal", "noisy_radiance"].contains(n)) {
+            s.upload(name, texels).expect(name);
+        }
+        if with_motion {
+            s.upload("motion", &g.motion).expect("motion");
+        }
+        s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
+        run(&mut s, &config, &params, &Tuning::default());
+    }
+}
+
+fn params(scene: &Scene, index: u32, conventions: &Conventions) -> FrameParams {
+    let mut params = scene.params(index);
+    if conventions.view_forward == ViewForward::PositiveZ {
+        // The same camera with z turned round, in view and in projection.
+        params.view_from_world.iter_mut().for_each(|column| column[2] = -column[2]);
+        params.clip_from_view[2].iter_mut().for_each(|v| *v = -*v);
+    }
+    params
+}
+
+fn encode(g: &mut Guides, scene: &Scene, params: &FrameParams, c: &Conventions) {
+    let clip = params.clip_from_view;
+    for (i, (x, y)) in pixels(scene.extent).enumerate() {
+        let z = g.depth[i][0];
+        g.depth[i][0] = match c.depth {
+            DepthEncoding::Linear => z,
+            DepthEncoding::Device if z == 0.0 => 1.0,
+            DepthEncoding::Device => (clip[2][2] * -z + clip[3][2]) / z,
+            DepthEncoding::RayLength => {
+                let ndc = |p: u32, k: usize| (p as f32 + 0.5 + params.jitter[k]) / scene.extent[k] as f32 * 2.0 - 1.0;
+                let v = [ndc(x, 0) / clip[0][0], ndc(y, 1) / clip[1][1]];
+                z * (v[0] * v[0] + v[1] * v[1] + 1.0).sqrt()
+            }
+        };
+        let [nx, ny, nz, _] = g.normal[i];
+        let e = octahedral([nx, ny, nz]);
+        g.normal[i] = match c.normal {
+            NormalEncoding::Xyz => [nx, ny, nz, 0.0],
+            NormalEncoding::XyzUnorm => [0.5 * nx + 0.5, 0.5 * ny + 0.5, 0.5 * nz + 0.5, 0.0],
+            NormalEncoding::Octahedral => [e[0], e[1], 0.0, 0.0],
+            NormalEncoding::OctahedralUnorm => [0.5 * e[0] + 0.5, 0.5 * e[1] + 0.5, 0.0, 0.0],
+        };
+        g.motion[i][2] = if c.motion_depth == MotionDepth::Absolute { z } else { 0.01 * (i % 7) as f32 };
+        if c.motion_unit == MotionUnit::Pixels {
+            g.motion[i][0] *= scene.extent[0] as f32;
+        }
+    }
+}
+
+fn octahedral([x, y, z]: [f32; 3]) -> [f32; 2] {
+    let sum = x.abs() + y.abs() + z.abs();
+    if sum == 0.0 {
+        return [0.0; 2];
+    }
+    let (x, y) = (x / sum, y / sum);
+    let sign = |v: f32| if v >= 0.0 { 1.0 } else { -1.0 };
+    if z < 0.0 {
+        [(1.0 - y.abs()) * sign(x), (1.0 - x.abs()) * sign(y)]
+    } else {
+        [x, y]
+    }
+}

@@ -1,0 +1,179 @@
+//! Every stage on the GPU against its CPU twin, on what the GPU itself was given: differences do not add up from stage to stage.
+
+mod atrous;
+mod compare;
+mod demodulate;
+mod import;
+mod modulate;
+mod taa;
+mod temporal_accumulation;
+mod tone_map;
+mod variance;
+
+use super::support::{assert_valid, scene::Scene, session_with, upload};
+use super::GpuTest;
+use ::atrous::config::{PostProcess, Signals};
+use ::atrous::executor::{Session, SessionOptions};
+use ::atrous::reference::Image;
+use ::atrous::{Access, Config, Error, FrameContext, FrameParams, ResetReason, Shape, Tuning, UseFrame};
+use half::f16;
+use std::collections::BTreeMap;
+
+pub const TESTS: &[GpuTest] = &[
+    ("one_signal", || sequence(&Config::new([61, 35]))),
+    ("two_signals", || sequence(&Config { signals: Signals::Apart, ..Config::new([61, 35]) })),
+    ("object_normals", || sequence(&Config { object_normal: true, ..Config::new([40, 23]) })),
+    ("without_ids", || sequence(&Config { surface_id: false, ..Config::new([40, 23]) })),
+    ("one_pixel", || sequence(&Config::new([1, 1]))),
+    ("a_rect_in_a_larger_image", || sequence_of(&Config::new([64, 40]), [37, 21])),
+    ("import_in_every_encoding", import::every_encoding),
+    ("tone_map_curves", tone_map::curves),
+];
+
+/// What one pass was given and what it wrote.
+pub struct Captured<'a> {
+    pub frame: &'a FrameContext,
+    pub config: &'a Config,
+    inputs: BTreeMap<(String, UseFrame), Vec<u8>>,
+    outputs: BTreeMap<String, Vec<u8>>,
+}
+
+impl Captured<'_> {
+    fn bytes(&self, name: &str, frame: UseFrame) -> &[u8] {
+        self.inputs.get(&(name.to_owned(), frame)).unwrap_or_else(|| panic!("{name} {frame:?} was not captured"))
+    }
+
+    fn image<T: Clone + Default + bytemuck::Pod>(&self, bytes: &[u8]) -> Image<T> {
+        let texels = bytemuck::allocation::pod_collect_to_vec(bytes);
+        Image::from_texels(self.config.allocated_extent, texels).expect("extent")
+    }
+
+    pub fn has(&self, name: &str) -> bool {
+        self.inputs.contains_key(&(name.to_owned(), UseFrame::Current))
+    }
+
+    /// A host's image, which a session keeps as four floats.
+    pub fn host(&self, name: &str) -> Image<[f32; 4]> {
+        self.image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn optional_host(&self, name: &str) -> Option<Image<[f32; 4]>> {
+        self.has(name).then(|| self.host(name))
+    }
+
+    pub fn uints(&self, name: &str, frame: UseFrame) -> Image<u32> {
+        self.image(self.bytes(name, frame))
+    }
+
+    pub fn packed(&self, name: &str, frame: UseFrame) -> Image<[u16; 4]> {
+        self.image(self.bytes(name, frame))
+    }
+
+    pub fn halves(&self, name: &str, frame: UseFrame) -> Image<[f32; 4]> {
+        self.packed(name, frame).map(|t| t.map(|b| f16::from_bits(b).to_f32()))
+    }
+
+    pub fn written_uints(&self, name: &str) -> Image<u32> {
+        self.image(&self.outputs[name])
+    }
+
+    pub fn written_packed(&self, name: &str) -> Image<[u16; 4]> {
+        self.image(&self.outputs[name])
+    }
+
+    pub fn written_halves(&self, name: &str) -> Image<[f32; 4]> {
+        self.written_packed(name).map(|t| t.map(|b| f16::from_bits(b).to_f32()))
+    }
+
+    /// The suffixes of the signals' resources.
+    pub fn suffixes(&self) -> &'static [&'static str] {
+        match self.config.signals {
+            Signals::Together => &[""],
+            Signals::Apart => &["_direct", "_indirect"],
+        }
+    }
+
+    pub fn signals(&self, name: &str, frame: UseFrame) -> Vec<Image<[f32; 4]>> {
+        self.suffixes().iter().map(|s| self.halves(&format!("{name}{s}"), frame)).collect()
+    }
+
+    pub fn packed_signals(&self, name: &str, frame: UseFrame) -> Vec<Image<[u16; 4]>> {
+        self.suffixes().iter().map(|s| self.packed(&format!("{name}{s}"), frame)).collect()
+    }
+}
+
+/// References to the elements, as the twins take their signals.
+pub fn each<T>(images: &[T]) -> Vec<&T> {
+    images.iter().collect()
+}
+
+fn sequence(config: &Config) {
+    sequence_of(config, config.allocated_extent);
+}
+
+/// A few frames with a moving camera and a reset, every pass of each against its twin.
+fn sequence_of(config: &Config, extent: [u32; 2]) {
+    let config = Config { post_process: PostProcess::ToneMapTaa, ..*config };
+    let scene = Scene { speed: 0.12, allocated: config.allocated_extent, ..Scene::new(extent) };
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    let emission = vec![[0.25, 0.5, 0.125, 0.0]; (config.allocated_extent[0] * config.allocated_extent[1]) as usize];
+    s.upload("emission", &emission).expect("emission");
+    for i in 0..6 {
+        upload(&mut s, &scene.frame(i, i));
+        let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
+        let reset = (i == 4).then_some(ResetReason::CameraCut);
+        let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
+        run(&mut s, &config, &params, &Tuning::default());
+    }
+    assert_valid();
+}
+
+/// One frame, every pass against its twin.
+pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuning) {
+    let mut inputs = BTreeMap::new();
+    let trace = &mut |s: &mut Session, frame: &FrameContext, pass: usize, done: bool| {
+        if !done {
+            inputs = capture(s, pass, |access| access.reads())?;
+            return Ok(());
+        }
+        let outputs = capture(s, pass, |access| access.writes())?.into_iter().map(|((name, _), b)| (name, b)).collect();
+        check(s, pass, &Captured { frame, config, inputs: std::mem::take(&mut inputs), outputs });
+        Ok(())
+    };
+    s.run_traced(params, tuning, trace).expect("frame");
+}
+
+type Resources = BTreeMap<(String, UseFrame), Vec<u8>>;
+
+fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result<Resources, Error> {
+    let declaration = s.executor().denoiser().declaration().clone();
+    let mut captured = BTreeMap::new();
+    for u in declaration.passes()[pass].uses.iter().filter(|u| want(u.access)) {
+        let resource = declaration.resource(u.resource);
+        if matches!(resource.shape, Shape::Image { .. }) {
+            // An optional input that nothing is bound to has no bytes.
+            if let Ok(bytes) = s.download_bytes(resource.name, u.frame) {
+                captured.insert((resource.name.to_owned(), u.frame), bytes);
+            }
+        }
+    }
+    Ok(captured)
+}
+
+fn check(s: &Session, pass: usize, captured: &Captured) {
+    let pass = &s.executor().denoiser().declaration().passes()[pass];
+    match pass.name {
+        "start_frame" => {}
+        "import" => import::check(captured),
+        "demodulate" => demodulate::check(captured),
+        "temporal_accumulation" => temporal_accumulation::check(captured),
+        "variance" => variance::check(captured),
+        "modulate" => modulate::check(captured),
+        "tone_map" => tone_map::check(captured),
+        "taa" => taa::check(captured),
+        name => match name.strip_prefix("atrous_").and_then(|level| level.parse().ok()) {
+            Some(level) => atrous::check(captured, level),
+            None => panic!("no twin is compared with {name}"),
+        },
+    }
+}

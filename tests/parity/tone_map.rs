@@ -1,0 +1,30 @@
+//! `tone_map`.
+
+use super::compare::{halves, HALF};
+use super::{run, Captured};
+use crate::support::{assert_valid, scene::Scene, session_with, upload};
+use atrous::config::PostProcess;
+use atrous::executor::SessionOptions;
+use atrous::reference::tone_map;
+use atrous::{Config, ToneCurve, Tuning, UseFrame};
+
+pub fn check(c: &Captured) {
+    let twin = tone_map(&c.frame.constants, &c.halves("denoised_radiance", UseFrame::Current));
+    let name = if c.config.post_process == PostProcess::ToneMapTaa { "tone_mapped" } else { "display" };
+    halves(name, c, &c.written_halves(name), &twin, HALF);
+}
+
+/// Every curve, from black to far beyond white.
+pub fn curves() {
+    let scene = Scene { noise: 0.0, ..Scene::new([64, 4]) };
+    for tone_curve in [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear] {
+        let config = Config { post_process: PostProcess::ToneMap, levels: 1, ..Config::new(scene.extent) };
+        let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+        let mut g = scene.frame(0, 0);
+        let ramp = |i: usize| 2f32.powf((i % 64) as f32 / 3.0 - 8.0) * if i.is_multiple_of(64) { 0.0 } else { 1.0 };
+        g.noisy_radiance.iter_mut().enumerate().for_each(|(i, t)| *t = [ramp(i), 0.5 * ramp(i), 2.0 * ramp(i), 1.0]);
+        upload(&mut s, &g);
+        run(&mut s, &config, &scene.params(0), &Tuning { tone_curve, exposure: 1.7, ..Tuning::default() });
+    }
+    assert_valid();
+}
