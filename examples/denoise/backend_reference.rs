@@ -51,6 +51,7 @@ impl Backend for ReferenceBackend {
                 surface_id: ids.as_ref(),
                 roughness: roughness.as_ref(),
                 instance_transforms: None,
+                object_normal: None,
             },
             noisy: &noisy,
             albedo: albedo.as_ref(),

@@ -29,7 +29,7 @@ pub fn of_frame(frame: &FrameInputs, before: &FrameParams, c: &Conventions) -> S
     let width = frame.params.render_extent[0] as usize;
     let (depths, motions) = (frame.images.get("depth"), frame.images.get("motion"));
     for i in 0..pixels {
-        let at = Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
+        let at = Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) + Vec2::from(frame.params.jitter);
         let z = projection.linear_depth(at, depths.map_or(1.0, |d| d[i][0]));
         let carried = || projection.previous(at, z);
         let (motion, previous) = match motions.map(|m| m[i]) {
@@ -122,7 +122,8 @@ impl<'a> Projection<'a> {
             m.y = -m.y;
         }
         if c.motion_jittered {
-            m -= self.jitter_change;
+            // A sample lies jitter beside its pixel's centre, so a rasterised position is the true one minus jitter.
+            m += self.jitter_change;
         }
         m
     }

@@ -14,6 +14,9 @@ pub enum Type {
     Uint,
 }
 
+/// A value for every pixel.
+pub type Value = Box<dyn Fn(i32, i32) -> f32>;
+
 /// An EXR file to be written.
 pub struct Sample {
     pub compression: Compression,
@@ -22,7 +25,7 @@ pub struct Sample {
     /// Data window.
     pub data: IntegerBounds,
     /// Name, type, value at a pixel of the display window's coordinates.
-    pub channels: Vec<(String, Type, Box<dyn Fn(i32, i32) -> f32>)>,
+    pub channels: Vec<(String, Type, Value)>,
 }
 
 pub fn bounds(x: i32, y: i32, width: usize, height: usize) -> IntegerBounds {
