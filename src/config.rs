@@ -8,7 +8,7 @@ pub enum Signals {
     /// One image, `noisy_radiance`: direct and indirect light together.
     #[default]
     Together,
-    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as [SVGF] does. Keeps shadow edges that the sum blurs.
+    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow edges that the sum blurs.
     Apart,
 }
 
@@ -153,7 +153,7 @@ pub enum PostProcess {
 /// Which filter: a list of nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preset {
-    /// Spatiotemporal variance-guided filtering [SVGF].
+    /// Spatiotemporal variance-guided filtering \[SVGF\].
     #[default]
     Svgf,
 }

@@ -1,4 +1,4 @@
-//! Spatiotemporal variance-guided filtering [SVGF].
+//! Spatiotemporal variance-guided filtering \[SVGF\].
 
 use crate::config::{Config, PostProcess};
 use crate::contract::{Declaration, Lifetime};

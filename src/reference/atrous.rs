@@ -1,4 +1,4 @@
-//! The stage `atrous` [SVGF 4.3, eq. 1 to 5]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
+//! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
 use super::binary16::store;
 use super::geometry_weights::Geometry;
@@ -12,7 +12,7 @@ mod edge_tests;
 #[cfg(test)]
 mod tests;
 
-/// The B3 spline [EAW]: one axis of the 5×5 kernel.
+/// The B3 spline \[EAW\]: one axis of the 5×5 kernel.
 const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
 
 /// Tolerated difference of luminance where the variance is 0.

@@ -1,4 +1,4 @@
-//! The stage `temporal_accumulation` [SVGF 4.1]: irradiance and moments of luminance accumulated along the motion of the surface.
+//! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
 
 use super::binary16::{store, LARGEST_HALF};
 use super::conventions::is_reset;
@@ -186,7 +186,7 @@ impl Reprojected {
     }
 }
 
-/// Blends one signal of one pixel with its history [SVGF 4.1].
+/// Blends one signal of one pixel with its history \[SVGF 4.1\].
 fn accumulate(frame: &FrameConstants, c: [f32; 4], history: History, signal: Option<&SignalHistory>) -> ([f32; 4], Moments) {
     let l = texel_luminance(c);
     let fresh = |reason: Reason| {
