@@ -8,7 +8,7 @@ pub enum Signals {
     /// One image, `noisy_radiance`: direct and indirect light together.
     #[default]
     Together,
-    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as [SVGF] does. Keeps shadow edges that the sum blurs.
+    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow edges that the sum blurs.
     Apart,
 }
 
@@ -153,12 +153,12 @@ pub enum PostProcess {
 /// Which filter: a list of nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preset {
-    /// Spatiotemporal variance-guided filtering [SVGF].
+    /// Spatiotemporal variance-guided filtering \[SVGF\].
     #[default]
     Svgf,
-    /// Adaptive temporal filtering [ASVGF]: temporal gradients of re-shaded samples say where history is out of date.
+    /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples say where history is out of date.
     Asvgf,
-    /// The same gradients drive a temporal accumulation over the output of any other denoiser [ASVGF 4]. One signal.
+    /// The same gradients drive a temporal accumulation over the output of any other denoiser \[ASVGF 4\]. One signal.
     Stabilize,
 }
 
@@ -192,7 +192,7 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
-    /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 [ASVGF]. Only for presets with gradients.
+    /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
     pub stratum_size: u32,
     /// Where the temporal gradients come from. Only for presets with gradients.
     pub gradient_source: GradientSource,

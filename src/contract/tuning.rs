@@ -24,7 +24,7 @@ pub struct TuningField {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u32)]
 pub enum ToneCurve {
-    /// Fit of the ACES reference curve [Narkowicz 2015].
+    /// Fit of the ACES reference curve (Narkowicz 2015).
     #[default]
     Aces = 0,
     /// `x / (1 + luminance)`, which keeps hues.
@@ -76,19 +76,19 @@ macro_rules! tuning {
 }
 
 tuning! {
-    /// Smallest weight of the new sample in the accumulated irradiance [SVGF 4.1]. Raising it reacts faster to changed light and leaves more noise.
+    /// Smallest weight of the new sample in the accumulated irradiance (SVGF 4.1). Raising it reacts faster to changed light and leaves more noise.
     alpha: "1", 0.0 ..= 1.0, 0.2;
     /// The same for the moments of luminance, from which the variance comes. Raising it follows changes faster and makes the filter width unsteady.
     alpha_moments: "1", 0.0 ..= 1.0, 0.2;
     /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the running mean.
     max_history_length: "frames", 1.0 ..= 1024.0, 256.0;
-    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood [SVGF 4.2]. Raising it blurs longer after a disocclusion.
+    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood (SVGF 4.2). Raising it blurs longer after a disocclusion.
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
-    /// Luminance edge stopping: tolerated difference in standard deviations [SVGF eq. 5]. Raising it blurs more.
+    /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
     sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
-    /// Normal edge stopping: exponent of the cosine [SVGF eq. 4]. Raising it keeps finer relief and leaves more noise on curved surfaces.
+    /// Normal edge stopping: exponent of the cosine (SVGF eq. 4). Raising it keeps finer relief and leaves more noise on curved surfaces.
     sigma_n: "1", 0.0 ..= 1024.0, 128.0;
-    /// Depth edge stopping: tolerated departure from the local plane [SVGF eq. 3]. Raising it blurs across depth steps.
+    /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
     sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
     /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks ghosts.
     depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
@@ -98,7 +98,7 @@ tuning! {
     gradient_scale: "1", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
-    /// Weight of the new frame in temporal anti-aliasing [Karis 2014]. Raising it is sharper in motion and jitters more.
+    /// Weight of the new frame in temporal anti-aliasing (Karis 2014). Raising it is sharper in motion and jitters more.
     taa_alpha: "1", 0.01 ..= 1.0, 0.1;
     /// Size of the colour box that clips the history of temporal anti-aliasing. Raising it flickers less and ghosts more.
     taa_gamma: "standard deviations", 0.0 ..= 8.0, 1.25;

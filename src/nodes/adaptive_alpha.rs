@@ -1,4 +1,4 @@
-//! How far the history of a pixel is still true. [ASVGF] 3.5, eq. 14.
+//! How far the history of a pixel is still true. \[ASVGF\] 3.5, eq. 14.
 
 use super::{Builder, Frame, HOST_SCALAR};
 use crate::contract::{ImageFormat, Lifetime, Phase, ResourceId};

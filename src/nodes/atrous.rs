@@ -1,4 +1,4 @@
-//! The edge-avoiding à-trous wavelet transform, guided by variance. [SVGF] 4.3, eq. 1 to 5.
+//! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
 
 use super::{by_signals, Builder, Frame, Guides, Signal};
 use crate::contract::{Phase, ResourceId};
@@ -7,9 +7,9 @@ use crate::shaders;
 /// The kernel of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kernel {
-    /// 5×5 B3 spline [SVGF].
+    /// 5×5 B3 spline \[SVGF\].
     Spline,
-    /// 3×3 box [ASVGF].
+    /// 3×3 box \[ASVGF\].
     Box,
 }
 

@@ -1,4 +1,4 @@
-//! Picks a pixel in every stratum of the previous frame and finds it in this one, for the host to shade again. [ASVGF] 3.1, 3.3.
+//! Picks a pixel in every stratum of the previous frame and finds it in this one, for the host to shade again. \[ASVGF\] 3.1, 3.3.
 
 use super::{Builder, Frame, Guides, Strata, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};
 use crate::config::Config;

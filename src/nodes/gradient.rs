@@ -1,4 +1,4 @@
-//! How much the luminance of the same samples changed from the previous frame to this one, per stratum. [ASVGF] eq. 2, 3, 13.
+//! How much the luminance of the same samples changed from the previous frame to this one, per stratum. \[ASVGF\] eq. 2, 3, 13.
 
 use super::{Builder, Frame, Guides, Signal, HDR, HOST_COLOUR, PACKED_32, PACKED_64};
 use crate::contract::{Lifetime, Phase, ResourceId, Use};

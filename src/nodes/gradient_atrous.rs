@@ -1,4 +1,4 @@
-//! Spreads the gradients over strata without a sample, and takes their noise. [ASVGF] 3.4, eq. 7 to 12.
+//! Spreads the gradients over strata without a sample, and takes their noise. \[ASVGF\] 3.4, eq. 7 to 12.
 
 use super::gradient::GradientImages;
 use super::{Builder, Frame, Guides, Strata};

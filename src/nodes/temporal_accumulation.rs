@@ -1,10 +1,10 @@
-//! Blends each pixel with its own past, found by motion and tested tap by tap. [SVGF] 4.1.
+//! Blends each pixel with its own past, found by motion and tested tap by tap. \[SVGF\] 4.1.
 
 use super::{Builder, Frame, Guides, Signal};
 use crate::contract::{Phase, ResourceId};
 use crate::shaders;
 
-/// `history_confidence`: by how much each pixel's alpha rises [ASVGF]. Reads and writes `filter_ping*` in place: an invocation touches its own texel alone.
+/// `history_confidence`: by how much each pixel's alpha rises \[ASVGF\]. Reads and writes `filter_ping*` in place: an invocation touches its own texel alone.
 pub(crate) fn temporal_accumulation(
     b: &mut Builder,
     frame: Frame,

@@ -1,4 +1,4 @@
-//! Adaptive temporal filtering by temporal gradients [ASVGF].
+//! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
 use super::{gradients, post_process};
 use crate::config::Config;

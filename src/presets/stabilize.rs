@@ -1,4 +1,4 @@
-//! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, [ASVGF] 4).
+//! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\] 4).
 
 use super::{gradients, post_process};
 use crate::config::Config;

@@ -1,4 +1,4 @@
-//! The stage `adaptive_alpha` [ASVGF 3.5, eq. 14]: how far the history of a pixel is still true.
+//! The stage `adaptive_alpha` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
 use super::{render_rect::RenderRect, Image};
 use crate::FrameConstants;

@@ -1,4 +1,4 @@
-//! The stage `forward_project` [ASVGF 3.1, 3.3]: one pixel of every stratum of the previous frame, found in this one, to be shaded again.
+//! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be shaded again.
 
 use super::conventions::{is_reset, motion_points_up, motion_unit};
 use super::forward_projection::{covering_pixel, invert_transform, is_visible, previous_world_position, project, ForwardPosition};

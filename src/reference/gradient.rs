@@ -1,4 +1,4 @@
-//! The stage `gradient` [ASVGF eq. 2, 3, 13]: how much the luminance of the same samples changed, with mean and deviation per stratum.
+//! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per stratum.
 
 use super::binary16::{from_half_bits, half_bits, round_to_half, LARGEST_HALF};
 use super::conventions::{is_reset, is_reshaded};

@@ -1,4 +1,4 @@
-//! The stage `gradient_atrous` [ASVGF 3.4, eq. 7 to 12]: an iteration of the reconstruction of the temporal gradient.
+//! The stage `gradient_atrous` \[ASVGF 3.4, eq. 7 to 12\]: an iteration of the reconstruction of the temporal gradient.
 
 use super::atrous::LUMINANCE_EPSILON;
 use super::binary16::round_to_half;

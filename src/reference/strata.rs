@@ -1,4 +1,4 @@
-//! Strata: blocks of pixels with at most one gradient sample each [ASVGF 3.1].
+//! Strata: blocks of pixels with at most one gradient sample each \[ASVGF 3.1\].
 
 use crate::FrameConstants;
 use glam::{IVec2, UVec2};

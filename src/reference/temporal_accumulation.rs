@@ -1,4 +1,4 @@
-//! The stage `temporal_accumulation` [SVGF 4.1]: irradiance and moments of luminance accumulated along the motion of the surface.
+//! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
 
 use super::binary16::{store, LARGEST_HALF};
 use super::conventions::is_reset;
@@ -60,7 +60,7 @@ pub struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// As written by `adaptive_alpha`: alpha rises where it is below 1 [ASVGF 3.5].
+    /// As written by `adaptive_alpha`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
@@ -199,7 +199,7 @@ struct AlphaBounds {
 }
 
 impl AlphaBounds {
-    /// `change`: 0, light is as it was, to 1 [ASVGF 3.5].
+    /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
     fn new(frame: &FrameConstants, is_adaptive: bool, change: f32) -> Self {
         let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
         let alpha = adapted(frame.alpha);
@@ -209,7 +209,7 @@ impl AlphaBounds {
     }
 }
 
-/// Blends one signal of one pixel with its history [SVGF 4.1].
+/// Blends one signal of one pixel with its history \[SVGF 4.1\].
 fn accumulate(
     frame: &FrameConstants,
     c: [f32; 4],
