@@ -94,7 +94,7 @@ tuning! {
     depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
-    /// Scale of the relative change of light λ by which history is dropped [ASVGF eq. 14]. At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
+    /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
     gradient_scale: "1", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
@@ -105,7 +105,7 @@ tuning! {
 }
 
 impl Tuning {
-    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 [ASVGF].
+    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF).
     pub fn for_preset(preset: Preset) -> Self {
         match preset {
             Preset::Svgf => Self::default(),
