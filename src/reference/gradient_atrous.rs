@@ -10,6 +10,9 @@ use super::Image;
 use crate::FrameConstants;
 use glam::{IVec2, Vec2};
 
+#[cfg(test)]
+mod tests;
+
 /// Iterations of the presets.
 pub const GRADIENT_ITERATIONS: u32 = 5;
 
