@@ -156,6 +156,31 @@ pub enum Preset {
     /// Spatiotemporal variance-guided filtering [SVGF].
     #[default]
     Svgf,
+    /// Percentile-based adaptive SVGF [PSVGF]: statistics of blocks say where history is out of date. Needs nothing of the host that SVGF does not.
+    Percentile,
+}
+
+/// How [`Preset::Percentile`] finds out that light has changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AdaptiveRule {
+    /// The mean difference between a frame and its history over 24×24 pixels, against its standard error. Sees a light that comes on as well as one
+    /// that goes out.
+    #[default]
+    ChangeTest,
+    /// As published: history outside of the percentiles of the noisy frame is dropped. At one sample a pixel the low percentile is next to 0, so
+    /// that a light that comes on is not seen.
+    Percentiles,
+}
+
+/// How the percentiles of a block are found. The result is the same to the bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum BlockSort {
+    /// Every pixel counts those before it: one barrier.
+    #[default]
+    Counting = 0,
+    /// Odd-even transposition as published [PSVGF]: 64 rounds with a barrier each. For comparison.
+    OddEven = 1,
 }
 
 /// What is decided once. [`crate::Tuning`] holds what may change from frame to frame.
@@ -171,6 +196,13 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
+    /// Scales outliers of the input down to what is usual around them, before they reach the history [PSVGF]. [`Preset::Percentile`] always does.
+    /// Default: false.
+    pub firefly_filter: bool,
+    /// How the preset `Percentile` sees changed light.
+    pub adaptive_rule: AdaptiveRule,
+    /// How percentiles are found.
+    pub block_sort: BlockSort,
     /// Whether the host has an image of surface ids. Default: true.
     pub surface_id: bool,
     /// Whether the host has object-space normals, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
@@ -193,6 +225,9 @@ impl Config {
             preset: Preset::default(),
             signals: Signals::default(),
             levels: 5,
+            firefly_filter: false,
+            adaptive_rule: AdaptiveRule::default(),
+            block_sort: BlockSort::default(),
             surface_id: true,
             object_normal: false,
             post_process: PostProcess::default(),

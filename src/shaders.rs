@@ -109,7 +109,7 @@ include!(env!("ATROUS_SHADERS"));
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::{Config, PostProcess, Signals};
+    use crate::config::{AdaptiveRule, Config, PostProcess, Preset, Signals};
     use crate::contract::{ImageFormat, PassDecl, Shape, Work};
     use crate::{Declaration, UseFrame};
     use std::collections::BTreeSet;
@@ -123,6 +123,11 @@ mod tests {
                     for levels in [1, 2, 5, 10] {
                         let config = Config { signals, surface_id, object_normal, post_process, levels, ..Config::new([64, 36]) };
                         all.push(config.declare().expect("valid"));
+                    }
+                    let config = Config { signals, surface_id, object_normal, post_process, ..Config::new([64, 36]) };
+                    all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
+                    for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
+                        all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
                     }
                 }
             }

@@ -1,7 +1,11 @@
 //! The stages as nodes: which shader, which resources, how each is touched. A node adds its passes to a [`Builder`]; nothing is allocated.
 
+mod adaptive_history;
 mod atrous;
+mod block_difference;
+mod block_percentiles;
 mod demodulate;
+mod firefly;
 mod import;
 mod modulate;
 mod start_frame;
@@ -10,15 +14,19 @@ mod temporal_accumulation;
 mod tone_map;
 mod variance;
 
-pub(crate) use atrous::{atrous, Filtered};
+pub(crate) use adaptive_history::{change_test, percentile_rule};
+pub(crate) use atrous::{atrous, Filtered, Kernel};
+pub(crate) use block_difference::block_difference;
+pub(crate) use block_percentiles::{block_percentiles, BLOCK_SIZE};
 pub(crate) use demodulate::demodulate;
+pub(crate) use firefly::firefly;
 pub(crate) use import::{import, Guides};
 pub(crate) use modulate::modulate;
 pub(crate) use start_frame::{start_frame, Frame, STATISTICS_COUNT};
 pub(crate) use taa::taa;
 pub(crate) use temporal_accumulation::temporal_accumulation;
 pub(crate) use tone_map::tone_map;
-pub(crate) use variance::variance;
+pub(crate) use variance::{variance, Estimate};
 
 use crate::config::Signals;
 use crate::contract::{
@@ -53,6 +61,11 @@ impl Builder {
     /// An image with one texel per pixel.
     pub fn image(&mut self, name: &'static str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Image { format, divisor: 1 }, lifetime)
+    }
+
+    /// An image with one texel per block of pixels.
+    pub fn block_image(&mut self, name: &'static str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
+        self.resource(name, Shape::Image { format, divisor: BLOCK_SIZE }, lifetime)
     }
 
     pub fn buffer(&mut self, name: &'static str, size: u64, lifetime: Lifetime) -> ResourceId {

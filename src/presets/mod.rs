@@ -1,5 +1,34 @@
 //! Presets: each a short list of nodes.
 
+mod percentile;
 mod svgf;
 
+pub(crate) use percentile::percentile;
 pub(crate) use svgf::svgf;
+
+use crate::config::{Config, PostProcess};
+use crate::contract::{Lifetime, ResourceId};
+use crate::nodes::{self, Builder, Frame, Guides, Signal, HDR};
+
+/// What every preset ends with.
+fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: ResourceId) {
+    if config.post_process == PostProcess::None {
+        return;
+    }
+    let display = b.image("display", HDR, Lifetime::Output);
+    if config.post_process == PostProcess::ToneMapTaa {
+        let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
+        nodes::tone_map(b, frame, denoised, tone_mapped);
+        nodes::taa(b, frame, guides, tone_mapped, display);
+    } else {
+        nodes::tone_map(b, frame, denoised, display);
+    }
+}
+
+/// Outliers leave before the history, where the configuration wants it.
+fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) {
+    if config.firefly_filter {
+        let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
+        nodes::firefly(b, frame, guides, signals, &percentiles);
+    }
+}

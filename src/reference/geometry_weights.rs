@@ -15,6 +15,7 @@ pub(crate) struct Geometry {
     gradients: Image<Vec2>,
     sigma_z: f32,
     sigma_n: f32,
+    edge_falloff: f32,
 }
 
 impl Geometry {
@@ -24,6 +25,7 @@ impl Geometry {
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
             sigma_z: frame.sigma_z,
             sigma_n: frame.sigma_n,
+            edge_falloff: frame.edge_falloff,
         }
     }
 
@@ -47,9 +49,11 @@ impl Geometry {
         let along_plane = self.gradients.at(p).dot((q - p).as_vec2()).abs();
         let tolerance = self.sigma_z * along_plane + DEPTH_EPSILON * at_p.linear_depth;
         let difference = (at_p.linear_depth - at_q.linear_depth).abs();
+        // Depth-dependent edge functions [PSVGF].
+        let influence = 1.0 / (1.0 + self.edge_falloff * at_p.linear_depth);
         let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
         // 0⁰ = 1: a sigma of 0 switches normals off. A cosine of 0 is an exponent of −∞, a weight of 0.
         let exponent_n = if self.sigma_n == 0.0 { 0.0 } else { self.sigma_n * at_p.cosine(&at_q).max(0.0).ln() };
-        (exponent_z + exponent_n).exp()
+        ((exponent_z + exponent_n) * influence).exp()
     }
 }

@@ -9,13 +9,19 @@
 //! | --- | --- |
 //! | \[EAW\] | Dammertz et al.: Edge-Avoiding À-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010 |
 //! | \[SVGF\] | Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017 |
+//! | \[PSVGF\] | Alber: Percentile-based Adaptive Spatiotemporal Variance-Guided Filtering for GI and Volumes, KIT |
 //! | \[Karis 2014\] | High-Quality Temporal Supersampling, SIGGRAPH courses 2014 |
 //! | \[Narkowicz 2015\] | ACES Filmic Tone Mapping Curve |
 
+mod adaptive_history;
 mod atrous;
 mod binary16;
+mod block_difference;
+mod block_percentiles;
+mod blocks;
 mod conventions;
 mod demodulate;
+mod firefly;
 mod geometry_weights;
 mod guide;
 mod image;
@@ -23,6 +29,7 @@ mod import;
 mod luminance;
 mod modulate;
 mod moments;
+mod nearest_history;
 mod octahedral;
 mod projection;
 mod render_rect;
@@ -37,9 +44,14 @@ mod test_scene;
 mod tone_map;
 mod variance;
 
-pub use atrous::{atrous, AtrousInputs, LUMINANCE_EPSILON};
+pub use adaptive_history::{change_test, percentile_rule, PercentileRuleInputs, CHANGE_EPSILON, RANGE_EPSILON};
+pub use atrous::{atrous, box_atrous, AtrousInputs, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
+pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
+pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
+pub use blocks::BLOCK_SIZE;
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use firefly::{firefly, FireflyInputs};
 pub use geometry_weights::DEPTH_EPSILON;
 pub use guide::{fold_id, pack_guide, unpack_guide, Surface};
 pub use image::Image;
@@ -47,6 +59,7 @@ pub use import::{import, ImportInputs, ImportOutputs};
 pub use luminance::luminance;
 pub use modulate::{modulate, ModulateInputs, ModulateOutputs};
 pub use moments::{pack_moments, unpack_moments, Moments, Reason};
+pub use nearest_history::HistoryGuides;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
 pub use reprojection::InstanceTransform;
 pub use statistics::{Counter, Statistics};
@@ -59,4 +72,4 @@ pub use temporal_accumulation::{
     temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
 };
 pub use tone_map::tone_map;
-pub use variance::{variance, VarianceInputs};
+pub use variance::{fading_variance, variance, VarianceInputs};

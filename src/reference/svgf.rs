@@ -144,6 +144,8 @@ impl Svgf {
             surface_motion: &imported.surface_motion,
             depth_gradient: &imported.depth_gradient,
             irradiance: &each(irradiance),
+            history_confidence: None,
+            repair: false,
             object_normals: imported
                 .object_normal_guide
                 .as_ref()

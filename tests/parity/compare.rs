@@ -2,7 +2,7 @@
 
 use super::Captured;
 use crate::support::pixels;
-use atrous::reference::Image;
+use atrous::reference::{Image, BLOCK_SIZE};
 
 /// Half floats have 11 bits and devices round them either way: two steps, and next to nothing near zero.
 pub const HALF: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-5, outliers: 0.0 };
@@ -24,7 +24,31 @@ pub fn texels<const N: usize, T: Copy + Default + 'static>(
     tolerance: Tolerance,
     values: impl Fn(T) -> [f32; N],
 ) {
-    let extent = captured.frame.render_extent;
+    within(what, captured, captured.frame.render_extent, gpu, twin, tolerance, values);
+}
+
+/// Compares images with one texel a block.
+pub fn blocks<const N: usize, T: Copy + Default + 'static>(
+    what: &str,
+    captured: &Captured,
+    gpu: &Image<T>,
+    twin: &Image<T>,
+    tolerance: Tolerance,
+    values: impl Fn(T) -> [f32; N],
+) {
+    let extent = captured.frame.render_extent.map(|side| side.div_ceil(BLOCK_SIZE));
+    within(what, captured, extent, gpu, twin, tolerance, values);
+}
+
+fn within<const N: usize, T: Copy + Default + 'static>(
+    what: &str,
+    captured: &Captured,
+    extent: [u32; 2],
+    gpu: &Image<T>,
+    twin: &Image<T>,
+    tolerance: Tolerance,
+    values: impl Fn(T) -> [f32; N],
+) {
     let (mut differ, mut first) = (0, None);
     for (x, y) in pixels(extent) {
         let texel = |image: &Image<T>| values(*image.get(x as i32, y as i32).expect("inside"));
@@ -39,7 +63,7 @@ pub fn texels<const N: usize, T: Copy + Default + 'static>(
         }
     }
     if let Some((x, y, gpu, twin)) = first {
-        let allowed = (tolerance.outliers * (extent[0] * extent[1]) as f32) as usize;
+        let allowed = (tolerance.outliers * (extent[0] * extent[1]) as f32).ceil() as usize;
         let (frame, reset) = (captured.frame.index, captured.frame.reset);
         assert!(
             differ <= allowed,

@@ -1,8 +1,12 @@
 //! Every stage on the GPU against its CPU twin, on what the GPU itself was given: differences do not add up from stage to stage.
 
+mod adaptive_history;
 mod atrous;
+mod block_difference;
+mod block_percentiles;
 mod compare;
 mod demodulate;
+mod firefly;
 mod import;
 mod modulate;
 mod taa;
@@ -12,9 +16,9 @@ mod variance;
 
 use super::support::{assert_valid, scene::Scene, session_with, upload};
 use super::GpuTest;
-use ::atrous::config::{PostProcess, Signals};
+use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Signals};
 use ::atrous::executor::{Session, SessionOptions};
-use ::atrous::reference::Image;
+use ::atrous::reference::{Image, BLOCK_SIZE};
 use ::atrous::{Access, Config, Error, FrameContext, FrameParams, ResetReason, Shape, Tuning, UseFrame};
 use half::f16;
 use std::collections::BTreeMap;
@@ -26,9 +30,22 @@ pub const TESTS: &[GpuTest] = &[
     ("without_ids", || sequence(&Config { surface_id: false, ..Config::new([40, 23]) })),
     ("one_pixel", || sequence(&Config::new([1, 1]))),
     ("a_rect_in_a_larger_image", || sequence_of(&Config::new([64, 40]), [37, 21])),
+    ("firefly_filter", || sequence(&Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..Config::new([61, 35]) })),
+    ("percentile", || sequence(&percentile([61, 35]))),
+    ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([61, 35]) })),
+    ("percentile_published", || sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile([61, 35]) })),
+    ("percentile_published_two_signals", || {
+        sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile([40, 23]) })
+    }),
+    ("percentile_object_normals", || sequence(&Config { object_normal: true, signals: Signals::Apart, ..percentile([40, 23]) })),
+    ("percentile_in_a_larger_image", || sequence_of(&percentile([64, 40]), [37, 21])),
     ("import_in_every_encoding", import::every_encoding),
     ("tone_map_curves", tone_map::curves),
 ];
+
+fn percentile(extent: [u32; 2]) -> Config {
+    Config { preset: Preset::Percentile, ..Config::new(extent) }
+}
 
 /// What one pass was given and what it wrote.
 pub struct Captured<'a> {
@@ -46,6 +63,31 @@ impl Captured<'_> {
     fn image<T: Clone + Default + bytemuck::Pod>(&self, bytes: &[u8]) -> Image<T> {
         let texels = bytemuck::allocation::pod_collect_to_vec(bytes);
         Image::from_texels(self.config.allocated_extent, texels).expect("extent")
+    }
+
+    fn block_image<T: Clone + Default + bytemuck::Pod>(&self, bytes: &[u8]) -> Image<T> {
+        let extent = self.config.allocated_extent.map(|side| side.div_ceil(BLOCK_SIZE));
+        Image::from_texels(extent, bytemuck::allocation::pod_collect_to_vec(bytes)).expect("extent")
+    }
+
+    pub fn block_uints(&self, name: &str) -> Image<u32> {
+        self.block_image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn block_packed(&self, name: &str) -> Image<[u16; 4]> {
+        self.block_image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn written_blocks<T: Clone + Default + bytemuck::Pod>(&self, name: &str) -> Image<T> {
+        self.block_image(&self.outputs[name])
+    }
+
+    pub fn floats(&self, name: &str) -> Image<f32> {
+        self.image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn written_floats(&self, name: &str) -> Image<f32> {
+        self.image(&self.outputs[name])
     }
 
     pub fn has(&self, name: &str) -> bool {
@@ -123,7 +165,7 @@ fn sequence_of(config: &Config, extent: [u32; 2]) {
         let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
-        run(&mut s, &config, &params, &Tuning::default());
+        run(&mut s, &config, &params, &Tuning::for_preset(config.preset));
     }
     assert_valid();
 }
@@ -171,6 +213,10 @@ fn check(s: &Session, pass: usize, captured: &Captured) {
         "modulate" => modulate::check(captured),
         "tone_map" => tone_map::check(captured),
         "taa" => taa::check(captured),
+        "adaptive_history" => adaptive_history::check(captured),
+        name if name.starts_with("block_percentiles") => block_percentiles::check(captured, &name["block_percentiles".len()..]),
+        name if name.starts_with("block_difference") => block_difference::check(captured, &name["block_difference".len()..]),
+        name if name.starts_with("firefly") => firefly::check(captured, &name["firefly".len()..]),
         name => match name.strip_prefix("atrous_").and_then(|level| level.parse().ok()) {
             Some(level) => atrous::check(captured, level),
             None => panic!("no twin is compared with {name}"),

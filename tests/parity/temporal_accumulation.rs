@@ -2,6 +2,7 @@
 
 use super::compare::{halves, texels, Tolerance, HALF};
 use super::{each, Captured};
+use atrous::config::Preset;
 use atrous::reference::{
     temporal_accumulation, unpack_moments, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
 };
@@ -22,12 +23,15 @@ pub fn check(c: &Captured) {
     let (object_normal, previous_object_normal) = (packed(UseFrame::Current), packed(UseFrame::Previous));
     let object_normals =
         object_normal.as_ref().zip(previous_object_normal.as_ref()).map(|(current, previous)| ObjectNormals { current, previous });
+    let history_confidence = c.has("history_confidence").then(|| c.floats("history_confidence"));
     let inputs = TemporalAccumulationInputs {
         guide: &guide,
         surface_motion: &surface_motion,
         depth_gradient: &depth_gradient,
         irradiance: &each(&irradiance),
         object_normals,
+        history_confidence: history_confidence.as_ref(),
+        repair: c.config.preset == Preset::Percentile,
         previous: Some(PreviousFrame { guide: &previous_guide, signals: &signals }),
     };
     let twin = temporal_accumulation(&c.frame.constants, &inputs);

@@ -1,7 +1,7 @@
 //! Fixed points, the kernel, and the variance against Monte Carlo.
 
 use super::super::test_scene::*;
-use super::*;
+use super::{SPLINE as KERNEL, *};
 
 const EXTENT: [u32; 2] = [21, 17];
 
