@@ -1,7 +1,7 @@
 //! `uses` against the SPIR-V, read by a second reader that the build does not use.
 
 use super::GpuTest;
-use atrous::config::{PostProcess, Signals};
+use atrous::config::{PostProcess, Preset, Signals};
 use atrous::{Access, Config, PassDecl, Shape};
 use spirv_reflect::types::ReflectDescriptorType as Kind;
 use spirv_reflect::ShaderModule;
@@ -11,8 +11,10 @@ pub const TESTS: &[GpuTest] = &[("uses_equal_the_spirv_by_a_second_reader", uses
 fn uses_equal_the_spirv_by_a_second_reader() {
     let mut modules = 0;
     for signals in [Signals::Together, Signals::Apart] {
-        for object_normal in [false, true] {
-            let config = Config { signals, object_normal, post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+        for (preset, object_normal) in
+            [(Preset::Svgf, false), (Preset::Svgf, true), (Preset::Percentile, false), (Preset::Percentile, true)]
+        {
+            let config = Config { preset, signals, object_normal, post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
             let declaration = config.declare().expect("valid");
             for pass in declaration.passes() {
                 let Some(spirv) = pass.spirv() else { continue };

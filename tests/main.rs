@@ -8,6 +8,7 @@ mod contract;
 mod declarations;
 mod parity;
 mod pattern;
+mod percentile;
 mod properties;
 mod sequences;
 mod support;
@@ -28,13 +29,14 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 8] = [
+    let groups: [(&str, &[GpuTest], bool); 9] = [
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("bad_input", bad_input::TESTS, true),
         ("properties", properties::TESTS, true),
         ("parity", parity::TESTS, true),
         ("pattern", pattern::TESTS, true),
+        ("percentile", percentile::TESTS, true),
         ("sequences", sequences::TESTS, true),
         ("sync_validation", sync_validation::TESTS, true),
     ];
