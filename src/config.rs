@@ -8,7 +8,7 @@ pub enum Signals {
     /// One image, `noisy_radiance`: direct and indirect light together.
     #[default]
     Together,
-    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as [SVGF] does. Keeps shadow edges that the sum blurs.
+    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow edges that the sum blurs.
     Apart,
 }
 
@@ -153,10 +153,10 @@ pub enum PostProcess {
 /// Which filter: a list of nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preset {
-    /// Spatiotemporal variance-guided filtering [SVGF].
+    /// Spatiotemporal variance-guided filtering \[SVGF\].
     #[default]
     Svgf,
-    /// Percentile-based adaptive SVGF [PSVGF]: statistics of blocks say where history is out of date. Needs nothing of the host that SVGF does not.
+    /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the host that SVGF does not.
     Percentile,
 }
 
@@ -179,7 +179,7 @@ pub enum BlockSort {
     /// Every pixel counts those before it: one barrier.
     #[default]
     Counting = 0,
-    /// Odd-even transposition as published [PSVGF]: 64 rounds with a barrier each. For comparison.
+    /// Odd-even transposition as published \[PSVGF\]: 64 rounds with a barrier each. For comparison.
     OddEven = 1,
 }
 
@@ -196,7 +196,7 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
-    /// Scales outliers of the input down to what is usual around them, before they reach the history [PSVGF]. [`Preset::Percentile`] always does.
+    /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\]. [`Preset::Percentile`] always does.
     /// Default: false.
     pub firefly_filter: bool,
     /// How the preset `Percentile` sees changed light.

@@ -24,7 +24,7 @@ pub struct TuningField {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u32)]
 pub enum ToneCurve {
-    /// Fit of the ACES reference curve [Narkowicz 2015].
+    /// Fit of the ACES reference curve (Narkowicz 2015).
     #[default]
     Aces = 0,
     /// `x / (1 + luminance)`, which keeps hues.
@@ -76,47 +76,47 @@ macro_rules! tuning {
 }
 
 tuning! {
-    /// Smallest weight of the new sample in the accumulated irradiance [SVGF 4.1]. Raising it reacts faster to changed light and leaves more noise.
+    /// Smallest weight of the new sample in the accumulated irradiance (SVGF 4.1). Raising it reacts faster to changed light and leaves more noise.
     alpha: "1", 0.0 ..= 1.0, 0.2;
     /// The same for the moments of luminance, from which the variance comes. Raising it follows changes faster and makes the filter width unsteady.
     alpha_moments: "1", 0.0 ..= 1.0, 0.2;
     /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the running mean.
     max_history_length: "frames", 1.0 ..= 1024.0, 256.0;
-    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood [SVGF 4.2]. Raising it blurs longer after a disocclusion.
+    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood (SVGF 4.2). Raising it blurs longer after a disocclusion.
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
-    /// Luminance edge stopping: tolerated difference in standard deviations [SVGF eq. 5]. Raising it blurs more.
+    /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
     sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
-    /// Normal edge stopping: exponent of the cosine [SVGF eq. 4]. Raising it keeps finer relief and leaves more noise on curved surfaces.
+    /// Normal edge stopping: exponent of the cosine (SVGF eq. 4). Raising it keeps finer relief and leaves more noise on curved surfaces.
     sigma_n: "1", 0.0 ..= 1024.0, 128.0;
-    /// Depth edge stopping: tolerated departure from the local plane [SVGF eq. 3]. Raising it blurs across depth steps.
+    /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
     sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
     /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks ghosts.
     depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
-    /// How the edge functions lose influence with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) [PSVGF]. Raising it blurs more far away.
+    /// How the edge functions lose influence with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) \[PSVGF\]. Raising it blurs more far away.
     edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
-    /// Lower percentile of the luminance of 8×8 pixels [PSVGF]. At one sample a pixel next to 0, whatever it is.
+    /// Lower percentile of the luminance of 8×8 pixels \[PSVGF\]. At one sample a pixel next to 0, whatever it is.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;
-    /// Upper percentile [PSVGF]. Raising it lets the firefly filter pass more, and the published rule keep more history.
+    /// Upper percentile \[PSVGF\]. Raising it lets the firefly filter pass more, and the published rule keep more history.
     percentile_up: "share of the pixels", 0.0 ..= 1.0, 0.95;
-    /// Scale of the range between the percentiles, by which a luminance may leave them [PSVGF]. Raising it passes more outliers and keeps more history.
+    /// Scale of the range between the percentiles, by which a luminance may leave them \[PSVGF\]. Raising it passes more outliers and keeps more history.
     percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 2.0;
-    /// How much of the history a change of the light costs; 0: the adaptive rules are off [PSVGF].
+    /// How much of the history a change of the light costs; 0: the adaptive rules are off \[PSVGF\].
     adaptivity: "1", 0.0 ..= 1.0, 1.0;
     /// From how large a change, in standard errors of its mean, history gives way; at twice as many it is gone. Raising it reacts to larger changes alone.
     change_threshold: "standard errors", 0.5 ..= 64.0, 2.5;
-    /// Luminance that the firefly filter always lets pass on top of the percentiles [PSVGF]. Raising it passes more outliers.
+    /// Luminance that the firefly filter always lets pass on top of the percentiles \[PSVGF\]. Raising it passes more outliers.
     firefly_bias: "luminance of irradiance", 0.0 ..= 65504.0, 0.0;
-    /// Radiance edge stopping of the first level of [EAW]; halved from level to level. Of the size of the brightest light, so that geometry alone leads the first level. Raising it blurs more.
+    /// Radiance edge stopping of the first level of \[EAW\]; halved from level to level. Of the size of the brightest light, so that geometry alone leads the first level. Raising it blurs more.
     sigma_rt: "irradiance", 0.0001 ..= 65504.0, 4.0;
-    /// Normal edge stopping of [EAW]. Raising it blurs over edges and relief.
+    /// Normal edge stopping of \[EAW\]. Raising it blurs over edges and relief.
     sigma_rt_n: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
-    /// Position edge stopping of [EAW], as a share of the depth. Raising it blurs over gaps.
+    /// Position edge stopping of \[EAW\], as a share of the depth. Raising it blurs over gaps.
     sigma_rt_x: "depths", 0.001 ..= 64.0, 0.1;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
-    /// Weight of the new frame in temporal anti-aliasing [Karis 2014]. Raising it is sharper in motion and jitters more.
+    /// Weight of the new frame in temporal anti-aliasing (Karis 2014). Raising it is sharper in motion and jitters more.
     taa_alpha: "1", 0.01 ..= 1.0, 0.1;
     /// Size of the colour box that clips the history of temporal anti-aliasing. Raising it flickers less and ghosts more.
     taa_gamma: "standard deviations", 0.0 ..= 8.0, 1.25;

@@ -1,4 +1,4 @@
-//! The edge-avoiding à-trous wavelet transform, guided by variance. [SVGF] 4.3, eq. 1 to 5.
+//! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
 
 use super::{by_signals, Builder, Frame, Guides, Signal};
 use crate::contract::{Phase, ResourceId};

@@ -1,4 +1,4 @@
-//! Blends each pixel with its own past, found by motion and tested tap by tap. [SVGF] 4.1.
+//! Blends each pixel with its own past, found by motion and tested tap by tap. \[SVGF\] 4.1.
 
 use super::{Builder, Frame, Guides, Signal};
 use crate::contract::{Phase, ResourceId};

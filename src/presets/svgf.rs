@@ -1,4 +1,4 @@
-//! Spatiotemporal variance-guided filtering [SVGF].
+//! Spatiotemporal variance-guided filtering \[SVGF\].
 
 use super::{firefly_filter, post_process};
 use crate::config::Config;

@@ -1,4 +1,4 @@
-//! The stage `adaptive_history`: how far the history of a pixel is still true, from statistics of blocks alone [PSVGF].
+//! The stage `adaptive_history`: how far the history of a pixel is still true, from statistics of blocks alone \[PSVGF\].
 
 use super::block_difference::unpack_difference;
 use super::block_percentiles::{unpack_percentiles, Percentiles};
@@ -18,7 +18,7 @@ pub const RANGE_EPSILON: f32 = 0.01;
 /// Share of the mean luminance below which a change is not worth the history, however certain it is.
 pub const CHANGE_EPSILON: f32 = 0.01;
 
-/// `lin` of [PSVGF]: 0 at `a`, 1 at `b`.
+/// `lin` of \[PSVGF\]: 0 at `a`, 1 at `b`.
 fn lin(a: f32, b: f32, x: f32) -> f32 {
     ((x - a) / (b - a)).clamp(0.0, 1.0)
 }
@@ -52,7 +52,7 @@ fn interpolated(blocks: Blocks, percentiles: &Image<u32>, p: IVec2) -> Percentil
     })
 }
 
-/// A [PSVGF].
+/// A \[PSVGF\].
 fn weight_of_history(frame: &FrameConstants, percentiles: &Percentiles, l: f32) -> f32 {
     let range = percentiles.range(frame) + RANGE_EPSILON * percentiles.up + 1e-4;
     let too_bright = lin(percentiles.up, percentiles.up + range, l);

@@ -1,4 +1,4 @@
-//! The stage `atrous` [SVGF 4.3, eq. 1 to 5]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
+//! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
 use super::binary16::store;
 use super::geometry_weights::Geometry;
@@ -12,10 +12,10 @@ mod edge_tests;
 #[cfg(test)]
 mod tests;
 
-/// The B3 spline [EAW]: one axis of the 5×5 kernel.
+/// The B3 spline \[EAW\]: one axis of the 5×5 kernel.
 const SPLINE: &[f32] = &[1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
 
-/// The box [ASVGF]: one axis of the 3×3 kernel.
+/// The box \[ASVGF\]: one axis of the 3×3 kernel.
 const BOX: &[f32] = &[1.0 / 3.0; 3];
 
 /// Tolerated difference of luminance where the variance is 0.
@@ -37,7 +37,7 @@ pub fn atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<
     filter(frame, SPLINE, level, inputs)
 }
 
-/// The same with a 3×3 box for the kernel [ASVGF].
+/// The same with a 3×3 box for the kernel \[ASVGF\].
 pub fn box_atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
     filter(frame, BOX, level, inputs)
 }

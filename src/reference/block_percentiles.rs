@@ -1,4 +1,4 @@
-//! The stage `block_percentiles` [PSVGF]: two percentiles of luminance in every 8×8 pixels.
+//! The stage `block_percentiles` \[PSVGF\]: two percentiles of luminance in every 8×8 pixels.
 
 use super::binary16::{from_half_bits, half_bits, store};
 use super::blocks::{allocated_blocks, Blocks};

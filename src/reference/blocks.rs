@@ -1,4 +1,4 @@
-//! Blocks of 8×8 pixels: the unit of the statistics of [PSVGF].
+//! Blocks of 8×8 pixels: the unit of the statistics of \[PSVGF\].
 
 use super::{render_rect::RenderRect, Image};
 use glam::{IVec2, Vec2};

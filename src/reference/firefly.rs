@@ -1,4 +1,4 @@
-//! The stage `firefly` [PSVGF]: outliers are scaled down to the brightest luminance that is usual around them.
+//! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them.
 
 use super::binary16::store;
 use super::block_percentiles::unpack_percentiles;

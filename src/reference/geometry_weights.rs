@@ -37,7 +37,7 @@ impl Geometry {
         self.surfaces.at(p).is_background()
     }
 
-    /// `w_z·w_n` [SVGF eq. 3, 4] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
+    /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
     pub fn weight(&self, p: IVec2, q: IVec2) -> f32 {
         if p == q {
             return 1.0;

@@ -1,4 +1,4 @@
-//! The stage `temporal_accumulation` [SVGF 4.1]: irradiance and moments of luminance accumulated along the motion of the surface.
+//! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
 
 use super::binary16::{store, LARGEST_HALF};
 use super::conventions::is_reset;
@@ -62,7 +62,7 @@ pub struct TemporalAccumulationInputs<'a> {
     pub object_normals: Option<ObjectNormals<'a>>,
     /// As written by `adaptive_history`: alpha rises where it is below 1.
     pub history_confidence: Option<&'a Image<f32>>,
-    /// Repair of disocclusions, and a history as long as the confidence says [PSVGF].
+    /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
     /// Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
@@ -85,7 +85,7 @@ enum History {
     Disoccluded(Reason),
     /// Pixels with weights that sum to 1; those beyond the valid ones have weight 0.
     Taps([(IVec2, f32); 9]),
-    /// The same, of pixels that may show the same surface [PSVGF].
+    /// The same, of pixels that may show the same surface \[PSVGF\].
     Repaired([(IVec2, f32); 9]),
 }
 
@@ -195,7 +195,7 @@ impl Reprojected {
             .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, nearest)))
     }
 
-    /// Disocclusion repair [PSVGF]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one has a pixel that
+    /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one has a pixel that
     /// may be the same surface.
     fn repaired(&self, surfaces: &Image<Surface>) -> Option<History> {
         let nearest = (self.cut_at_border() + 0.5).floor().as_ivec2();
@@ -259,7 +259,7 @@ impl AlphaBounds {
     }
 }
 
-/// Blends one signal of one pixel with its history [SVGF 4.1].
+/// Blends one signal of one pixel with its history \[SVGF 4.1\].
 fn accumulate(
     frame: &FrameConstants,
     c: [f32; 4],

@@ -1,4 +1,4 @@
-//! The stage `variance` [SVGF 4.2]: the standard deviation of luminance, from the history where it is long enough, else from the neighbourhood.
+//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the neighbourhood.
 
 use super::binary16::store;
 use super::geometry_weights::Geometry;
@@ -10,10 +10,10 @@ use glam::IVec2;
 #[cfg(test)]
 mod tests;
 
-/// Radius of the neighbourhood of [SVGF], pixels: 7×7.
+/// Radius of the neighbourhood of \[SVGF\], pixels: 7×7.
 const RADIUS: i32 = 3;
 
-/// Radius of the neighbourhood of [PSVGF], pixels: 5×5.
+/// Radius of the neighbourhood of \[PSVGF\], pixels: 5×5.
 const FADING_RADIUS: i32 = 2;
 const SIDE: usize = 7;
 
@@ -41,7 +41,7 @@ pub fn variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f
     })
 }
 
-/// The same with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows [PSVGF].
+/// The same with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
 pub fn fading_variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     estimate(frame, inputs, |geometry, moments, p| {
         let centre = moments.at(p);

@@ -7,7 +7,9 @@ use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
 use atrous::executor::SessionOptions;
-use atrous::reference::{import, octahedral10_to_normal, unpack_depth_gradient, unpack_guide, unpack_surface_motion, ImportInputs};
+use atrous::reference::{
+    import, octahedral10_to_normal, unpack_depth_gradient, unpack_guide, unpack_surface_motion, ImportInputs, InstanceTransform,
+};
 use atrous::{Config, FrameParams, Tuning, UseFrame};
 
 pub fn check(c: &Captured) {
@@ -17,6 +19,8 @@ pub fn check(c: &Captured) {
     let roughness = c.optional_host("roughness");
     let object_normal = c.optional_host("object_normal");
     let surface_id = c.config.surface_id.then(|| c.uints("surface_id", UseFrame::Current));
+    let transforms: Option<Vec<InstanceTransform>> =
+        c.optional_buffer("instance_transforms").map(bytemuck::allocation::pod_collect_to_vec);
     let inputs = ImportInputs {
         depth: &depth,
         normal: &normal,
@@ -24,7 +28,7 @@ pub fn check(c: &Captured) {
         object_normal: object_normal.as_ref(),
         surface_id: surface_id.as_ref(),
         roughness: roughness.as_ref(),
-        instance_transforms: None,
+        instance_transforms: transforms.as_deref(),
     };
     let twin = import(&c.frame.constants, &inputs);
     // Normals are rounded to a grid of 1/511, and either side of a step is right.
@@ -74,6 +78,29 @@ pub fn every_encoding() {
     for conventions in cases {
         for with_motion in [true, false] {
             encoded(conventions, with_motion);
+        }
+    }
+    assert_valid();
+}
+
+/// Motion from the matrices and a transform per instance: a turning ball, a wall with an unusable transform, and ids beyond the buffer.
+pub fn instance_transforms() {
+    let scene = Scene { speed: 0.1, ..Scene::new([41, 23]) };
+    let config = Config::new(scene.extent);
+    let still = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let (sin, cos) = 0.2f32.sin_cos();
+    let turned = [[cos, 0.0, sin, 0.6], [0.0, 1.0, 0.0, -0.1], [-sin, 0.0, cos, -0.3]];
+    let unusable = [[f32::NAN; 4]; 3];
+    for transforms in [vec![still, still, turned], vec![still, unusable, turned], vec![still, [[0.0; 4]; 3], turned], vec![still]] {
+        let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+        s.upload_buffer("instance_transforms", bytemuck::cast_slice(&transforms)).expect("transforms");
+        for i in 0..3 {
+            let g = scene.frame(i, i);
+            for (name, texels) in g.images().into_iter().filter(|(n, _)| ["depth", "normal", "noisy_radiance"].contains(n)) {
+                s.upload(name, texels).expect(name);
+            }
+            s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
+            run(&mut s, &config, &scene.params(i), &Tuning::default());
         }
     }
     assert_valid();

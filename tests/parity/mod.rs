@@ -40,6 +40,7 @@ pub const TESTS: &[GpuTest] = &[
     ("percentile_object_normals", || sequence(&Config { object_normal: true, signals: Signals::Apart, ..percentile([40, 23]) })),
     ("percentile_in_a_larger_image", || sequence_of(&percentile([64, 40]), [37, 21])),
     ("import_in_every_encoding", import::every_encoding),
+    ("import_with_instance_transforms", import::instance_transforms),
     ("tone_map_curves", tone_map::curves),
 ];
 
@@ -101,6 +102,10 @@ impl Captured<'_> {
 
     pub fn optional_host(&self, name: &str) -> Option<Image<[f32; 4]>> {
         self.has(name).then(|| self.host(name))
+    }
+
+    pub fn optional_buffer(&self, name: &str) -> Option<&[u8]> {
+        self.inputs.get(&(name.to_owned(), UseFrame::Current)).map(Vec::as_slice)
     }
 
     pub fn uints(&self, name: &str, frame: UseFrame) -> Image<u32> {
@@ -192,7 +197,7 @@ fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result<Res
     let mut captured = BTreeMap::new();
     for u in declaration.passes()[pass].uses.iter().filter(|u| want(u.access)) {
         let resource = declaration.resource(u.resource);
-        if matches!(resource.shape, Shape::Image { .. }) {
+        if matches!(resource.shape, Shape::Image { .. }) || resource.name == "instance_transforms" {
             // An optional input that nothing is bound to has no bytes.
             if let Ok(bytes) = s.download_bytes(resource.name, u.frame) {
                 captured.insert((resource.name.to_owned(), u.frame), bytes);

@@ -48,7 +48,12 @@ impl Instance {
             info = info.push_next(&mut features).push_next(&mut messenger_info);
         }
         // SAFETY: the layers and extensions named were found; everything pointed to outlives the call.
-        let raw = unsafe { entry.create_instance(&info, None) }.doing("create an instance")?;
+        let created = unsafe { entry.create_instance(&info, None) };
+        // This is how a loader without any driver answers.
+        if created.as_ref().err() == Some(&vk::Result::ERROR_INCOMPATIBLE_DRIVER) {
+            return Err(Error::NoDevice);
+        }
+        let raw = created.doing("create an instance")?;
         let mut instance = Self { raw, entry, messenger: None, messages };
         if validation {
             let functions = ash::ext::debug_utils::Instance::new(&instance.entry, &instance.raw);

@@ -1,0 +1,73 @@
+//! What the denoiser reaches on real path-traced input, inside the engine, under validation.
+
+mod support;
+
+use ash::vk::Extent2D;
+use atrous::config::Signals;
+use atrous_demo::measure::{Frame, Scores};
+use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
+use support::{built_in, Validated};
+
+const EXTENT: Extent2D = Extent2D { width: 320, height: 180 };
+
+/// Scores of the noisy and the denoised picture of the last of `frames` frames, lights and nothing else held still.
+fn last_frame(name: &str, frames: u32, options: &DenoiserOptions) -> [Scores; 2] {
+    let gpu = Validated::new();
+    let scene = built_in(name, SceneOptions { static_light: true, ..SceneOptions::default() });
+    let tracer_options = TracerOptions { jitter: options.taa, ..TracerOptions::default() };
+    let mut tracer = PathTracer::new(&gpu.0, &scene, EXTENT, tracer_options).expect("a path tracer");
+    let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, options).expect("a denoiser");
+    for index in 0..frames {
+        tracer.begin_frame(index).expect("a frame");
+        denoiser.render(&mut tracer).expect("a submit");
+    }
+    let mut frame = Frame::read(&gpu.0, &tracer, &mut denoiser).expect("pictures");
+    let reference = tracer.render_reference(512, |_, _| {}).expect("a reference");
+    let sum = |i: usize| [0, 1, 2].map(|c| reference.direct[i][c] + reference.indirect[i][c] + reference.emission[i][c]);
+    frame.reference = Some((0..reference.direct.len()).map(sum).collect());
+    let scores = frame.scores(None).expect("finite pictures").expect("a reference");
+    println!("{name}, frame {}: noisy {:?}, denoised {:?}", frame.index, scores[0], scores[1]);
+    scores
+}
+
+fn assert_clean(name: &str, options: &DenoiserOptions) {
+    let [noisy, denoised] = last_frame(name, 12, options);
+    assert!(denoised.rmse <= noisy.rmse / 3.0, "{name}: {} of {}", denoised.rmse, noisy.rmse);
+    assert!(denoised.ssim >= 0.93, "{name}: SSIM {}", denoised.ssim);
+}
+
+#[test]
+fn cornell_is_clean() {
+    assert_clean("cornell", &DenoiserOptions { signals: Signals::Apart, ..DenoiserOptions::default() });
+}
+
+#[test]
+fn pillars_are_clean() {
+    assert_clean("pillars", &DenoiserOptions { signals: Signals::Apart, ..DenoiserOptions::default() });
+}
+
+#[test]
+fn signals_together_are_cleaner_than_noise() {
+    let [noisy, denoised] = last_frame("cornell", 8, &DenoiserOptions { signals: Signals::Together, ..DenoiserOptions::default() });
+    assert!(denoised.rmse <= noisy.rmse / 3.0, "{} of {}", denoised.rmse, noisy.rmse);
+}
+
+#[test]
+fn two_runs_are_bit_identical() {
+    let run = || {
+        let gpu = Validated::new();
+        let scene = built_in("pillars", SceneOptions::default());
+        let tracer_options = TracerOptions { jitter: true, ..TracerOptions::default() };
+        let mut tracer = PathTracer::new(&gpu.0, &scene, support::SMALL, tracer_options).expect("a path tracer");
+        let options = DenoiserOptions { taa: true, ..DenoiserOptions::default() };
+        let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
+        for index in 0..5 {
+            tracer.begin_frame(index).expect("a frame");
+            denoiser.render(&mut tracer).expect("a submit");
+        }
+        denoiser.read("display").expect("display")
+    };
+    let first = run();
+    assert!(first.iter().flatten().all(|v| v.is_finite()));
+    assert_eq!(first, run());
+}
