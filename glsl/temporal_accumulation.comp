@@ -4,7 +4,7 @@
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame.
 // ADAPTIVE: history_confidence. REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
 // In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
-// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1
+// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"

@@ -156,6 +156,10 @@ pub enum Preset {
     /// Spatiotemporal variance-guided filtering \[SVGF\].
     #[default]
     Svgf,
+    /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples say where history is out of date.
+    Asvgf,
+    /// The same gradients drive a temporal accumulation over the output of any other denoiser \[ASVGF 4\]. One signal.
+    Stabilize,
     /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the host that SVGF does not.
     Percentile,
 }
@@ -183,6 +187,23 @@ pub enum BlockSort {
     OddEven = 1,
 }
 
+/// Where the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`] come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GradientSource {
+    /// The host's path tracer re-shades one pixel a stratum with the surface and the seed of a pixel of the previous frame, which the stage
+    /// `forward_project` picks (`glsl/host/gradient_sample.glsl`). Costs no extra samples.
+    #[default]
+    ForwardProjected,
+    /// An image `reshaded_radiance`: the paths of the previous frame, traced again in the scene of this frame with the same random numbers, at
+    /// the pixels of the previous frame. As dense as the host likes; pixels that it leaves out are NaN.
+    Reshaded,
+    /// An image `sparse_gradient` with one texel a stratum, of a host that takes the differences itself: x the change of luminance δ, y the
+    /// larger of the two luminances Δ. 0, 0 where there is none.
+    Sparse,
+    /// An image `confidence` with one texel a pixel, of a host that knows what changed: x from 1, keep the history, to 0, drop it.
+    Confidence,
+}
+
 /// What is decided once. [`crate::Tuning`] holds what may change from frame to frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Config {
@@ -203,6 +224,13 @@ pub struct Config {
     pub adaptive_rule: AdaptiveRule,
     /// How percentiles are found.
     pub block_sort: BlockSort,
+    /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
+    pub stratum_size: u32,
+    /// Where the temporal gradients come from. Only for presets with gradients.
+    pub gradient_source: GradientSource,
+    /// Whether the host has an image `forward_motion`, for surfaces that deform: at every pixel of the previous frame its motion to this frame.
+    /// Only for forward-projected gradients. Default: false.
+    pub forward_motion: bool,
     /// Whether the host has an image of surface ids. Default: true.
     pub surface_id: bool,
     /// Whether the host has object-space normals, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
@@ -228,6 +256,9 @@ impl Config {
             firefly_filter: false,
             adaptive_rule: AdaptiveRule::default(),
             block_sort: BlockSort::default(),
+            stratum_size: 3,
+            gradient_source: GradientSource::default(),
+            forward_motion: false,
             surface_id: true,
             object_normal: false,
             post_process: PostProcess::default(),
@@ -241,12 +272,22 @@ impl Config {
     /// [`Error::Extent`] or [`Error::Config`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
-        for (name, given, min, max) in [("frames_in_flight", self.frames_in_flight, 1, 8), ("levels", self.levels, 1, 10)] {
+        let ranges = [
+            ("frames_in_flight", self.frames_in_flight, 1, 8),
+            ("levels", self.levels, 1, 10),
+            ("stratum_size", self.stratum_size, 2, 4),
+        ];
+        for (name, given, min, max) in ranges {
             if !(min..=max).contains(&given) {
                 return Err(Error::Config { name, given, min, max });
             }
         }
         Ok(())
+    }
+
+    /// Whether the host's path tracer has to re-shade the pixels that `forward_project` picks.
+    pub(crate) fn reshades(&self) -> bool {
+        matches!(self.preset, Preset::Asvgf | Preset::Stabilize) && self.gradient_source == GradientSource::ForwardProjected
     }
 }
 

@@ -109,10 +109,18 @@ include!(env!("ATROUS_SHADERS"));
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::{AdaptiveRule, Config, PostProcess, Preset, Signals};
+    use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, Signals};
     use crate::contract::{ImageFormat, PassDecl, Shape, Work};
     use crate::{Declaration, UseFrame};
     use std::collections::BTreeSet;
+
+    const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
+        (GradientSource::ForwardProjected, false),
+        (GradientSource::ForwardProjected, true),
+        (GradientSource::Reshaded, false),
+        (GradientSource::Sparse, false),
+        (GradientSource::Confidence, false),
+    ];
 
     /// Every structural configuration that changes a declaration.
     fn declarations() -> Vec<Declaration> {
@@ -129,6 +137,11 @@ mod tests {
                     for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                         all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
                     }
+                    for preset in [Preset::Asvgf, Preset::Stabilize] {
+                        for (gradient_source, forward_motion) in GRADIENT_SOURCES {
+                            all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));
+                        }
+                    }
                 }
             }
         }
@@ -138,7 +151,7 @@ mod tests {
     fn dispatches(declaration: &Declaration) -> impl Iterator<Item = (&PassDecl, &'static Shader)> {
         declaration.passes().iter().filter_map(|p| match p.work {
             Work::Dispatch { shader, .. } => Some((p, shader)),
-            Work::StartFrame => None,
+            Work::StartFrame | Work::Clear => None,
         })
     }
 

@@ -75,6 +75,10 @@ pub struct Cli {
     #[arg(long, value_name = "N")]
     pub levels: Option<u32>,
 
+    /// Side of the strata of temporal gradients, 2 to 4 pixels
+    #[arg(long, value_name = "N")]
+    pub stratum_size: Option<u32>,
+
     /// Set a tunable, for example sigma_l=2; a wrong name lists them all
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = tunable)]
     pub tunables: Vec<(String, f32)>,
@@ -106,6 +110,20 @@ pub struct Cli {
 pub enum Preset {
     /// Spatiotemporal variance-guided filtering
     Svgf,
+    /// Adaptive temporal filtering, by layers with the previous frame's samples re-shaded in this frame's scene (reshade_direct, reshade_indirect)
+    Asvgf,
+    /// Percentile-based adaptive SVGF: reacts to changed light from the noisy image alone
+    Percentile,
+}
+
+impl Preset {
+    fn of_library(self) -> atrous::config::Preset {
+        match self {
+            Self::Svgf => atrous::config::Preset::Svgf,
+            Self::Asvgf => atrous::config::Preset::Asvgf,
+            Self::Percentile => atrous::config::Preset::Percentile,
+        }
+    }
 }
 
 /// Signals.
@@ -146,7 +164,7 @@ fn tunable(text: &str) -> Result<(String, f32), String> {
 impl Cli {
     /// Tunables.
     pub fn tuning(&self) -> Result<Tuning, atrous::Error> {
-        let mut tuning = Tuning::default();
+        let mut tuning = Tuning::for_preset(self.preset.of_library());
         for (name, value) in &self.tunables {
             tuning.set(name, *value)?;
         }
@@ -165,6 +183,8 @@ impl Cli {
                 SignalsOption::Apart => Signals::Apart,
             }),
             levels: self.levels,
+            preset: self.preset.of_library(),
+            stratum_size: self.stratum_size,
         }
     }
 
@@ -172,6 +192,8 @@ impl Cli {
     pub fn preset_name(&self) -> &'static str {
         match self.preset {
             Preset::Svgf => "SVGF",
+            Preset::Asvgf => "A-SVGF",
+            Preset::Percentile => "percentile",
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::frame_source;
 use crate::layouts::Layout;
 use crate::roles::Role;
 use crate::setup::{is_about_previous, Setup};
-use atrous::config::{MotionDepth, NormalSpace, Signals, ViewForward};
+use atrous::config::{MotionDepth, NormalSpace, Preset, Signals, ViewForward};
 use atrous::FrameParams;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -41,8 +41,9 @@ pub struct FrameInputs {
 
 /// Reads a frame.
 pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
+    let reshaded = setup.config.preset == Preset::Asvgf;
     let wanted: BTreeSet<&str> =
-        setup.mapping.roles.iter().filter(|r| !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
+        setup.mapping.roles.iter().filter(|r| reshaded || !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
     let planes = frame_source::read(files, setup.config.allocated_extent, |name| wanted.contains(name))?;
     // The reference may be sparse: rendering it takes long.
     let optional = |role: Role| is_about_previous(role) || role == Role::Reference;
@@ -52,6 +53,9 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let mut images = BTreeMap::new();
     channels.lighting(&mut images);
     channels.guides(camera, &mut images);
+    if reshaded {
+        channels.reshaded(&mut images);
+    }
     let surface_id = channels.ids(&images);
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
@@ -172,6 +176,16 @@ impl Channels<'_> {
         if let Some(motion) = self.motion(camera.is_some()) {
             images.insert("motion", motion);
         }
+    }
+
+    /// The previous frame's samples in the scene of this frame; absent in the first frame.
+    fn reshaded(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
+        let parts = (self.vectors(Role::ReshadeDirect), self.vectors(Role::ReshadeIndirect));
+        let sum = match parts {
+            (Some(direct), Some(indirect)) => Some(combine(&direct, &indirect, |a, b| a + b)),
+            (direct, indirect) => direct.or(indirect),
+        };
+        images.extend(sum.map(|s| ("reshaded_radiance", s)));
     }
 
     fn depth_of_positions(&mut self, camera: Option<&Camera>) -> Option<Texels> {

@@ -8,7 +8,7 @@ use crate::frame_source;
 use crate::layouts::Layout;
 use crate::mapping::{Mapping, Named};
 use crate::roles::Role;
-use atrous::config::{DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, Signals};
+use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, Preset, Signals};
 use atrous::Config;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +27,10 @@ pub struct Wishes {
     pub signals: Option<Signals>,
     /// À-trous levels, where not the default.
     pub levels: Option<u32>,
+    /// Filter.
+    pub preset: Preset,
+    /// Side of the strata, where not the default.
+    pub stratum_size: Option<u32>,
 }
 
 /// What holds for all frames.
@@ -63,6 +67,9 @@ impl Setup {
         config.frames_in_flight = 1;
         config.surface_id = mapping.has(Role::Id);
         config.levels = wishes.levels.unwrap_or(config.levels);
+        config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
+        config.preset = wishes.preset;
+        config.gradient_source = GradientSource::Reshaded;
         config.signals = signals(&mapping, wishes.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);

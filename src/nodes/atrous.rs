@@ -7,9 +7,9 @@ use crate::shaders;
 /// The kernel of a level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kernel {
-    /// 5×5 B3 spline [SVGF].
+    /// 5×5 B3 spline \[SVGF\].
     Spline,
-    /// 3×3 box [ASVGF].
+    /// 3×3 box \[ASVGF\].
     Box,
 }
 

@@ -1,9 +1,14 @@
 //! Presets: each a short list of nodes.
 
+mod asvgf;
+mod gradients;
 mod percentile;
+mod stabilize;
 mod svgf;
 
+pub(crate) use asvgf::asvgf;
 pub(crate) use percentile::percentile;
+pub(crate) use stabilize::stabilize;
 pub(crate) use svgf::svgf;
 
 use crate::config::{Config, PostProcess};

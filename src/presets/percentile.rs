@@ -3,7 +3,7 @@
 use super::post_process;
 use crate::config::{AdaptiveRule, Config};
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Estimate, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
 
 pub(crate) fn percentile(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -20,7 +20,7 @@ pub(crate) fn percentile(config: &Config) -> Declaration {
             nodes::change_test(&mut b, frame, &signals, &difference)
         }
     };
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Some(confidence));
+    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::Repaired(confidence));
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Fading);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);

@@ -3,7 +3,7 @@
 use super::{firefly_filter, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Estimate, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
 
 pub(crate) fn svgf(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -12,7 +12,7 @@ pub(crate) fn svgf(config: &Config) -> Declaration {
     let signals = Signal::declare(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
     firefly_filter(&mut b, frame, guides, config, &signals);
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, None);
+    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::None);
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);

@@ -60,7 +60,7 @@ pub struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// As written by `adaptive_history`: alpha rises where it is below 1.
+    /// As written by `adaptive_alpha` or `adaptive_history`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
@@ -115,7 +115,7 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-            let bounds = AlphaBounds::new(frame, inputs.repair, change);
+            let bounds = AlphaBounds::new(frame, inputs.history_confidence.is_some(), inputs.repair, change);
             let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal);
             (c, pack_moments(&moments))
         });
@@ -249,12 +249,16 @@ struct AlphaBounds {
 }
 
 impl AlphaBounds {
-    /// `change`: 0, light is as it was, to 1.
-    fn new(frame: &FrameConstants, repair: bool, change: f32) -> Self {
+    /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
+    fn new(frame: &FrameConstants, is_adaptive: bool, repair: bool, change: f32) -> Self {
         let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
         let alpha = adapted(frame.alpha);
-        // As long as the weight of this frame says, so that later frames react, too [PSVGF].
-        let longest = if repair { 1.0 / change.max(1e-6) } else { f32::INFINITY };
+        // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
+        let longest = match (is_adaptive, repair) {
+            (_, true) => 1.0 / change.max(1e-6),
+            (true, false) => 1.0 / alpha.max(1e-6),
+            (false, false) => f32::INFINITY,
+        };
         Self { alpha, alpha_moments: adapted(frame.alpha_moments), history_length: longest.min(frame.max_history_length) }
     }
 }

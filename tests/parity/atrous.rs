@@ -19,8 +19,10 @@ pub fn check(c: &Captured, level: u32) {
         depth_gradient: &c.uints("depth_gradient", UseFrame::Current),
         irradiance: &each(&irradiance),
     };
-    let filter = if c.config.preset == Preset::Svgf { atrous } else { box_atrous };
-    let twin = filter(&c.frame.constants, level, &inputs);
+    let twin = match c.config.preset {
+        Preset::Asvgf | Preset::Percentile => box_atrous(&c.frame.constants, level, &inputs),
+        _ => atrous(&c.frame.constants, level, &inputs),
+    };
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {
         let name = format!("{to}{suffix}");
         // 25 weights, each an exponential with the device's own precision.

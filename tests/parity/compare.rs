@@ -24,10 +24,10 @@ pub fn texels<const N: usize, T: Copy + Default + 'static>(
     tolerance: Tolerance,
     values: impl Fn(T) -> [f32; N],
 ) {
-    within(what, captured, captured.frame.render_extent, gpu, twin, tolerance, values);
+    equal(what, captured, captured.frame.render_extent, gpu, twin, tolerance, values);
 }
 
-/// Compares images with one texel a block.
+/// The same for images with one texel a block.
 pub fn blocks<const N: usize, T: Copy + Default + 'static>(
     what: &str,
     captured: &Captured,
@@ -37,10 +37,11 @@ pub fn blocks<const N: usize, T: Copy + Default + 'static>(
     values: impl Fn(T) -> [f32; N],
 ) {
     let extent = captured.frame.render_extent.map(|side| side.div_ceil(BLOCK_SIZE));
-    within(what, captured, extent, gpu, twin, tolerance, values);
+    equal(what, captured, extent, gpu, twin, tolerance, values);
 }
 
-fn within<const N: usize, T: Copy + Default + 'static>(
+/// The same over the top left `extent` of images that have not one texel a pixel.
+pub fn equal<const N: usize, T: Copy + Default + 'static>(
     what: &str,
     captured: &Captured,
     extent: [u32; 2],

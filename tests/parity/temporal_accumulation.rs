@@ -15,7 +15,7 @@ pub fn check(c: &Captured) {
     let (guide, previous_guide) = (c.packed("guide", UseFrame::Current), c.packed("guide", UseFrame::Previous));
     let surface_motion = c.packed("surface_motion", UseFrame::Current);
     let depth_gradient = c.uints("depth_gradient", UseFrame::Current);
-    let irradiance = c.signals("filter_ping", UseFrame::Current);
+    let irradiance = c.signals(c.accumulated(), UseFrame::Current);
     let history = c.signals("irradiance_history", UseFrame::Previous);
     let moments = c.packed_signals("moments", UseFrame::Previous);
     let signals: Vec<_> = history.iter().zip(&moments).map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
@@ -36,7 +36,7 @@ pub fn check(c: &Captured) {
     };
     let twin = temporal_accumulation(&c.frame.constants, &inputs);
     for (i, suffix) in c.suffixes().iter().enumerate() {
-        let name = format!("filter_ping{suffix}");
+        let name = format!("{}{suffix}", c.accumulated());
         halves(&name, c, &c.written_halves(&name), &twin.irradiance[i], TESTED);
         let name = format!("moments{suffix}");
         // A deviation near 0 is the root of a difference that rounding decides.
