@@ -9,6 +9,7 @@ mod declarations;
 mod gradients;
 mod parity;
 mod pattern;
+mod percentile;
 mod properties;
 mod sequences;
 mod support;
@@ -29,7 +30,7 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 9] = [
+    let groups: [(&str, &[GpuTest], bool); 10] = [
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("bad_input", bad_input::TESTS, true),
@@ -37,6 +38,7 @@ fn main() {
         ("gradients", gradients::TESTS, true),
         ("parity", parity::TESTS, true),
         ("pattern", pattern::TESTS, true),
+        ("percentile", percentile::TESTS, true),
         ("sequences", sequences::TESTS, true),
         ("sync_validation", sync_validation::TESTS, true),
     ];
