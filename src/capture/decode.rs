@@ -189,7 +189,8 @@ mod tests {
     #[test]
     fn bits_of_floats_and_integers_are_kept() {
         let nan = f32::from_bits(0x7fc0_1234);
-        let Some([FlatSamples::F32(v)]) = planes(vk::Format::D32_SFLOAT, &nan.to_ne_bytes()).as_deref().map(|p| [p[0].clone()]) else {
+        let Some([FlatSamples::F32(v)]) = planes(vk::Format::D32_SFLOAT, &nan.to_ne_bytes()).as_deref().map(|p| [p[0].clone()])
+        else {
             panic!("one plane of floats");
         };
         assert_eq!(v[0].to_bits(), nan.to_bits());

@@ -29,7 +29,8 @@ fn existing(folder: &Path) -> std::io::Result<Option<PathBuf>> {
 pub(crate) fn prepare(folder: &Path) -> Result<(), Error> {
     std::fs::create_dir_all(folder).map_err(|e| problem(folder, "made", e))?;
     if let Some(path) = existing(folder).map_err(|e| problem(folder, "read", e))? {
-        let problem = "exists already: the folder holds a sequence, which is not overwritten. Choose another folder, or remove it first";
+        let problem =
+            "exists already: the folder holds a sequence, which is not overwritten. Choose another folder, or remove it first";
         return Err(Error::Capture { path, problem: problem.to_owned() });
     }
     let probe = folder.join(".capture.part");
@@ -55,7 +56,8 @@ pub(crate) fn write(path: &Path, extent: [u32; 2], layers: Vec<Layer>) -> Result
     let mut list: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::new();
     for layer in layers {
         for (component, samples) in layer.planes {
-            let name = Text::new_or_none(format!("{}.{component}", layer.name)).ok_or_else(|| problem(path, "named", layer.name))?;
+            let name =
+                Text::new_or_none(format!("{}.{component}", layer.name)).ok_or_else(|| problem(path, "named", layer.name))?;
             list.push(AnyChannel::new(name, samples));
         }
     }

@@ -124,7 +124,8 @@ impl Capturing {
             let images: Vec<_> = images.collect();
             writer.write_numbered(number, &frame.params, &frame.tuning, &images)
         } else {
-            let problem = format!("frame {number} was begun, and not all of its phases were recorded; record each phase of each frame");
+            let problem =
+                format!("frame {number} was begun, and not all of its phases were recorded; record each phase of each frame");
             Err(writer.error(problem))
         };
         if let Err(error) = result {
@@ -251,7 +252,13 @@ impl Executor {
         }
     }
 
-    unsafe fn copy_input(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, id: ResourceId, name: &'static str) -> Result<(), Error> {
+    unsafe fn copy_input(
+        &mut self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        id: ResourceId,
+        name: &'static str,
+    ) -> Result<(), Error> {
         let Some(storage) = self.memory.storages.storage_mut(id, 0) else { return Ok(()) };
         let [width, height] = frame.render_extent;
         let bytes = width as usize * height as usize * check_format(name, storage.format)?;
@@ -267,7 +274,8 @@ impl Executor {
         // Of a depth-stencil image the depth.
         let aspect_mask = storage.aspect() & !vk::ImageAspectFlags::STENCIL;
         let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
-        let region = vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 });
+        let region =
+            vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 });
         let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
         let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
         // SAFETY: the caller's; image and buffer are live and large enough, and the image is handed back at the end of the phase.
@@ -283,9 +291,10 @@ impl Executor {
 /// Every input image.
 fn input_images(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &'static str)> + '_ {
     let is_image = |shape: &Shape| matches!(shape, Shape::Image { .. });
-    (0..).map(ResourceId).zip(declaration.resources()).filter_map(move |(id, r)| {
-        (matches!(r.lifetime, Lifetime::Input { .. }) && is_image(&r.shape)).then_some((id, r.name))
-    })
+    (0..)
+        .map(ResourceId)
+        .zip(declaration.resources())
+        .filter_map(move |(id, r)| (matches!(r.lifetime, Lifetime::Input { .. }) && is_image(&r.shape)).then_some((id, r.name)))
 }
 
 /// Bytes of a texel.

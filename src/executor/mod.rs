@@ -235,7 +235,9 @@ impl Executor {
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
         #[cfg(feature = "capture")]
         // SAFETY: the caller's: work recorded earlier with the frame's slot is complete.
-        unsafe { self.capture.collect(frame) };
+        unsafe {
+            self.capture.collect(frame)
+        };
         for pass in 0..self.denoiser.declaration().passes().len() {
             if self.denoiser.declaration().passes()[pass].phase == phase {
                 // SAFETY: the caller's.
@@ -244,7 +246,9 @@ impl Executor {
         }
         #[cfg(feature = "capture")]
         // SAFETY: the caller's.
-        unsafe { self.record_capture(cmd, frame, phase) };
+        unsafe {
+            self.record_capture(cmd, frame, phase)
+        };
         // SAFETY: the caller's.
         unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())

@@ -27,11 +27,7 @@ impl Staging {
 
     /// # Safety
     /// The device is live and outlives the result; the memory types are its own.
-    pub unsafe fn of_types(
-        device: &ash::Device,
-        types: &vk::PhysicalDeviceMemoryProperties,
-        size: u64,
-    ) -> Result<Self, Error> {
+    pub unsafe fn of_types(device: &ash::Device, types: &vk::PhysicalDeviceMemoryProperties, size: u64) -> Result<Self, Error> {
         let mut this = Self {
             device: device.clone(),
             buffer: vk::Buffer::null(),

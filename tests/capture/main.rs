@@ -2,6 +2,8 @@
 //!
 //! A harness of its own, as the suite has one: without a device these tests count as ignored.
 
+#![allow(dead_code, reason = "the modules of the tool and of the suite have more than these tests use")]
+
 #[path = "../../examples/denoise/backend.rs"]
 mod backend;
 #[path = "../../examples/denoise/backend_reference.rs"]
@@ -32,7 +34,6 @@ mod panics;
 mod roles;
 #[path = "../../examples/denoise/setup.rs"]
 mod setup;
-#[allow(dead_code, reason = "shared with the suite, which uses all of it")]
 #[path = "../support/mod.rs"]
 mod support;
 
