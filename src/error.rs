@@ -127,6 +127,14 @@ pub enum Error {
         /// How much.
         bytes: u64,
     },
+    /// A capture cannot be started, or ended early.
+    #[error("capture: {}: {problem}", path.display())]
+    Capture {
+        /// File or folder.
+        path: std::path::PathBuf,
+        /// What is wrong and what to do.
+        problem: String,
+    },
     /// A Vulkan call failed.
     #[error("{call} failed with {result}")]
     Vulkan {

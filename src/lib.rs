@@ -2,6 +2,8 @@
 // A host's input is answered by an error. Tests may panic.
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+#[cfg(feature = "capture")]
+pub mod capture;
 pub mod config;
 pub mod contract;
 mod denoiser;

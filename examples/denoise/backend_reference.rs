@@ -41,7 +41,7 @@ impl Backend for ReferenceBackend {
         let noisy = self.signals().iter().map(|name| needed(name)).collect::<std::result::Result<Vec<_>, _>>()?;
         let noisy: Vec<&Image<[f32; 4]>> = noisy.iter().collect();
         let (depth, normal, motion, roughness) = (needed("depth")?, needed("normal")?, image("motion")?, image("roughness")?);
-        let (albedo, emission) = (image("albedo")?, image("emission")?);
+        let (albedo, emission, object_normal) = (image("albedo")?, image("emission")?, image("object_normal")?);
         let ids = frame.surface_id.clone().map(|ids| Image::from_texels(extent, ids)).transpose()?;
         let inputs = SvgfInputs {
             guides: ImportInputs {
@@ -51,7 +51,7 @@ impl Backend for ReferenceBackend {
                 surface_id: ids.as_ref(),
                 roughness: roughness.as_ref(),
                 instance_transforms: None,
-                object_normal: None,
+                object_normal: object_normal.as_ref(),
             },
             noisy: &noisy,
             albedo: albedo.as_ref(),

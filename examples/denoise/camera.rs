@@ -30,6 +30,12 @@ pub struct SequenceFile {
     pub cameras: BTreeMap<u64, Camera>,
     /// Conventions, as for `--convention`.
     pub conventions: Vec<(String, String)>,
+    /// À-trous levels.
+    pub levels: Option<u32>,
+    /// Tunables.
+    pub tuning: BTreeMap<String, f32>,
+    /// Values that are not finite reach the filter: a capture shows what an engine gave it.
+    pub verbatim: bool,
 }
 
 #[derive(Deserialize)]
@@ -37,6 +43,11 @@ struct Json {
     frames: Vec<JsonFrame>,
     #[serde(default)]
     conventions: BTreeMap<String, serde_json::Value>,
+    levels: Option<u32>,
+    #[serde(default)]
+    tuning: BTreeMap<String, f32>,
+    #[serde(default)]
+    verbatim: bool,
 }
 
 #[derive(Deserialize)]
@@ -49,7 +60,48 @@ struct JsonFrame {
     #[serde(default = "one")]
     exposure_ratio: f32,
     #[serde(default)]
-    reset: bool,
+    reset: JsonReset,
+}
+
+/// `true`, or the reason.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum JsonReset {
+    Flag(bool),
+    Reason(Reason),
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Reason {
+    Created,
+    CameraCut,
+    Resize,
+    SceneLoad,
+    OriginShift,
+    ExposureJump,
+}
+
+impl Default for JsonReset {
+    fn default() -> Self {
+        Self::Flag(false)
+    }
+}
+
+impl JsonReset {
+    fn reason(&self) -> Option<ResetReason> {
+        match self {
+            Self::Flag(flag) => flag.then_some(ResetReason::CameraCut),
+            Self::Reason(reason) => Some(match reason {
+                Reason::Created => ResetReason::Created,
+                Reason::CameraCut => ResetReason::CameraCut,
+                Reason::Resize => ResetReason::Resize,
+                Reason::SceneLoad => ResetReason::SceneLoad,
+                Reason::OriginShift => ResetReason::OriginShift,
+                Reason::ExposureJump => ResetReason::ExposureJump,
+            }),
+        }
+    }
 }
 
 fn one() -> f32 {
@@ -86,7 +138,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             clip_from_view: transposed(&frame.proj),
             jitter: frame.jitter,
             exposure_ratio: frame.exposure_ratio,
-            reset: frame.reset.then_some(ResetReason::CameraCut),
+            reset: frame.reset.reason(),
         };
         if cameras.insert(number, camera).is_some() {
             return Err(problem(format!("has frame {number} twice")));
@@ -94,5 +146,5 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     }
     let text_of = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
-    Ok(SequenceFile { cameras, conventions })
+    Ok(SequenceFile { cameras, conventions, levels: json.levels, tuning: json.tuning, verbatim: json.verbatim })
 }

@@ -162,9 +162,8 @@ fn tunable(text: &str) -> Result<(String, f32), String> {
 }
 
 impl Cli {
-    /// Tunables.
-    pub fn tuning(&self) -> Result<Tuning, atrous::Error> {
-        let mut tuning = Tuning::for_preset(self.preset.of_library());
+    /// Tunables, on top of those of the sequence.
+    pub fn tuning(&self, mut tuning: Tuning) -> Result<Tuning, atrous::Error> {
         for (name, value) in &self.tunables {
             tuning.set(name, *value)?;
         }

@@ -81,7 +81,8 @@ fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
 }
 
 fn rgb(texels: Texels) -> Vec<[f32; 3]> {
-    texels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
+    let finite = |v: f32| if v.is_finite() { v } else { 0.0 };
+    texels.into_iter().map(|[r, g, b, _]| [r, g, b].map(finite)).collect()
 }
 
 /// The planes of a frame, turned into images one role at a time.
@@ -100,7 +101,7 @@ impl Channels<'_> {
             let Some(Samples::Float(values)) = self.samples.get(name) else { return None };
             for ((texel, value), bad) in texels.iter_mut().zip(values).zip(&mut bad) {
                 // An infinite depth is the sky.
-                let usable = value.is_finite() || (role == Role::Depth && !value.is_nan());
+                let usable = self.setup.is_verbatim() || value.is_finite() || (role == Role::Depth && !value.is_nan());
                 *bad |= !usable;
                 texel[component] = if usable { *value } else { 0.0 };
             }
@@ -147,6 +148,9 @@ impl Channels<'_> {
                     images.insert("noisy_radiance", combine(&direct, &indirect, |a, b| a + b));
                 }
             }
+            (Signals::Together, false) if self.setup.mapping.has(Role::Lighting) => {
+                images.extend(self.vectors(Role::Lighting).map(|l| ("noisy_radiance", l)));
+            }
             (Signals::Together, false) => {
                 let noisy = self.vectors(Role::Noisy);
                 images.extend(noisy.map(|n| ("noisy_radiance", rest(&n, &emission))));
@@ -171,6 +175,7 @@ impl Channels<'_> {
         images.extend(self.vectors(Role::Roughness).map(|r| ("roughness", r)));
         let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
         images.insert("normal", normal);
+        images.extend(self.vectors(Role::ObjectNormal).map(|n| ("object_normal", n)));
         let depth = self.vectors(Role::Depth).or_else(|| self.depth_of_positions(camera));
         images.insert("depth", depth.unwrap_or_else(|| vec![[1.0; 4]; pixels]));
         if let Some(motion) = self.motion(camera.is_some()) {
@@ -211,10 +216,13 @@ impl Channels<'_> {
             return still();
         }
         let mut motion = self.vectors(Role::Motion)?;
-        if self.setup.config.conventions.motion_depth == MotionDepth::Absolute {
-            for (texel, previous) in motion.iter_mut().zip(self.scalars(Role::PreviousDepth).unwrap_or_default()) {
-                texel[2] = previous;
-            }
+        let depth = match self.setup.config.conventions.motion_depth {
+            MotionDepth::None => None,
+            MotionDepth::Difference => self.scalars(Role::MotionDepth),
+            MotionDepth::Absolute => self.scalars(Role::MotionDepth).or_else(|| self.scalars(Role::PreviousDepth)),
+        };
+        for (texel, z) in motion.iter_mut().zip(depth.unwrap_or_default()) {
+            texel[2] = z;
         }
         Some(motion)
     }

@@ -7,6 +7,8 @@ pub enum Role {
     Noisy,
     /// Coverage of the beauty, passed through.
     Alpha,
+    /// Everything that is filtered, as one signal, without the emission.
+    Lighting,
     /// Light scattered once.
     Direct,
     /// Light scattered more than once.
@@ -23,12 +25,16 @@ pub enum Role {
     Albedo,
     /// Shading normal.
     Normal,
+    /// Normal in the space of the object, by which a turning object keeps its history.
+    ObjectNormal,
     /// Depth.
     Depth,
     /// World-space position of the first hit.
     Position,
     /// Motion, 2D.
     Motion,
+    /// The third component of the motion, as the conventions say.
+    MotionDepth,
     /// View depth of the surface point in the previous frame's camera.
     PreviousDepth,
     /// Stable id per instance.
@@ -75,6 +81,7 @@ impl Kind {
 const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::Noisy, "noisy", Kind::Colour, ""),
     (Role::Alpha, "alpha", Kind::Scalar, ""),
+    (Role::Lighting, "lighting", Kind::Colour, ""),
     (Role::Direct, "direct", Kind::Colour, ""),
     (Role::Indirect, "indirect", Kind::Colour, "direct and indirect light are filtered together, which blurs shadow edges more"),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
@@ -83,6 +90,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::DiffuseColour, "diffuse_colour", Kind::Colour, ""),
     (Role::Albedo, "albedo", Kind::Colour, "textures are blurred together with the light"),
     (Role::Normal, "normal", Kind::Vector, "light bleeds across creases, where only the orientation of the surface changes"),
+    (Role::ObjectNormal, "object_normal", Kind::Vector, ""),
     (
         Role::Depth,
         "depth",
@@ -91,6 +99,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     ),
     (Role::Position, "position", Kind::Vector, ""),
     (Role::Motion, "motion", Kind::Motion, ""),
+    (Role::MotionDepth, "motion_depth", Kind::Scalar, ""),
     (Role::PreviousDepth, "previous_depth", Kind::Scalar, ""),
     (Role::Id, "id", Kind::Id, "objects at equal depth and orientation are not told apart in the history"),
     (Role::Roughness, "roughness", Kind::Scalar, ""),

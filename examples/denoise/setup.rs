@@ -9,7 +9,7 @@ use crate::layouts::Layout;
 use crate::mapping::{Mapping, Named};
 use crate::roles::Role;
 use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, Preset, Signals};
-use atrous::Config;
+use atrous::{Config, Tuning};
 use std::path::{Path, PathBuf};
 
 /// What the user asked for.
@@ -66,7 +66,9 @@ impl Setup {
         let mut config = Config::new(header.extent);
         config.frames_in_flight = 1;
         config.surface_id = mapping.has(Role::Id);
-        config.levels = wishes.levels.unwrap_or(config.levels);
+        config.object_normal = mapping.has(Role::ObjectNormal);
+        let captured = sequence.as_ref().and_then(|(_, file)| file.levels);
+        config.levels = wishes.levels.or(captured).unwrap_or(config.levels);
         config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
         config.preset = wishes.preset;
         config.gradient_source = GradientSource::Reshaded;
@@ -85,6 +87,20 @@ impl Setup {
             report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
         }
         Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), report })
+    }
+
+    /// Whether values that are not finite reach the filter.
+    pub fn is_verbatim(&self) -> bool {
+        self.sequence.as_ref().is_some_and(|s| s.verbatim)
+    }
+
+    /// Tunables of the sequence.
+    pub fn tuning(&self) -> Result<Tuning> {
+        let mut tuning = Tuning::for_preset(self.config.preset);
+        for (name, value) in self.sequence.iter().flat_map(|s| &s.tuning) {
+            tuning.set(name, *value)?;
+        }
+        Ok(tuning)
     }
 
     /// The camera of a frame.

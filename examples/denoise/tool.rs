@@ -20,7 +20,7 @@ use std::time::Instant;
 pub fn run(cli: &Cli) -> Result<()> {
     let frames = frame_files::find(&cli.frames)?;
     let setup = Setup::new(&frames, &cli.wishes())?;
-    let tuning = cli.tuning()?;
+    let tuning = cli.tuning(setup.tuning()?)?;
     if !cli.quiet {
         let [w, h] = setup.config.allocated_extent;
         eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());

@@ -64,7 +64,7 @@ impl FrameParams {
         }
     }
 
-    fn validate(&self, config: &Config) -> Result<(), Error> {
+    pub(crate) fn validate(&self, config: &Config) -> Result<(), Error> {
         check_extent("FrameParams::render_extent", self.render_extent)?;
         if (0..2).any(|i| self.render_extent[i] > config.allocated_extent[i]) {
             return Err(Error::RenderExtent { render: self.render_extent, allocated: config.allocated_extent });

@@ -4,6 +4,8 @@
 //! uses, and times passes. A host with a frame graph of its own needs none of this.
 
 mod barriers;
+#[cfg(feature = "capture")]
+mod capture;
 mod headless;
 mod memory;
 mod profiler;
@@ -87,6 +89,8 @@ pub struct Executor {
     labels: Option<ash::ext::debug_utils::Device>,
     options: ExecutorOptions,
     bindings: Vec<Binding>,
+    #[cfg(feature = "capture")]
+    capture: capture::Capturing,
 }
 
 impl Executor {
@@ -106,8 +110,18 @@ impl Executor {
             let passes = denoiser.declaration().passes().len();
             let profiler = if options.timestamps { Some(Profiler::new(host, config.frames_in_flight, passes)?) } else { None };
             let labels = options.debug_labels.then(|| ash::ext::debug_utils::Device::new(host.instance, host.device));
-            let barriers = Barriers::default();
-            Ok(Self { denoiser, device: host.device.clone(), memory, barriers, profiler, labels, options, bindings: Vec::new() })
+            Ok(Self {
+                denoiser,
+                device: host.device.clone(),
+                memory,
+                barriers: Barriers::default(),
+                profiler,
+                labels,
+                options,
+                bindings: Vec::new(),
+                #[cfg(feature = "capture")]
+                capture: capture::Capturing::new(host),
+            })
         }
     }
 
@@ -200,6 +214,8 @@ impl Executor {
         if let Some(profiler) = &mut self.profiler {
             profiler.collect(frame.slot)?;
         }
+        #[cfg(feature = "capture")]
+        self.capture.begin_frame(&frame, params, tuning);
         Ok(frame)
     }
 
@@ -217,12 +233,22 @@ impl Executor {
     /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is complete; bound
     /// images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in order.
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
+        #[cfg(feature = "capture")]
+        // SAFETY: the caller's: work recorded earlier with the frame's slot is complete.
+        unsafe {
+            self.capture.collect(frame)
+        };
         for pass in 0..self.denoiser.declaration().passes().len() {
             if self.denoiser.declaration().passes()[pass].phase == phase {
                 // SAFETY: the caller's.
                 unsafe { self.record_pass(cmd, frame, pass)? };
             }
         }
+        #[cfg(feature = "capture")]
+        // SAFETY: the caller's.
+        unsafe {
+            self.record_capture(cmd, frame, phase)
+        };
         // SAFETY: the caller's.
         unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())

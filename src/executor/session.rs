@@ -227,6 +227,25 @@ impl Session {
         Ok((format, self.stage(bytes)?.bytes()[..bytes as usize].to_vec()))
     }
 
+    /// Captures the next `frames` frames: see [`Executor::capture`]. Frames of [`Self::run_traced`] are not captured.
+    ///
+    /// # Errors
+    /// As [`Executor::capture`].
+    #[cfg(feature = "capture")]
+    pub fn capture(&mut self, folder: impl AsRef<std::path::Path>, frames: u32) -> Result<(), Error> {
+        self.executor.capture(folder, frames)
+    }
+
+    /// Writes what was captured and not yet written, and ends the capture: see [`Executor::finish_capture`].
+    ///
+    /// # Errors
+    /// As [`Executor::finish_capture`].
+    #[cfg(feature = "capture")]
+    pub fn finish_capture(&mut self) -> Result<u32, Error> {
+        // SAFETY: every frame was waited for.
+        unsafe { self.executor.finish_capture() }
+    }
+
     /// GPU time per pass of the frame before the last: see [`Executor::times`].
     pub fn times(&self) -> Vec<PassTime> {
         self.executor.times()

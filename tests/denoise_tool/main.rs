@@ -50,6 +50,8 @@ mod setup;
 mod tool;
 
 mod bad_files;
+#[cfg(feature = "capture")]
+mod capture_tests;
 mod fuzz;
 mod layout_tests;
 mod memory;

@@ -1,0 +1,182 @@
+//! Captures: the inputs of some frames as an EXR sequence, which the tool `examples/denoise` filters again, on a GPU or on the CPU twin.
+//!
+//! A picture that is wrong in an engine becomes a folder that anyone can look into, replay, bisect and attach to a report.
+//!
+//! - **With the built-in executor** it is one call: `Executor::capture(folder, frames)` (features `capture` and `executor`), and
+//!   `Executor::finish_capture` to have the last frames, and any error, at once. `Session::capture` does the same.
+//! - **With a frame graph of your own**: create a [`SequenceWriter`], and call [`SequenceWriter::write_frame`] once per frame with the texels of
+//!   your inputs, copied to the host:
+//!   1. Copy every input image that you bind, by the names of [`crate::Declaration::resources`]: for each with [`Lifetime::Input`], after the last
+//!      pass that uses it ([`crate::Declaration::life`]), with `vkCmdCopyImageToBuffer`. Only the top left [`FrameParams::render_extent`]; of a
+//!      depth-stencil image the depth aspect; rows tightly packed (`bufferRowLength` 0). The image needs `TRANSFER_SRC` usage.
+//!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that frame. Where the
+//!      denoiser forced a reset, say so in [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
+//!
+//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::config::Conventions`], so that
+//! texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and ids bit by bit. Normalised formats
+//! become 32-bit float. `docs/denoise.md` lists the channels. A replay starts without history: where its output is to be that of the engine from
+//! the first frame on, call `invalidate` before the first captured frame.
+//!
+//! What a capture does not hold: `instance_transforms` (a warning is logged), and tunables that change on the way (those of the first frame count).
+
+mod channels;
+mod decode;
+mod exr_file;
+mod sequence_json;
+
+pub(crate) use decode::{texel_bytes, ALLOWED};
+
+use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
+use crate::error::Error;
+use crate::Config;
+use ash::vk;
+use channels::Layer;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Texels of one input image of a frame.
+#[derive(Clone, Copy, Debug)]
+pub struct InputImage<'a> {
+    /// Name of the resource: `depth`, `normal`, `noisy_radiance`, ...
+    pub name: &'a str,
+    /// Format of the texels.
+    pub format: vk::Format,
+    /// The render extent, row by row, tightly packed.
+    pub texels: &'a [u8],
+}
+
+/// What holds for a sequence, known with its first frame.
+struct First {
+    extent: [u32; 2],
+    images: Vec<&'static str>,
+    tuning: Tuning,
+}
+
+/// Writes a sequence frame by frame. After each, the folder holds a sequence that can be replayed.
+pub struct SequenceWriter {
+    folder: PathBuf,
+    config: Config,
+    declaration: Declaration,
+    first: Option<First>,
+    frames: BTreeMap<u64, String>,
+}
+
+impl SequenceWriter {
+    /// Makes the folder where there is none, and proves that files can be made in it.
+    ///
+    /// # Errors
+    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already; as [`Config::validate`].
+    pub fn new(folder: impl AsRef<Path>, config: &Config) -> Result<Self, Error> {
+        let folder = folder.as_ref().to_owned();
+        let declaration = config.declare()?;
+        exr_file::prepare(&folder)?;
+        Ok(Self { folder, config: *config, declaration, first: None, frames: BTreeMap::new() })
+    }
+
+    /// Where the sequence is.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Frames that were written.
+    pub fn frames_written(&self) -> u32 {
+        self.frames.len() as u32
+    }
+
+    /// Writes the next frame, and `sequence.json` anew. Nothing is left behind by what is refused.
+    ///
+    /// # Errors
+    /// As [`crate::FrameState::begin`] for `params` and `tuning`; [`Error::UnknownResource`], [`Error::NotBound`] for a required image that is
+    /// missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written, and for a frame with another render
+    /// extent or other images than the first.
+    pub fn write_frame(&mut self, params: &FrameParams, tuning: &Tuning, images: &[InputImage<'_>]) -> Result<(), Error> {
+        let number = self.frames.last_key_value().map_or(0, |(last, _)| last + 1);
+        self.write_numbered(number, params, tuning, images)
+    }
+
+    pub(crate) fn write_numbered(
+        &mut self,
+        number: u64,
+        params: &FrameParams,
+        tuning: &Tuning,
+        images: &[InputImage<'_>],
+    ) -> Result<(), Error> {
+        params.validate(&self.config)?;
+        tuning.validate()?;
+        let names = self.check_names(images)?;
+        self.check_like_first(number, params, &names)?;
+        let named = |name: &&'static str| images.iter().find(|i| i.name == *name).map(|image| (*name, image));
+        let layers = names.iter().filter_map(named).map(|(name, image)| self.layer(name, image, params.render_extent));
+        let mut layers = layers.collect::<Result<Vec<_>, _>>()?;
+        channels::add_total(&mut layers);
+        let path = self.folder.join(format!("frame_{number:04}.exr"));
+        exr_file::write(&path, params.render_extent, layers)?;
+        self.frames.insert(number, sequence_json::frame(number, params));
+        let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
+        let text = sequence_json::sequence(&self.config, &first.tuning, self.frames.values());
+        exr_file::write_atomically(&self.folder.join("sequence.json"), text.as_bytes())
+    }
+
+    /// The names as the declaration has them, in its order.
+    fn check_names(&self, images: &[InputImage<'_>]) -> Result<Vec<&'static str>, Error> {
+        let inputs = || {
+            self.declaration.resources().iter().filter_map(|r| match (r.lifetime, r.shape) {
+                (Lifetime::Input { optional }, Shape::Image { .. }) => Some((r.name, optional)),
+                _ => None,
+            })
+        };
+        if let Some(unknown) = images.iter().find(|i| !inputs().any(|r| r.0 == i.name)) {
+            let known = inputs().map(|r| r.0).collect::<Vec<_>>().join(", ");
+            return Err(Error::UnknownResource { given: unknown.name.to_owned(), known });
+        }
+        let given = |name: &str| images.iter().any(|i| i.name == name);
+        if let Some((missing, _)) = inputs().find(|(name, optional)| !optional && !given(name)) {
+            return Err(Error::NotBound(missing.to_owned()));
+        }
+        Ok(inputs().map(|r| r.0).filter(|name| given(name)).collect())
+    }
+
+    fn check_like_first(&self, number: u64, params: &FrameParams, names: &[&'static str]) -> Result<(), Error> {
+        let Some(first) = &self.first else { return Ok(()) };
+        let given = params.render_extent;
+        if given != first.extent {
+            let problem = format!(
+                "frame {number} has a render extent of {given:?}, the first had {:?}; a sequence has one: hold the resolution while capturing",
+                first.extent
+            );
+            return Err(self.error(problem));
+        }
+        if names != first.images {
+            let problem = format!(
+                "frame {number} has the images {}, the first had {}; bind the same inputs in every captured frame",
+                names.join(", "),
+                first.images.join(", ")
+            );
+            return Err(self.error(problem));
+        }
+        Ok(())
+    }
+
+    fn layer(&self, name: &'static str, image: &InputImage<'_>, extent: [u32; 2]) -> Result<Layer, Error> {
+        let rule = self.declaration.find(name).map(|id| self.declaration.resource(id).shape);
+        let accepted = matches!(rule, Some(Shape::Image { format, .. }) if format.accepts(image.format));
+        let (Some(bytes), true) = (texel_bytes(image.format), accepted) else {
+            return Err(Error::Format { resource: name.to_owned(), given: image.format, allowed: ALLOWED.to_owned() });
+        };
+        let needed = extent[0] as usize * extent[1] as usize * bytes;
+        if image.texels.len() != needed {
+            let [width, height] = extent;
+            let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");
+            return Err(Error::Size { resource: name.to_owned(), given: format!("{} bytes", image.texels.len()), needed });
+        }
+        let planes = decode::planes(image.format, image.texels).unwrap_or_default();
+        Ok(Layer::of_input(name, self.config.conventions.motion_depth, planes, (extent[0] * extent[1]) as usize))
+    }
+
+    pub(crate) fn error(&self, problem: String) -> Error {
+        Error::Capture { path: self.folder.clone(), problem }
+    }
+}
+
+#[cfg(test)]
+mod tests;

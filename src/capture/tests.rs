@@ -1,0 +1,104 @@
+//! What a writer refuses, and that it leaves nothing behind.
+
+use super::*;
+
+const EXTENT: [u32; 2] = [3, 2];
+
+fn config() -> Config {
+    Config { surface_id: false, ..Config::new([4, 4]) }
+}
+
+/// Bytes of an image of six texels of four floats.
+fn texels() -> Vec<u8> {
+    vec![0; 6 * 16]
+}
+
+fn images<'a>(names: &[&'a str], texels: &'a [u8]) -> Vec<InputImage<'a>> {
+    names.iter().map(|name| InputImage { name, format: vk::Format::R32G32B32A32_SFLOAT, texels }).collect()
+}
+
+const NEEDED: [&str; 3] = ["depth", "normal", "noisy_radiance"];
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let mut names: Vec<_> =
+        std::fs::read_dir(folder).expect("a folder").flatten().map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_sequence_can_be_replayed_after_every_frame() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("new/folder");
+    let mut writer = SequenceWriter::new(&path, &config()).expect("a writer");
+    for count in 1..=2 {
+        let bytes = texels();
+        let params = FrameParams::new(EXTENT);
+        writer.write_frame(&params, &Tuning::default(), &images(&NEEDED, &bytes)).expect("written");
+        assert_eq!(writer.frames_written(), count);
+        let text = std::fs::read_to_string(path.join("sequence.json")).expect("a file");
+        let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        assert_eq!(json["frames"].as_array().map(Vec::len), Some(count as usize), "{text}");
+    }
+    assert_eq!(names_in(&path), ["frame_0000.exr", "frame_0001.exr", "sequence.json"]);
+}
+
+#[test]
+fn what_does_not_fit_is_refused_and_leaves_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut writer = SequenceWriter::new(folder.path(), &config()).expect("a writer");
+    let bytes = texels();
+    let mut refused = |params: FrameParams, images: &[InputImage]| {
+        writer.write_frame(&params, &Tuning::default(), images).expect_err("refused").to_string()
+    };
+    let params = FrameParams::new(EXTENT);
+    let message = refused(params, &images(&NEEDED[..2], &bytes));
+    assert!(message.contains("`noisy_radiance`"), "{message}");
+    let message = refused(params, &images(&["depth", "normal", "noisy_radiance", "dept"], &bytes));
+    assert!(message.contains("`dept`") && message.contains("albedo"), "{message}");
+    let message = refused(params, &images(&NEEDED, &bytes[1..]));
+    assert!(message.contains("95 bytes") && message.contains("3x2 texels of 16 bytes"), "{message}");
+    let mut unsupported = images(&NEEDED, &bytes);
+    unsupported[2].format = vk::Format::E5B9G9R9_UFLOAT_PACK32;
+    let message = refused(params, &unsupported);
+    assert!(message.contains("E5B9G9R9") && message.contains("B10G11R11"), "{message}");
+    let message = refused(FrameParams { jitter: [f32::NAN; 2], ..params }, &images(&NEEDED, &bytes));
+    assert!(message.contains("jitter"), "{message}");
+    assert!(names_in(folder.path()).is_empty());
+}
+
+#[test]
+fn later_frames_are_like_the_first() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut writer = SequenceWriter::new(folder.path(), &config()).expect("a writer");
+    let bytes = texels();
+    let params = FrameParams::new(EXTENT);
+    writer.write_frame(&params, &Tuning::default(), &images(&NEEDED, &bytes)).expect("written");
+    let other = FrameParams::new([2, 3]);
+    let message = writer.write_frame(&other, &Tuning::default(), &images(&NEEDED, &bytes)).expect_err("extent").to_string();
+    assert!(message.contains("[2, 3]") && message.contains("[3, 2]"), "{message}");
+    let more = images(&["depth", "normal", "noisy_radiance", "emission"], &bytes);
+    let message = writer.write_frame(&params, &Tuning::default(), &more).expect_err("images").to_string();
+    assert!(message.contains("emission"), "{message}");
+    assert_eq!(names_in(folder.path()), ["frame_0000.exr", "sequence.json"]);
+}
+
+#[test]
+fn nothing_is_overwritten() {
+    for name in ["sequence.json", "frame_0007.exr"] {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join(name), b"kept").expect("a file");
+        let message = SequenceWriter::new(folder.path(), &config()).err().expect("refused").to_string();
+        assert!(message.contains(name) && message.contains("not overwritten"), "{message}");
+        assert_eq!(std::fs::read(folder.path().join(name)).expect("a file"), b"kept");
+    }
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("file");
+    std::fs::write(&file, b"").expect("a file");
+    let message = SequenceWriter::new(file.join("below"), &config()).err().expect("refused").to_string();
+    assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
+}

@@ -1,0 +1,303 @@
+//! Captures frames on their way through the executor: copies of the inputs are recorded behind the passes that read them, and written when the
+//! frame slot comes round again. See [`crate::capture`].
+
+use super::barriers::{buffer_barrier, Scope};
+use super::transfer::Staging;
+use super::Executor;
+use crate::capture::{texel_bytes, InputImage, SequenceWriter, ALLOWED};
+use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
+use crate::error::Error;
+use ash::vk;
+use std::collections::{BTreeMap, VecDeque};
+use std::path::Path;
+
+/// The state of a capture, if there is one.
+pub(super) struct Capturing {
+    device: ash::Device,
+    memory_types: vk::PhysicalDeviceMemoryProperties,
+    writer: Option<SequenceWriter>,
+    /// Frames that are still to begin.
+    remaining: u32,
+    /// The frame that the sequence starts with.
+    first_index: Option<u64>,
+    begun: VecDeque<Frame>,
+    /// By frame slot.
+    slots: BTreeMap<u32, Slot>,
+    /// What ended the capture, for whoever finishes it.
+    failure: Option<Error>,
+}
+
+/// What is known of a frame when it begins.
+#[derive(Clone, Copy)]
+struct Frame {
+    index: u64,
+    params: FrameParams,
+    tuning: Tuning,
+}
+
+/// Buffers of a frame slot. They are kept from frame to frame.
+#[derive(Default)]
+struct Slot {
+    /// What is to be written.
+    frame: Option<Frame>,
+    /// The last frame that was recorded with the buffers.
+    last_index: u64,
+    /// Whether every phase with inputs was recorded.
+    complete: bool,
+    buffers: BTreeMap<&'static str, Staging>,
+    copies: Vec<Copied>,
+}
+
+/// An image that was copied into the buffer of its name.
+struct Copied {
+    name: &'static str,
+    format: vk::Format,
+    bytes: usize,
+}
+
+impl Capturing {
+    pub fn new(host: crate::Device<'_>) -> Self {
+        // SAFETY: the handles are live, as `Executor::new` demands.
+        let memory_types = unsafe { host.instance.get_physical_device_memory_properties(host.physical_device) };
+        Self {
+            device: host.device.clone(),
+            memory_types,
+            writer: None,
+            remaining: 0,
+            first_index: None,
+            begun: VecDeque::new(),
+            slots: BTreeMap::new(),
+            failure: None,
+        }
+    }
+
+    /// Frames that were asked for and are not written yet.
+    fn outstanding(&self) -> u32 {
+        self.remaining + self.begun.len() as u32 + self.slots.values().filter(|s| s.frame.is_some()).count() as u32
+    }
+
+    pub fn begin_frame(&mut self, frame: &FrameContext, params: &FrameParams, tuning: &Tuning) {
+        if self.remaining == 0 {
+            return;
+        }
+        self.remaining -= 1;
+        self.first_index.get_or_insert(frame.index);
+        // A reset that the denoiser forced is one for the replay, too.
+        let params = FrameParams { reset: frame.reset, ..*params };
+        self.begun.push_back(Frame { index: frame.index, params, tuning: *tuning });
+    }
+
+    /// Writes the frame that was recorded with this slot before, and makes the slot that of this frame.
+    ///
+    /// # Safety
+    /// GPU work recorded with the slot for earlier frames is complete.
+    pub unsafe fn collect(&mut self, frame: &FrameContext) {
+        if self.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index != frame.index) {
+            // SAFETY: the caller's.
+            unsafe { self.write(frame.slot) };
+        }
+        match self.begun.iter().position(|f| f.index == frame.index) {
+            Some(at) => {
+                let slot = self.slots.entry(frame.slot).or_default();
+                (slot.frame, slot.last_index) = (self.begun.remove(at), frame.index);
+            }
+            // The capture is over as far as this slot goes: its buffers are idle, unless an earlier phase of this very frame uses them.
+            None if self.remaining == 0 && self.begun.is_empty() => {
+                self.slots.retain(|slot, s| *slot != frame.slot || s.frame.is_some() || s.last_index == frame.index);
+            }
+            None => {}
+        }
+    }
+
+    /// # Safety
+    /// GPU work recorded with the slot is complete.
+    unsafe fn write(&mut self, slot: u32) {
+        let (Some(slot), Some(writer)) = (self.slots.get_mut(&slot), &mut self.writer) else { return };
+        let Some(frame) = slot.frame.take() else { return };
+        let copies = std::mem::take(&mut slot.copies);
+        let number = frame.index - self.first_index.unwrap_or(frame.index);
+        let result = if std::mem::take(&mut slot.complete) {
+            let images = slot.buffers.iter_mut().filter_map(|(name, buffer)| {
+                let Copied { format, bytes, .. } = copies.iter().find(|c| c.name == *name)?;
+                Some(InputImage { name, format: *format, texels: &buffer.bytes()[..*bytes] })
+            });
+            let images: Vec<_> = images.collect();
+            writer.write_numbered(number, &frame.params, &frame.tuning, &images)
+        } else {
+            let problem =
+                format!("frame {number} was begun, and not all of its phases were recorded; record each phase of each frame");
+            Err(writer.error(problem))
+        };
+        if let Err(error) = result {
+            self.fail(error);
+        }
+    }
+
+    /// Ends the capture. What the GPU may still write to is kept until its slot comes round.
+    fn fail(&mut self, error: Error) {
+        log::error!("atrous: the capture ends early: {error}");
+        self.failure.get_or_insert(error);
+        self.remaining = 0;
+        self.begun.clear();
+        for slot in self.slots.values_mut() {
+            slot.frame = None;
+            slot.copies.clear();
+        }
+    }
+
+    /// # Safety
+    /// All GPU work that was recorded is complete.
+    unsafe fn finish(&mut self) -> Result<u32, Error> {
+        let mut slots: Vec<_> = self.slots.iter().filter_map(|(slot, s)| Some((s.frame?.index, *slot))).collect();
+        slots.sort_unstable();
+        for (_, slot) in slots {
+            // SAFETY: the caller's.
+            unsafe { self.write(slot) };
+        }
+        self.slots.clear();
+        self.begun.clear();
+        (self.remaining, self.first_index) = (0, None);
+        let written = self.writer.take().map_or(0, |w| w.frames_written());
+        self.failure.take().map_or(Ok(written), Err)
+    }
+}
+
+impl Drop for Capturing {
+    fn drop(&mut self) {
+        if !std::thread::panicking() {
+            // SAFETY: an executor is dropped only after its GPU work is complete. What goes wrong was logged.
+            let _ = unsafe { self.finish() };
+        }
+    }
+}
+
+impl Executor {
+    /// Captures the inputs of the next `frames` frames as a sequence in `folder`, which `examples/denoise` can replay: see [`crate::capture`].
+    ///
+    /// Copies are recorded at the end of the phase that uses an input last. A frame is written, in [`Self::record`], when its slot comes round
+    /// again, which takes as long as compressing it does; the last ones when recording goes on, in [`Self::finish_capture`], or when the executor is
+    /// dropped. An error on the way ends the capture and never a frame: it is logged, and [`Self::finish_capture`] returns it.
+    ///
+    /// Every bound input image needs `TRANSFER_SRC` usage, and every frame the same inputs and render extent.
+    ///
+    /// # Errors
+    /// [`Error::Capture`] for 0 frames, while another capture is in progress, for a folder that cannot be written or that holds a sequence;
+    /// [`Error::Format`] for a bound image that cannot be captured.
+    pub fn capture(&mut self, folder: impl AsRef<Path>, frames: u32) -> Result<(), Error> {
+        let folder = folder.as_ref();
+        let refused = |problem: String| Err(Error::Capture { path: folder.to_owned(), problem });
+        if frames == 0 {
+            return refused("0 frames were asked for; ask for 1 or more".to_owned());
+        }
+        let outstanding = self.capture.outstanding();
+        if outstanding > 0 {
+            let to = self.capture.writer.as_ref().map_or(String::new(), |w| w.folder().display().to_string());
+            return refused(format!("a capture to {to} lacks {outstanding} frames; wait for them, or call finish_capture first"));
+        }
+        let declaration = self.denoiser.declaration();
+        for (id, name) in input_images(declaration) {
+            if let Some(storage) = self.memory.storages.storage(id, 0) {
+                check_format(name, storage.format)?;
+            }
+        }
+        let transforms = declaration.find("instance_transforms").and_then(|id| self.memory.storages.storage(id, 0));
+        if transforms.is_some() {
+            log::warn!("atrous: instance_transforms are not captured; a replay takes what they move to stand still, unless motion is bound");
+        }
+        let writer = SequenceWriter::new(folder, self.denoiser.config())?;
+        self.capture.failure = None;
+        (self.capture.first_index, self.capture.writer, self.capture.remaining) = (None, Some(writer), frames);
+        Ok(())
+    }
+
+    /// Frames of the capture that are not written yet; 0 where there is none in progress, and after it failed.
+    pub fn frames_to_capture(&self) -> u32 {
+        self.capture.outstanding()
+    }
+
+    /// Writes what was recorded and not yet written, and ends the capture, even where frames are lacking. How many were written; 0 without a capture.
+    ///
+    /// # Errors
+    /// [`Error::Capture`], [`Error::Format`] and others that ended the capture early. Frames that were written before stay, and can be replayed.
+    ///
+    /// # Safety
+    /// GPU work recorded with this executor is complete.
+    pub unsafe fn finish_capture(&mut self) -> Result<u32, Error> {
+        // SAFETY: the caller's.
+        unsafe { self.capture.finish() }
+    }
+
+    /// Copies the inputs that no later phase reads.
+    ///
+    /// # Safety
+    /// As [`Self::record`].
+    pub(super) unsafe fn record_capture(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) {
+        let captured = self.capture.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index == frame.index);
+        if !captured {
+            return;
+        }
+        let declaration = self.denoiser.declaration();
+        let last_phase = |id| declaration.life(id).map(|(_, last)| declaration.passes()[last].phase);
+        let inputs: Vec<_> = input_images(declaration).collect();
+        let here: Vec<_> = inputs.iter().copied().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
+        let is_last = inputs.iter().filter_map(|(id, _)| last_phase(*id)).max() == Some(phase);
+        for (id, name) in here {
+            // SAFETY: the caller's.
+            if let Err(error) = unsafe { self.copy_input(cmd, frame, id, name) } {
+                return self.capture.fail(error);
+            }
+        }
+        if let Some(slot) = self.capture.slots.get_mut(&frame.slot) {
+            slot.complete |= is_last;
+        }
+    }
+
+    unsafe fn copy_input(
+        &mut self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        id: ResourceId,
+        name: &'static str,
+    ) -> Result<(), Error> {
+        let Some(storage) = self.memory.storages.storage_mut(id, 0) else { return Ok(()) };
+        let [width, height] = frame.render_extent;
+        let bytes = width as usize * height as usize * check_format(name, storage.format)?;
+        let capture = &mut self.capture;
+        let slot = capture.slots.entry(frame.slot).or_default();
+        if slot.buffers.get(name).is_none_or(|b| b.size < bytes as u64) {
+            // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is complete.
+            let staging = unsafe { Staging::of_types(&capture.device, &capture.memory_types, bytes as u64)? };
+            slot.buffers.insert(name, staging);
+        }
+        let Some(buffer) = slot.buffers.get(name).map(|b| b.buffer) else { return Ok(()) };
+        slot.copies.push(Copied { name, format: storage.format, bytes });
+        // Of a depth-stencil image the depth.
+        let aspect_mask = storage.aspect() & !vk::ImageAspectFlags::STENCIL;
+        let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
+        let region =
+            vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 });
+        let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
+        let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
+        // SAFETY: the caller's; image and buffer are live and large enough, and the image is handed back at the end of the phase.
+        unsafe {
+            self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
+            self.device.cmd_copy_image_to_buffer(cmd, storage.image, Scope::COPY_SOURCE.layout, buffer, &[region]);
+            buffer_barrier(&self.device, cmd, buffer, copied, read);
+        }
+        Ok(())
+    }
+}
+
+/// Every input image.
+fn input_images(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &'static str)> + '_ {
+    let is_image = |shape: &Shape| matches!(shape, Shape::Image { .. });
+    (0..)
+        .map(ResourceId)
+        .zip(declaration.resources())
+        .filter_map(move |(id, r)| (matches!(r.lifetime, Lifetime::Input { .. }) && is_image(&r.shape)).then_some((id, r.name)))
+}
+
+/// Bytes of a texel.
+fn check_format(name: &str, format: vk::Format) -> Result<usize, Error> {
+    texel_bytes(format).ok_or_else(|| Error::Format { resource: name.to_owned(), given: format, allowed: ALLOWED.to_owned() })
+}

@@ -1,0 +1,98 @@
+//! What a capture refuses, and how it ends.
+
+use super::support::{assert_valid, scene::Scene, session, upload};
+use super::GpuTest;
+use atrous::executor::{Executor, Session};
+use atrous::{Config, Tuning};
+use std::path::Path;
+
+pub const TESTS: &[GpuTest] = &[
+    ("what_cannot_be_captured_is_refused_at_once", what_cannot_be_captured_is_refused_at_once),
+    ("a_capture_can_end_early_and_another_can_follow", a_capture_can_end_early_and_another_can_follow),
+    ("a_failure_ends_the_capture_and_not_the_frame", a_failure_ends_the_capture_and_not_the_frame),
+    ("what_is_outstanding_is_written_when_the_session_ends", what_is_outstanding_is_written_when_the_session_ends),
+];
+
+const EXTENT: [u32; 2] = [16, 9];
+
+fn run(s: &mut Session, index: u32) {
+    let scene = Scene::new(EXTENT);
+    upload(s, &scene.frame(index, index));
+    s.run(&scene.params(index), &Tuning::default()).expect("a frame");
+}
+
+fn frames_in(folder: &Path) -> usize {
+    let is_frame = |name: &str| name.starts_with("frame_") && name.ends_with(".exr");
+    std::fs::read_dir(folder).expect("a folder").flatten().filter(|e| is_frame(&e.file_name().to_string_lossy())).count()
+}
+
+fn what_cannot_be_captured_is_refused_at_once() {
+    fn sendable<T: Send + Sync>() {}
+    sendable::<Executor>();
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut s = session(&Config::new(EXTENT));
+    let message = s.capture(folder.path(), 0).expect_err("none").to_string();
+    assert!(message.contains("0 frames") && message.contains("1 or more"), "{message}");
+    let file = folder.path().join("file");
+    std::fs::write(&file, b"").expect("a file");
+    let message = s.capture(file.join("below"), 2).expect_err("a file in the way").to_string();
+    assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
+    let sequence = folder.path().join("sequence.json");
+    std::fs::write(&sequence, b"{}").expect("a file");
+    let message = s.capture(folder.path(), 2).expect_err("exists").to_string();
+    assert!(message.contains("sequence.json") && message.contains("not overwritten"), "{message}");
+    std::fs::remove_file(&sequence).expect("removed");
+    s.capture(folder.path(), 2).expect("nothing of what was refused is left");
+    let message = s.capture(folder.path().join("other"), 2).expect_err("two at once").to_string();
+    assert!(message.contains("lacks 2 frames") && message.contains("finish_capture"), "{message}");
+}
+
+fn a_capture_can_end_early_and_another_can_follow() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut s = session(&Config::new(EXTENT));
+    assert_eq!(s.finish_capture().expect("no capture is no error"), 0);
+    s.capture(folder.path().join("a"), 10).expect("a capture");
+    for i in 0..3 {
+        run(&mut s, i);
+    }
+    assert_eq!(s.executor().frames_to_capture(), 8);
+    assert_eq!(s.finish_capture().expect("written"), 3);
+    run(&mut s, 3);
+    s.capture(folder.path().join("b"), 2).expect("another");
+    for i in 4..8 {
+        run(&mut s, i);
+    }
+    assert_eq!(s.executor().frames_to_capture(), 0, "both were written as frames went on");
+    assert_eq!((frames_in(&folder.path().join("a")), frames_in(&folder.path().join("b"))), (3, 2));
+    assert!(folder.path().join("b/frame_0000.exr").exists());
+    assert_eq!(s.finish_capture().expect("written"), 2);
+    assert_valid();
+}
+
+fn a_failure_ends_the_capture_and_not_the_frame() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut s = session(&Config::new(EXTENT));
+    s.capture(folder.path().join("gone"), 4).expect("a capture");
+    run(&mut s, 0);
+    std::fs::remove_dir(folder.path().join("gone")).expect("removed");
+    for i in 1..4 {
+        run(&mut s, i);
+    }
+    assert_eq!(s.executor().frames_to_capture(), 0);
+    let message = s.finish_capture().expect_err("the folder is gone").to_string();
+    assert!(message.contains("frame_0000.exr") && message.contains("cannot be written"), "{message}");
+    s.capture(folder.path().join("next"), 1).expect("another");
+    run(&mut s, 4);
+    assert_eq!(s.finish_capture().expect("written"), 1);
+    assert_valid();
+}
+
+fn what_is_outstanding_is_written_when_the_session_ends() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut s = session(&Config::new(EXTENT));
+    s.capture(folder.path(), 2).expect("a capture");
+    run(&mut s, 0);
+    run(&mut s, 1);
+    drop(s);
+    assert_eq!(frames_in(folder.path()), 2);
+}

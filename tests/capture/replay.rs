@@ -1,0 +1,143 @@
+//! A replay of a capture gives what the engine had.
+
+use super::support::{assert_valid, rmse, scene::Scene, session, upload};
+use super::GpuTest;
+use crate::backend::{Backend, GpuBackend};
+use crate::backend_reference::ReferenceBackend;
+use crate::setup::{Setup, Wishes};
+use crate::{frame, frame_files};
+use atrous::config::{MotionDepth, MotionUnit, Signals};
+use atrous::{Config, FrameParams, ResetReason, Tuning};
+use std::path::Path;
+
+pub const TESTS: &[GpuTest] = &[
+    ("a_replay_gives_the_same_bits", a_replay_gives_the_same_bits),
+    ("a_part_of_larger_images_is_captured_alone", a_part_of_larger_images_is_captured_alone),
+    ("conventions_tunables_and_resets_are_replayed", conventions_tunables_and_resets_are_replayed),
+    ("values_that_are_not_finite_are_replayed", values_that_are_not_finite_are_replayed),
+];
+
+const EXTENT: [u32; 2] = [48, 27];
+const FRAMES: u32 = 4;
+
+type Picture = Vec<[f32; 4]>;
+
+/// Frames of a moving camera through a session that captures; what came out, cropped to the render extent.
+fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, change: impl Fn(u32, &mut Inputs)) -> Vec<Picture> {
+    let mut s = session(config);
+    s.capture(folder, FRAMES).expect("a capture");
+    let mut pictures = Vec::new();
+    for i in 0..FRAMES {
+        let mut inputs = Inputs { guides: scene.frame(i, i), params: scene.params(i) };
+        change(i, &mut inputs);
+        upload(&mut s, &inputs.guides);
+        if config.signals == Signals::Together {
+            let emission: Picture = inputs.guides.clean.iter().map(|c| [c[0] * 0.1, 0.0, 0.03, 1.0]).collect();
+            s.upload("emission", &emission).expect("emission");
+        }
+        s.run(&inputs.params, tuning).expect("a frame");
+        let image = s.download("denoised_radiance").expect("a picture");
+        let rows = image.chunks_exact(config.allocated_extent[0] as usize).take(scene.extent[1] as usize);
+        pictures.push(rows.flat_map(|row| row[..scene.extent[0] as usize].to_vec()).collect());
+    }
+    assert_eq!(s.executor().frames_to_capture(), 1, "the last frame is written when its slot comes round");
+    assert_eq!(s.finish_capture().expect("written"), FRAMES);
+    assert_valid();
+    pictures
+}
+
+struct Inputs {
+    guides: super::support::scene::Guides,
+    params: FrameParams,
+}
+
+fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
+    let files = frame_files::find(&[folder.to_owned()]).expect("frames");
+    assert_eq!(files.len(), FRAMES as usize);
+    let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+    let frames = files.iter().map(|f| frame::load(f, &setup).expect("a frame")).collect();
+    (setup, frames)
+}
+
+fn replayed(backend: &mut dyn Backend, frames: &[frame::FrameInputs]) -> Vec<Picture> {
+    let picture = |f| backend.denoise(f, false).expect("a picture").radiance.into_iter().map(|[r, g, b]| [r, g, b, 1.0]).collect();
+    frames.iter().map(picture).collect()
+}
+
+fn assert_replays(folder: &Path, pictures: &[Picture]) {
+    let (setup, frames) = load(folder);
+    let tuning = setup.tuning().expect("tunables");
+    let mut gpu = GpuBackend::new(None, &setup.config, tuning).expect("a device");
+    for (i, (again, before)) in replayed(&mut gpu, &frames).iter().zip(pictures).enumerate() {
+        assert!(again == before, "frame {i} differs on the GPU, RMSE {}", rmse(again, before));
+    }
+    let mut twin = ReferenceBackend::new(&setup.config, tuning).expect("the twin");
+    for (i, (again, before)) in replayed(&mut twin, &frames).iter().zip(pictures).enumerate() {
+        let error = rmse(again, before);
+        assert!(error < 2e-3, "frame {i} differs on the CPU twin, RMSE {error}");
+    }
+}
+
+fn a_replay_gives_the_same_bits() {
+    for signals in [Signals::Together, Signals::Apart] {
+        let folder = tempfile::tempdir().expect("a folder");
+        let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+        let config = Config { signals, object_normal: signals == Signals::Apart, ..Config::new(EXTENT) };
+        let pictures = capture(folder.path(), &config, &Tuning::default(), &scene, |_, _| {});
+        assert!(pictures[2] != pictures[3]);
+        assert_replays(folder.path(), &pictures);
+        let (setup, _) = load(folder.path());
+        assert_eq!((setup.config.signals, setup.config.object_normal), (config.signals, config.object_normal));
+    }
+}
+
+fn a_part_of_larger_images_is_captured_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let allocated = [64, 40];
+    let scene = Scene { speed: 0.05, allocated, ..Scene::new(EXTENT) };
+    let pictures = capture(folder.path(), &Config::new(allocated), &Tuning::default(), &scene, |_, _| {});
+    assert_replays(folder.path(), &pictures);
+}
+
+/// Motion in NDC, of the other sign, with y up, jitter and an absolute depth; a cut and an exposure jump on the way.
+fn conventions_tunables_and_resets_are_replayed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+    let mut config = Config { levels: 3, ..Config::new(EXTENT) };
+    let c = &mut config.conventions;
+    (c.motion_unit, c.motion_y_up, c.motion_jittered, c.motion_depth) = (MotionUnit::Ndc, true, true, MotionDepth::Absolute);
+    c.motion_direction = atrous::config::MotionDirection::CurrentMinusPrevious;
+    c.background_depth = 50.0;
+    let tuning = Tuning { alpha: 0.1, sigma_l: 2.5, ..Tuning::default() };
+    let pictures = capture(folder.path(), &config, &tuning, &scene, |i, inputs| {
+        for (motion, depth) in inputs.guides.motion.iter_mut().zip(&inputs.guides.depth) {
+            *motion = [-2.0 * motion[0], 0.0, depth[0], 0.0];
+        }
+        inputs.params.jitter = [0.1 * i as f32, -0.05 * i as f32];
+        inputs.params.exposure_ratio = if i == 1 { 1.3 } else { 1.0 };
+        inputs.params.reset = (i == 2).then_some(ResetReason::ExposureJump);
+    });
+    assert_replays(folder.path(), &pictures);
+    let (setup, frames) = load(folder.path());
+    assert_eq!((setup.config.conventions, setup.config.levels), (config.conventions, 3));
+    assert_eq!(setup.tuning().expect("tunables"), tuning);
+    let resets: Vec<_> = frames.iter().map(|f| f.params.reset).collect();
+    assert_eq!(resets, [Some(ResetReason::Created), None, Some(ResetReason::ExposureJump), None]);
+    assert_eq!(frames[3].params.view_from_world, scene.params(3).view_from_world);
+    assert_eq!(frames[3].params.clip_from_view, scene.params(3).clip_from_view);
+}
+
+fn values_that_are_not_finite_are_replayed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+    let pictures = capture(folder.path(), &Config::new(EXTENT), &Tuning::default(), &scene, |i, inputs| {
+        let at = 48 * 13 + 10 * i as usize;
+        inputs.guides.motion[at] = [f32::NAN; 4];
+        inputs.guides.normal[at + 1] = [f32::INFINITY; 4];
+        inputs.guides.noisy_radiance[at + 2] = [f32::NAN; 4];
+        inputs.guides.depth[at + 3] = [f32::NAN; 4];
+    });
+    assert_replays(folder.path(), &pictures);
+    let (_, frames) = load(folder.path());
+    assert!(frames[0].images["motion"][48 * 13][0].is_nan(), "the texel is passed on as it was");
+}

@@ -1,0 +1,54 @@
+//! What `atrous::capture` writes of slices is what this tool reads; on the CPU alone.
+
+use crate::frame_files;
+use crate::setup::{Setup, Wishes};
+use ash::vk::Format;
+use atrous::capture::{InputImage, SequenceWriter};
+use atrous::config::{
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+};
+use atrous::{Config, FrameParams, Tuning};
+
+fn variants() -> Vec<Conventions> {
+    let base = Conventions::default();
+    let (depths, normals) =
+        ([DepthEncoding::Device, DepthEncoding::RayLength], [NormalEncoding::XyzUnorm, NormalEncoding::Octahedral]);
+    let mut all = vec![
+        base,
+        Conventions { background_depth: 0.1, normal: NormalEncoding::OctahedralUnorm, ..base },
+        Conventions { normal_space: NormalSpace::View, view_forward: ViewForward::PositiveZ, ..base },
+        Conventions { motion_unit: MotionUnit::Pixels, motion_depth: MotionDepth::Difference, ..base },
+        Conventions { motion_unit: MotionUnit::Ndc, motion_depth: MotionDepth::Absolute, ..base },
+        Conventions { motion_direction: MotionDirection::CurrentMinusPrevious, motion_y_up: true, motion_jittered: true, ..base },
+    ];
+    all.extend(depths.map(|depth| Conventions { depth, ..base }));
+    all.extend(normals.map(|normal| Conventions { normal, ..base }));
+    all
+}
+
+#[test]
+fn every_convention_and_texel_arrives_as_it_was() {
+    for conventions in variants() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let config = Config { conventions, surface_id: false, ..Config::new([2, 1]) };
+        let texels: [[f32; 4]; 2] = [[0.1, 1e-30, f32::INFINITY, 4.0], [5.0, f32::MAX, -7.0, 8.0]];
+        let image = |name| InputImage { name, format: Format::R32G32B32A32_SFLOAT, texels: bytemuck::cast_slice(&texels) };
+        let images = ["depth", "normal", "motion", "noisy_radiance", "roughness", "emission"].map(image);
+        let params = FrameParams { jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new([2, 1]) };
+        let tuning = Tuning { alpha: 0.05, ..Tuning::default() };
+        let mut writer = SequenceWriter::new(folder.path(), &config).expect("a writer");
+        writer.write_frame(&params, &tuning, &images).expect("written");
+        let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+        let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+        assert_eq!(setup.config.conventions, conventions);
+        assert_eq!(setup.tuning().expect("tunables"), tuning);
+        let frame = crate::frame::load(&files[0], &setup).expect("a frame");
+        assert_eq!(frame.params, params);
+        let z = if conventions.motion_depth == MotionDepth::None { [0.0; 2] } else { [f32::INFINITY, -7.0] };
+        assert_eq!(frame.images["motion"], [[0.1, 1e-30, z[0], 0.0], [5.0, f32::MAX, z[1], 0.0]]);
+        for name in ["normal", "noisy_radiance", "emission"] {
+            assert_eq!(frame.images[name], [[0.1, 1e-30, f32::INFINITY, 0.0], [5.0, f32::MAX, -7.0, 0.0]], "{name}");
+        }
+        assert_eq!(frame.images["roughness"], [[0.1, 0.0, 0.0, 0.0], [5.0, 0.0, 0.0, 0.0]]);
+    }
+}
