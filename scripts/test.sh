@@ -21,7 +21,7 @@ step() { printf '\n== %s\n' "$*"; "$@"; }
 step cargo fmt --all --check
 step cargo clippy --workspace --all-targets --quiet -- -D warnings
 # Also proves that the checked-in SPIR-V was made from this GLSL, and that no C++ toolchain is needed with it.
-step cargo clippy --package atrous --no-default-features --quiet -- -D warnings
+step cargo clippy --package atrous --no-default-features --lib --example host_ash --quiet -- -D warnings
 step cargo test --workspace --quiet
 RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --no-deps --quiet
 echo

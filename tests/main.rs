@@ -6,6 +6,8 @@
 mod bad_input;
 mod contract;
 mod declarations;
+mod documents;
+mod hosts;
 mod parity;
 mod pattern;
 mod properties;
@@ -20,6 +22,9 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 pub type GpuTest = (&'static str, fn());
 
 fn main() {
+    if let Some(code) = hosts::run_as_host() {
+        std::process::exit(code);
+    }
     let mut arguments = Arguments::from_args();
     // A frame keeps every core busy on a software device: more threads than two only cost memory.
     arguments.test_threads.get_or_insert(2);
@@ -28,9 +33,11 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 8] = [
+    let groups: [(&str, &[GpuTest], bool); 10] = [
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
+        ("documents", documents::TESTS, false),
+        ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("properties", properties::TESTS, true),
         ("parity", parity::TESTS, true),

@@ -1,0 +1,85 @@
+//! Hosts that share nothing but the contract give the same image, bit for bit, and none of them a validation message.
+//!
+//! Each runs in a process of its own, which is this test program once more: a host has no code for validation, so the layer is switched on
+//! from outside, and reports on the standard output.
+
+#[path = "../../examples/host_ash.rs"]
+mod host_ash;
+
+use super::support::{assert_valid, session};
+use super::GpuTest;
+use atrous::{Config, FrameParams, Tuning};
+use atrous_synthetic as synthetic;
+use std::process::{Command, Output};
+
+pub const TESTS: &[GpuTest] = &[("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor)];
+
+/// Names the host that a process of this program runs instead of the tests.
+const VARIABLE: &str = "ATROUS_TEST_HOST";
+
+/// Runs the host that the environment asks for; `None`: the tests are to be run.
+pub fn run_as_host() -> Option<i32> {
+    let result = match std::env::var(VARIABLE).ok()?.as_str() {
+        "host_ash" => host_ash::main(),
+        other => Err(format!("no host is called {other}").into()),
+    };
+    Some(result.map_or_else(
+        |error| {
+            eprintln!("{error}");
+            1
+        },
+        |()| 0,
+    ))
+}
+
+/// Switches the validation layer on, with synchronisation validation and across submissions.
+pub fn validated(command: &mut Command) -> &mut Command {
+    let enables = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT;VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
+    command
+        .env("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation")
+        .env("VK_LAYER_ENABLES", enables)
+        .env("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1")
+}
+
+/// The lines with checksums; fails where the host did, or where the layer said anything.
+pub fn checksums(name: &str, output: &Output) -> Vec<String> {
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert!(output.status.success(), "{name}: {}\n{out}\n{err}", output.status);
+    assert!(!out.contains("Validation") && !err.contains("Validation"), "{name}:\n{out}\n{err}");
+    out.lines().filter(|l| l.contains("checksum")).map(str::to_owned).collect()
+}
+
+fn of_host(name: &str) -> Vec<String> {
+    let mut command = Command::new(std::env::current_exe().expect("this program"));
+    let output = validated(command.env(VARIABLE, name)).output().expect("a process");
+    checksums(name, &output)
+}
+
+/// What the built-in executor gives.
+pub fn of_executor() -> Vec<String> {
+    let mut s = session(&Config::new(synthetic::EXTENT));
+    let lines = (0..synthetic::FRAMES).map(|index| {
+        let input = synthetic::Frame::new(index);
+        for (name, texels) in synthetic::NAMES.iter().zip(&input.images) {
+            s.upload(name, texels).expect(name);
+        }
+        s.upload_ids("surface_id", &input.surface_id).expect("surface_id");
+        let params = FrameParams {
+            frame_slot: index % 2,
+            view_from_world: synthetic::view_from_world(index),
+            clip_from_view: synthetic::clip_from_view(),
+            ..FrameParams::new(synthetic::EXTENT)
+        };
+        s.run(&params, &Tuning::default()).expect("frame");
+        let image = s.download_bytes("denoised_radiance", atrous::UseFrame::Current).expect("denoised_radiance");
+        synthetic::report(index, &image)
+    });
+    let lines = lines.collect();
+    assert_valid();
+    lines
+}
+
+fn plain_ash_gives_the_bits_of_the_executor() {
+    assert_eq!(of_host("host_ash"), of_executor());
+}
