@@ -2,7 +2,8 @@
 // One level of the edge-avoiding à-trous wavelet transform, guided by variance, which it filters along.
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
-// variants: SIGNALS=1 SIGNALS=2
+// BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline.
+// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,BOX=1 SIGNALS=2,BOX=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -21,7 +22,13 @@ layout(set = 0, binding = 5) uniform texture2D input_1;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
 #endif
 
+#ifdef BOX
+const int RADIUS = 1;
+const float KERNEL[2] = float[](1.0 / 3.0, 1.0 / 3.0);
+#else
+const int RADIUS = 2;
 const float KERNEL[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
+#endif
 const float LUMINANCE_EPSILON = 1e-4;
 
 struct Sum {
@@ -101,8 +108,8 @@ void main() {
     Sum sum_1 = start(value_1);
 #endif
     int step_size = 1 << push.level;
-    for (int y = -2; y <= 2; ++y)
-        for (int x = -2; x <= 2; ++x) {
+    for (int y = -RADIUS; y <= RADIUS; ++y)
+        for (int x = -RADIUS; x <= RADIUS; ++x) {
             ivec2 offset = ivec2(x, y) * step_size;
             ivec2 q = p + offset;
             if ((x == 0 && y == 0) || !is_inside(q)) continue;

@@ -1,9 +1,10 @@
 #version 450
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
-// Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
+// Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation. ADAPTIVE: [ASVGF] 3.5, alpha by pixel.
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame.
+// ADAPTIVE: history_confidence.
 // In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
-// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1
+// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -30,6 +31,10 @@ layout(set = 0, binding = 12, rgba16ui) uniform writeonly uimage2D moments_1;
 #if OBJECT_NORMAL
 layout(set = 0, binding = 5 + 4 * SIGNALS) uniform utexture2D object_normal;
 layout(set = 0, binding = 6 + 4 * SIGNALS) uniform utexture2D previous_object_normal;
+#endif
+
+#ifdef ADAPTIVE
+layout(set = 0, binding = 5 + 4 * SIGNALS + 2 * OBJECT_NORMAL) uniform texture2D history_confidence;
 #endif
 
 // Below this sum of bilinear weights a reprojection rests on next to nothing.
@@ -127,18 +132,29 @@ Expected expectation(ivec2 p, uvec4 packed, SurfaceMotion m) {
     return Expected(previous_z, frame.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y), n, unpack_id(packed));
 }
 
-vec3 blend(vec3 irradiance, History history, float history_length, out Moments moments) {
+// How far light changed at a pixel: 0, not at all, to 1.
+float change_at(ivec2 p) {
+#ifdef ADAPTIVE
+    return 1.0 - texelFetch(history_confidence, p, 0).x;
+#else
+    return 0.0;
+#endif
+}
+
+float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
+
+vec3 blend(vec3 irradiance, History history, float history_length, float change, out Moments moments) {
     float l = luminance(irradiance);
     float scale = frame.exposure_ratio;
     float mean = history.mean * scale;
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
-    float alpha_moments = max(frame.alpha_moments, 1.0 / history_length);
+    float alpha_moments = max(adapted(frame.alpha_moments, change), 1.0 / history_length);
     float difference = l - mean;
     moments.mean = mean + alpha_moments * difference;
     moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    return mix(history.irradiance * scale, irradiance, max(frame.alpha, 1.0 / history_length));
+    return mix(history.irradiance * scale, irradiance, max(adapted(frame.alpha, change), 1.0 / history_length));
 }
 
 void main() {
@@ -158,6 +174,11 @@ void main() {
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, frame.max_history_length) : 1.0;
+    float change = change_at(p);
+#ifdef ADAPTIVE
+    // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
+    history_length = min(history_length, 1.0 / max(adapted(frame.alpha, change), 1e-6));
+#endif
 
     vec3 irradiance[SIGNALS];
     irradiance[0] = imageLoad(irradiance_0, p).rgb;
@@ -170,7 +191,7 @@ void main() {
         if (sum.weight > 0.0) {
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
-            irradiance[i] = blend(irradiance[i], h, history_length, moments[i]);
+            irradiance[i] = blend(irradiance[i], h, history_length, change, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), 0.0));

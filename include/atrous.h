@@ -62,12 +62,18 @@ typedef struct AtrousConfig {
   uint32_t height;
   // Frames that the host records before it waits for the oldest, 1 to 8.
   uint32_t frames_in_flight;
-  // 0: SVGF.
+  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser.
   uint32_t preset;
   // 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
   uint32_t signals;
   // À-trous levels, 1 to 10.
   uint32_t levels;
+  // Side of the strata of temporal gradients, 2 to 4 pixels.
+  uint32_t stratum_size;
+  // Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
+  uint32_t gradient_source;
+  // 1: the host has an image of forward motion.
+  uint32_t forward_motion;
   // 1: the host has an image of surface ids.
   uint32_t surface_id;
   // 1: the host has object-space normals.
@@ -116,6 +122,8 @@ typedef struct AtrousFrameParams {
   float jitter[2];
   // This frame's exposure divided by the previous one's.
   float exposure_ratio;
+  // 1: the host re-shades this frame's `gradient_samples`.
+  uint32_t reshaded;
 } AtrousFrameParams;
 
 // Where the passes run. Handles stay the host's.
@@ -253,9 +261,10 @@ typedef struct AtrousFrame {
   uint32_t reset;
 } AtrousFrame;
 
-// What is bound to a use. An image: `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is absent.
+// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is
+// absent.
 typedef struct AtrousBinding {
-  // The image of the view; read for transfer writes of images.
+  // The image of the view: a transfer write has no use for a view.
   VkImage image;
   // 2D view of mip 0, layer 0.
   VkImageView view;

@@ -10,12 +10,6 @@ done
 
 # A machine without a Vulkan device is an error here, not a skipped test: setup.sh has just installed one.
 export ATROUS_REQUIRE_DEVICE=1
-# Hazards between submissions, too; newer layers find hazards in shaders only with the second one.
-export VK_LAYER_ENABLES=${VK_LAYER_ENABLES:-VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT}
-export VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC=1
-# Software Vulkan compiles a shader at its first dispatch: once for all test programs.
-export MESA_SHADER_CACHE_DIR=$PWD/target/shader-cache
-
 step() { printf '\n== %s\n' "$*"; "$@"; }
 
 step cargo fmt --all --check

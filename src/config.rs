@@ -8,7 +8,7 @@ pub enum Signals {
     /// One image, `noisy_radiance`: direct and indirect light together.
     #[default]
     Together,
-    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as [SVGF] does. Keeps shadow edges that the sum blurs.
+    /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow edges that the sum blurs.
     Apart,
 }
 
@@ -153,9 +153,30 @@ pub enum PostProcess {
 /// Which filter: a list of nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Preset {
-    /// Spatiotemporal variance-guided filtering [SVGF].
+    /// Spatiotemporal variance-guided filtering \[SVGF\].
     #[default]
     Svgf,
+    /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples say where history is out of date.
+    Asvgf,
+    /// The same gradients drive a temporal accumulation over the output of any other denoiser \[ASVGF 4\]. One signal.
+    Stabilize,
+}
+
+/// Where the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`] come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum GradientSource {
+    /// The host's path tracer re-shades one pixel a stratum with the surface and the seed of a pixel of the previous frame, which the stage
+    /// `forward_project` picks (`glsl/host/gradient_sample.glsl`). Costs no extra samples.
+    #[default]
+    ForwardProjected,
+    /// An image `reshaded_radiance`: the paths of the previous frame, traced again in the scene of this frame with the same random numbers, at
+    /// the pixels of the previous frame. As dense as the host likes; pixels that it leaves out are NaN.
+    Reshaded,
+    /// An image `sparse_gradient` with one texel a stratum, of a host that takes the differences itself: x the change of luminance δ, y the
+    /// larger of the two luminances Δ. 0, 0 where there is none.
+    Sparse,
+    /// An image `confidence` with one texel a pixel, of a host that knows what changed: x from 1, keep the history, to 0, drop it.
+    Confidence,
 }
 
 /// What is decided once. [`crate::Tuning`] holds what may change from frame to frame.
@@ -171,6 +192,13 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
+    /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
+    pub stratum_size: u32,
+    /// Where the temporal gradients come from. Only for presets with gradients.
+    pub gradient_source: GradientSource,
+    /// Whether the host has an image `forward_motion`, for surfaces that deform: at every pixel of the previous frame its motion to this frame.
+    /// Only for forward-projected gradients. Default: false.
+    pub forward_motion: bool,
     /// Whether the host has an image of surface ids. Default: true.
     pub surface_id: bool,
     /// Whether the host has object-space normals, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
@@ -193,6 +221,9 @@ impl Config {
             preset: Preset::default(),
             signals: Signals::default(),
             levels: 5,
+            stratum_size: 3,
+            gradient_source: GradientSource::default(),
+            forward_motion: false,
             surface_id: true,
             object_normal: false,
             post_process: PostProcess::default(),
@@ -206,12 +237,22 @@ impl Config {
     /// [`Error::Extent`] or [`Error::Config`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
-        for (name, given, min, max) in [("frames_in_flight", self.frames_in_flight, 1, 8), ("levels", self.levels, 1, 10)] {
+        let ranges = [
+            ("frames_in_flight", self.frames_in_flight, 1, 8),
+            ("levels", self.levels, 1, 10),
+            ("stratum_size", self.stratum_size, 2, 4),
+        ];
+        for (name, given, min, max) in ranges {
             if !(min..=max).contains(&given) {
                 return Err(Error::Config { name, given, min, max });
             }
         }
         Ok(())
+    }
+
+    /// Whether the host's path tracer has to re-shade the pixels that `forward_project` picks.
+    pub(crate) fn reshades(&self) -> bool {
+        matches!(self.preset, Preset::Asvgf | Preset::Stabilize) && self.gradient_source == GradientSource::ForwardProjected
     }
 }
 

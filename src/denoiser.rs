@@ -1,7 +1,7 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
 use crate::config::{Config, Preset};
-use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
+use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
 use crate::requirements::{Requirements, WORKGROUP_SIDE};
@@ -17,6 +17,8 @@ impl Config {
         self.validate()?;
         Ok(match self.preset {
             Preset::Svgf => crate::presets::svgf(self),
+            Preset::Asvgf => crate::presets::asvgf(self),
+            Preset::Stabilize => crate::presets::stabilize(self),
         })
     }
 }
@@ -25,7 +27,7 @@ impl PassDecl {
     pub(crate) fn shader(&self) -> Option<&'static Shader> {
         match self.work {
             Work::Dispatch { shader, .. } => Some(shader),
-            Work::StartFrame => None,
+            Work::StartFrame | Work::Clear => None,
         }
     }
 
@@ -56,6 +58,13 @@ pub enum Binding {
         /// Its layout.
         layout: vk::ImageLayout,
     },
+    /// An image itself, for a use with [`crate::Access::Clear`]: mip 0, layer 0, in `TRANSFER_DST_OPTIMAL` or `GENERAL`.
+    ClearedImage {
+        /// Colour image.
+        image: vk::Image,
+        /// Its layout.
+        layout: vk::ImageLayout,
+    },
     /// A range of a buffer.
     Buffer {
         /// Buffer.
@@ -78,6 +87,8 @@ pub struct Denoiser {
     state: FrameState,
     device: ash::Device,
     pipelines: Pipelines,
+    /// Whether it was said that gradients are missing.
+    warned: bool,
 }
 
 impl Denoiser {
@@ -94,7 +105,14 @@ impl Denoiser {
         let declaration = config.declare()?;
         // SAFETY: the caller's.
         let pipelines = unsafe { Pipelines::new(host.device, &declaration, config.frames_in_flight)? };
-        Ok(Self { config: *config, declaration, state: FrameState::default(), device: host.device.clone(), pipelines })
+        Ok(Self {
+            config: *config,
+            declaration,
+            state: FrameState::default(),
+            device: host.device.clone(),
+            pipelines,
+            warned: false,
+        })
     }
 
     /// Structural configuration.
@@ -112,7 +130,18 @@ impl Denoiser {
     /// # Errors
     /// As [`FrameState::begin`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
-        self.state.begin(&self.config, params, tuning)
+        let frame = self.state.begin(&self.config, params, tuning)?;
+        if self.config.reshades() && !params.reshaded && frame.reset.is_none() {
+            self.warn_of_missing_gradients("FrameParams::reshaded is false: the host does not re-shade `gradient_samples`");
+        }
+        Ok(frame)
+    }
+
+    /// Once: a host that leaves them out does so in every frame.
+    fn warn_of_missing_gradients(&mut self, why: &str) {
+        if !std::mem::replace(&mut self.warned, true) {
+            log::warn!("atrous: {why}. Without gradients the preset {:?} behaves as Svgf", self.config.preset);
+        }
     }
 
     /// The next frame drops all history: after the host re-created images.
@@ -147,7 +176,9 @@ impl Denoiser {
         match decl.work {
             // SAFETY: the caller's; the bindings were checked.
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
-            Work::Dispatch { shader, level } => {
+            // SAFETY: as above.
+            Work::Clear => unsafe { self.clear(cmd, bindings) },
+            Work::Dispatch { shader, level, divisor } => {
                 let Some(bindable) = self.pipelines.bindable(frame.slot, pass) else {
                     return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.config.frames_in_flight });
                 };
@@ -156,9 +187,12 @@ impl Denoiser {
                 // SAFETY: the set is not in use, since earlier work of the slot is complete; the rest is the caller's.
                 unsafe {
                     self.write_set(bindable.set, shader, bindings);
-                    self.dispatch(cmd, frame, bindable, PushConstants { level, present });
+                    self.dispatch(cmd, dispatched_extent(frame, divisor), bindable, PushConstants { level, present });
                 }
             }
+        }
+        if let Some(name) = absent_gradients(&self.declaration, pass, bindings) {
+            self.warn_of_missing_gradients(&format!("nothing is bound to `{name}`"));
         }
         Ok(())
     }
@@ -171,7 +205,9 @@ impl Denoiser {
             let resource = self.declaration.resource(u.resource);
             let fits = match (binding, resource.shape) {
                 (Binding::Absent, _) => resource.lifetime == Lifetime::Input { optional: true },
-                (Binding::Image { .. }, Shape::Image { .. }) | (Binding::Buffer { .. }, Shape::Buffer { .. }) => true,
+                (Binding::Image { .. }, Shape::Image { .. }) => u.access != Access::Clear,
+                (Binding::ClearedImage { .. }, Shape::Image { .. }) => u.access == Access::Clear,
+                (Binding::Buffer { .. }, Shape::Buffer { .. }) => true,
                 _ => false,
             };
             if !fits {
@@ -195,6 +231,19 @@ impl Denoiser {
         }
     }
 
+    unsafe fn clear(&self, cmd: vk::CommandBuffer, bindings: &[Binding]) {
+        let [Binding::ClearedImage { image, layout }] = *bindings else { return };
+        let range = vk::ImageSubresourceRange {
+            aspect_mask: vk::ImageAspectFlags::COLOR,
+            base_mip_level: 0,
+            level_count: 1,
+            base_array_layer: 0,
+            layer_count: 1,
+        };
+        // SAFETY: the caller's.
+        unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[range]) };
+    }
+
     /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not read.
     unsafe fn write_set(&self, set: vk::DescriptorSet, shader: &Shader, bindings: &[Binding]) {
         let mut images = [vk::DescriptorImageInfo::default(); MAX_BINDINGS];
@@ -205,7 +254,7 @@ impl Denoiser {
                     images[i] = vk::DescriptorImageInfo::default().image_view(view).image_layout(layout)
                 }
                 Binding::Buffer { buffer, offset, range } => buffers[i] = vk::DescriptorBufferInfo { buffer, offset, range },
-                Binding::Absent => {}
+                Binding::Absent | Binding::ClearedImage { .. } => {}
             }
         }
         let mut writes = [vk::WriteDescriptorSet::default(); MAX_BINDINGS];
@@ -223,8 +272,8 @@ impl Denoiser {
         unsafe { self.device.update_descriptor_sets(&writes[..shader.bindings.len()], &[]) };
     }
 
-    unsafe fn dispatch(&self, cmd: vk::CommandBuffer, frame: &FrameContext, bindable: Bindable, push: PushConstants) {
-        let groups = frame.render_extent.map(|side| side.div_ceil(WORKGROUP_SIDE));
+    unsafe fn dispatch(&self, cmd: vk::CommandBuffer, extent: [u32; 2], bindable: Bindable, push: PushConstants) {
+        let groups = extent.map(|side| side.div_ceil(WORKGROUP_SIDE));
         let point = vk::PipelineBindPoint::COMPUTE;
         // SAFETY: the caller's; pipeline, layout and set belong together.
         unsafe {
@@ -234,6 +283,22 @@ impl Denoiser {
             self.device.cmd_dispatch(cmd, groups[0], groups[1], 1);
         }
     }
+}
+
+/// Invocations of a dispatch.
+fn dispatched_extent(frame: &FrameContext, divisor: u32) -> [u32; 2] {
+    let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
+    match divisor {
+        1 => now,
+        _ => [0, 1].map(|i| now[i].max(before[i]).div_ceil(divisor)),
+    }
+}
+
+/// The input that gradients come from, where the pass needs it and it is absent.
+fn absent_gradients(declaration: &Declaration, pass: usize, bindings: &[Binding]) -> Option<&'static str> {
+    let uses = &declaration.passes.get(pass)?.uses;
+    let absent = uses.iter().zip(bindings).filter(|(_, b)| **b == Binding::Absent);
+    absent.map(|(u, _)| declaration.resource(u.resource).name).find(|name| crate::nodes::GRADIENT_INPUTS.contains(name))
 }
 
 fn substitute(shader: &Shader, bindings: &[Binding], index: usize, binding: Binding) -> Binding {

@@ -13,6 +13,8 @@ pub struct FrameConstants {
     pub world_from_view: [[f32; 4]; 4],
     pub previous_clip_from_world: [[f32; 4]; 4],
     pub previous_view_from_world: [[f32; 4]; 4],
+    pub world_from_previous_sample: [[f32; 4]; 4],
+    pub sample_from_world: [[f32; 4]; 4],
     pub render_extent: [u32; 2],
     pub previous_render_extent: [u32; 2],
     pub jitter: [f32; 2],
@@ -34,6 +36,10 @@ pub struct FrameConstants {
     pub taa_alpha: f32,
     pub taa_gamma: f32,
     pub tone_curve: u32,
+    pub stratum_size: u32,
+    pub previous_clip_w_scale: f32,
+    pub previous_clip_w_offset: f32,
+    pub gradient_scale: f32,
     pub padding: [u32; 3],
 }
 
@@ -62,6 +68,8 @@ impl Flags {
     pub const MOTION_DEPTH_SHIFT: u32 = 11;
     /// The camera looks along +z.
     pub const VIEW_POSITIVE_Z: u32 = 1 << 13;
+    /// The host re-shades the gradient samples of this frame.
+    pub const RESHADED: u32 = 1 << 16;
 
     pub(crate) fn of(config: &Config, reset: bool) -> u32 {
         let c = &config.conventions;

@@ -109,10 +109,18 @@ include!(env!("ATROUS_SHADERS"));
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::{Config, PostProcess, Signals};
+    use crate::config::{Config, GradientSource, PostProcess, Preset, Signals};
     use crate::contract::{ImageFormat, PassDecl, Shape, Work};
     use crate::{Declaration, UseFrame};
     use std::collections::BTreeSet;
+
+    const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
+        (GradientSource::ForwardProjected, false),
+        (GradientSource::ForwardProjected, true),
+        (GradientSource::Reshaded, false),
+        (GradientSource::Sparse, false),
+        (GradientSource::Confidence, false),
+    ];
 
     /// Every structural configuration that changes a declaration.
     fn declarations() -> Vec<Declaration> {
@@ -124,6 +132,12 @@ mod tests {
                         let config = Config { signals, surface_id, object_normal, post_process, levels, ..Config::new([64, 36]) };
                         all.push(config.declare().expect("valid"));
                     }
+                    let config = Config { signals, surface_id, object_normal, post_process, ..Config::new([64, 36]) };
+                    for preset in [Preset::Asvgf, Preset::Stabilize] {
+                        for (gradient_source, forward_motion) in GRADIENT_SOURCES {
+                            all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));
+                        }
+                    }
                 }
             }
         }
@@ -133,7 +147,7 @@ mod tests {
     fn dispatches(declaration: &Declaration) -> impl Iterator<Item = (&PassDecl, &'static Shader)> {
         declaration.passes().iter().filter_map(|p| match p.work {
             Work::Dispatch { shader, .. } => Some((p, shader)),
-            Work::StartFrame => None,
+            Work::StartFrame | Work::Clear => None,
         })
     }
 

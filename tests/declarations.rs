@@ -1,7 +1,7 @@
 //! `uses` against the SPIR-V, read by a second reader that the build does not use.
 
 use super::GpuTest;
-use atrous::config::{PostProcess, Signals};
+use atrous::config::{GradientSource, PostProcess, Preset, Signals};
 use atrous::{Access, Config, PassDecl, Shape};
 use spirv_reflect::types::ReflectDescriptorType as Kind;
 use spirv_reflect::ShaderModule;
@@ -10,9 +10,20 @@ pub const TESTS: &[GpuTest] = &[("uses_equal_the_spirv_by_a_second_reader", uses
 
 fn uses_equal_the_spirv_by_a_second_reader() {
     let mut modules = 0;
-    for signals in [Signals::Together, Signals::Apart] {
+    let presets = [
+        (Preset::Svgf, GradientSource::default()),
+        (Preset::Asvgf, GradientSource::ForwardProjected),
+        (Preset::Asvgf, GradientSource::Reshaded),
+        (Preset::Asvgf, GradientSource::Sparse),
+        (Preset::Asvgf, GradientSource::Confidence),
+        (Preset::Stabilize, GradientSource::ForwardProjected),
+    ];
+    for (signals, (preset, gradient_source)) in
+        [Signals::Together, Signals::Apart].into_iter().flat_map(|s| presets.map(|p| (s, p)))
+    {
         for object_normal in [false, true] {
-            let config = Config { signals, object_normal, post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) };
+            let post_process = PostProcess::ToneMapTaa;
+            let config = Config { signals, object_normal, post_process, preset, gradient_source, ..Config::new([64, 36]) };
             let declaration = config.declare().expect("valid");
             for pass in declaration.passes() {
                 let Some(spirv) = pass.spirv() else { continue };

@@ -7,6 +7,7 @@ mod bad_input;
 mod contract;
 mod declarations;
 mod documents;
+mod gradients;
 mod hosts;
 mod parity;
 mod pattern;
@@ -33,20 +34,21 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 10] = [
+    let groups: &[(&str, &[GpuTest], bool)] = &[
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("documents", documents::TESTS, false),
         ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("properties", properties::TESTS, true),
+        ("gradients", gradients::TESTS, true),
         ("parity", parity::TESTS, true),
         ("pattern", pattern::TESTS, true),
         ("sequences", sequences::TESTS, true),
         ("sync_validation", sync_validation::TESTS, true),
     ];
     let mut trials = Vec::new();
-    for (group, tests, needs_gpu) in groups {
+    for &(group, tests, needs_gpu) in groups {
         for &(name, test) in tests {
             let trial = Trial::test(format!("{group}::{name}"), move || run(test)).with_ignored_flag(needs_gpu && device.is_err());
             trials.push(trial);

@@ -8,6 +8,8 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     mat4 world_from_view;
     mat4 previous_clip_from_world;  // unjittered
     mat4 previous_view_from_world;
+    mat4 world_from_previous_sample;  // from (x·w, y·w, linear depth, 1) of the previous frame, x and y in pixels
+    mat4 sample_from_world;           // to (x·w, y·w, linear depth, w), x and y in pixels
     uvec2 render_extent;            // pixels
     uvec2 previous_render_extent;   // pixels
     vec2 jitter;                    // pixels
@@ -29,6 +31,10 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     float taa_alpha;
     float taa_gamma;                // standard deviations
     uint tone_curve;
+    uint stratum_size;              // pixels
+    float previous_clip_w_scale;    // w = scale·linear depth + offset in the previous frame's clip space
+    float previous_clip_w_offset;
+    float gradient_scale;
 } frame;
 
 const uint FLAG_RESET = 1u;
@@ -41,6 +47,7 @@ const uint FLAG_MOTION_Y_UP = 1u << 9;
 const uint FLAG_MOTION_JITTERED = 1u << 10;
 const uint FLAG_MOTION_DEPTH_SHIFT = 11u;
 const uint FLAG_VIEW_POSITIVE_Z = 1u << 13;
+const uint FLAG_RESHADED = 1u << 16;
 
 bool has_flag(uint flag) { return (frame.flags & flag) != 0u; }
 

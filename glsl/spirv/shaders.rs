@@ -3,27 +3,45 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_clip) == 6
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 192);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 256);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 320);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 328);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 336);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 344);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 352);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 356);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure_ratio) == 360);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, background_depth) == 364);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, alpha) == 368);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, alpha_moments) == 372);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, max_history_length) == 376);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, spatial_variance_frames) == 380);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_l) == 384);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_n) == 388);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_z) == 392);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, depth_tolerance) == 396);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, normal_tolerance) == 400);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 404);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 408);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 412);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 416);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 320);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 384);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 448);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 456);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 464);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 472);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 480);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 484);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure_ratio) == 488);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, background_depth) == 492);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, alpha) == 496);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, alpha_moments) == 500);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, max_history_length) == 504);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, spatial_variance_frames) == 508);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_l) == 512);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_n) == 516);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_z) == 520);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, depth_tolerance) == 524);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, normal_tolerance) == 528);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 532);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 536);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 540);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 544);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 548);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 552);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 556);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 560);
+pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader { name: "adaptive_alpha_source_0", spirv: include_bytes!("adaptive_alpha_source_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "gradient", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static ADAPTIVE_ALPHA_SOURCE_1: Shader = Shader { name: "adaptive_alpha_source_1", spirv: include_bytes!("adaptive_alpha_source_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "confidence", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+    ] };
 const _: () = assert!(std::mem::offset_of!(PushConstants, level) == 0);
 const _: () = assert!(std::mem::offset_of!(PushConstants, present) == 4);
 pub(crate) static ATROUS_SIGNALS_1: Shader = Shader { name: "atrous_signals_1", spirv: include_bytes!("atrous_signals_1.spv"),
@@ -35,6 +53,24 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader { name: "atrous_signals_1", 
         ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader { name: "atrous_signals_2", spirv: include_bytes!("atrous_signals_2.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static ATROUS_SIGNALS_1_BOX_1: Shader = Shader { name: "atrous_signals_1_box_1", spirv: include_bytes!("atrous_signals_1_box_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static ATROUS_SIGNALS_2_BOX_1: Shader = Shader { name: "atrous_signals_2_box_1", spirv: include_bytes!("atrous_signals_2_box_1.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
@@ -63,6 +99,170 @@ pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader { name: "demodulate_sign
         ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
         ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader { name: "forward_project_resolve_0_forward_motion_0", spirv: include_bytes!("forward_project_resolve_0_forward_motion_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
+        ShaderBinding { name: "claims", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite) },
+    ] };
+pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1: Shader = Shader { name: "forward_project_resolve_0_forward_motion_1", spirv: include_bytes!("forward_project_resolve_0_forward_motion_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
+        ShaderBinding { name: "forward_motion", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "claims", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite) },
+    ] };
+pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0: Shader = Shader { name: "forward_project_resolve_1_forward_motion_0_surface_id_0", spirv: include_bytes!("forward_project_resolve_1_forward_motion_0_surface_id_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
+        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1: Shader = Shader { name: "forward_project_resolve_1_forward_motion_0_surface_id_1", spirv: include_bytes!("forward_project_resolve_1_forward_motion_0_surface_id_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
+        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "surface_id", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0: Shader = Shader { name: "forward_project_resolve_1_forward_motion_1_surface_id_0", spirv: include_bytes!("forward_project_resolve_1_forward_motion_1_surface_id_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
+        ShaderBinding { name: "forward_motion", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1: Shader = Shader { name: "forward_project_resolve_1_forward_motion_1_surface_id_1", spirv: include_bytes!("forward_project_resolve_1_forward_motion_1_surface_id_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
+        ShaderBinding { name: "forward_motion", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "surface_id", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static GRADIENT_SIGNALS_1_SOURCE_0: Shader = Shader { name: "gradient_signals_1_source_0", spirv: include_bytes!("gradient_signals_1_source_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_samples", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static GRADIENT_SIGNALS_2_SOURCE_0: Shader = Shader { name: "gradient_signals_2_source_0", spirv: include_bytes!("gradient_signals_2_source_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_samples", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static GRADIENT_SIGNALS_1_SOURCE_1: Shader = Shader { name: "gradient_signals_1_source_1", spirv: include_bytes!("gradient_signals_1_source_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "reshaded_radiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static GRADIENT_SIGNALS_2_SOURCE_1: Shader = Shader { name: "gradient_signals_2_source_1", spirv: include_bytes!("gradient_signals_2_source_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "reshaded_radiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static GRADIENT_SIGNALS_1_SOURCE_2: Shader = Shader { name: "gradient_signals_1_source_2", spirv: include_bytes!("gradient_signals_1_source_2.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "sparse_gradient", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static GRADIENT_SIGNALS_2_SOURCE_2: Shader = Shader { name: "gradient_signals_2_source_2", spirv: include_bytes!("gradient_signals_2_source_2.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "sparse_gradient", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static GRADIENT_ATROUS: Shader = Shader { name: "gradient_atrous", spirv: include_bytes!("gradient_atrous.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "gradient_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "gradient_in", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "gradient_out", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
 pub(crate) static IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0: Shader = Shader { name: "import_surface_id_0_object_normal_0", spirv: include_bytes!("import_surface_id_0_object_normal_0.spv"),
     bindings: &[
@@ -213,6 +413,70 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1: Shader = Shad
         ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
     ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0_adaptive_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_1_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_1_adaptive_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_0_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_0_adaptive_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_1_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_1_adaptive_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
 pub(crate) static TONE_MAP: Shader = Shader { name: "tone_map", spirv: include_bytes!("tone_map.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
@@ -241,4 +505,4 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader { name: "variance_signals_
         ShaderBinding { name: "estimated_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_BOX_1, &ATROUS_SIGNALS_2_BOX_1, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1, &GRADIENT_SIGNALS_1_SOURCE_0, &GRADIENT_SIGNALS_2_SOURCE_0, &GRADIENT_SIGNALS_1_SOURCE_1, &GRADIENT_SIGNALS_2_SOURCE_1, &GRADIENT_SIGNALS_1_SOURCE_2, &GRADIENT_SIGNALS_2_SOURCE_2, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, ];

@@ -3,8 +3,8 @@
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use crate::config::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, PostProcess, Preset,
-    Signals, ViewForward,
+    Conventions, DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, PostProcess,
+    Preset, Signals, ViewForward,
 };
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
 use crate::{Config, FrameParams, ResetReason};
@@ -16,6 +16,12 @@ fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
     let most = values.len() - 1;
     values.get(given as usize).copied().ok_or_else(|| Failure::argument(format!("{name} is {given}; allowed is 0 to {most}")))
 }
+
+/// In the order of their numbers.
+const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize];
+
+const GRADIENT_SOURCES: &[GradientSource] =
+    &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
 
 impl AtrousConfig {
     pub(super) fn to_config(self) -> Result<Config, Failure> {
@@ -47,9 +53,12 @@ impl AtrousConfig {
         let post_processes = [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa];
         let config = Config {
             frames_in_flight: self.frames_in_flight,
-            preset: pick("preset", self.preset, &[Preset::Svgf])?,
+            preset: pick("preset", self.preset, PRESETS)?,
             signals: pick("signals", self.signals, &[Signals::Together, Signals::Apart])?,
             levels: self.levels,
+            stratum_size: self.stratum_size,
+            gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
+            forward_motion: flag("forward_motion", self.forward_motion)?,
             surface_id: flag("surface_id", self.surface_id)?,
             object_normal: flag("object_normal", self.object_normal)?,
             post_process: pick("post_process", self.post_process, &post_processes)?,
@@ -71,6 +80,9 @@ impl AtrousConfig {
             preset: config.preset as u32,
             signals: config.signals as u32,
             levels: config.levels,
+            stratum_size: config.stratum_size,
+            gradient_source: config.gradient_source as u32,
+            forward_motion: config.forward_motion.into(),
             surface_id: config.surface_id.into(),
             object_normal: config.object_normal.into(),
             post_process: config.post_process as u32,
@@ -111,6 +123,7 @@ impl AtrousFrameParams {
             clip_from_view: matrix(self.clip_from_view),
             jitter: self.jitter,
             exposure_ratio: self.exposure_ratio,
+            reshaded: pick("reshaded", self.reshaded, &[false, true])?,
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -128,6 +141,7 @@ impl AtrousFrameParams {
             clip_from_view: identity,
             jitter: [0.0; 2],
             exposure_ratio: 1.0,
+            reshaded: 0,
         }
     }
 }

@@ -115,7 +115,7 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         let physical_device = info.physical_device;
         let denoiser = Denoiser::new(crate::Device { instance: &instance, physical_device, device: &device }, config)?;
         let frames = vec![None; config.frames_in_flight as usize];
-        Ok(State { instance, device, physical_device, denoiser, tuning: Tuning::default(), generation: 0, frames })
+        Ok(State { instance, device, physical_device, denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })
     }
 }
 

@@ -5,7 +5,7 @@ use super::handle::{self, AtrousDenoiser, State};
 use super::status::{guard, AtrousStatus, Failure};
 use super::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
 use crate::denoiser::Binding;
-use crate::FrameContext;
+use crate::{Access, FrameContext, Use};
 use ash::vk::{CommandBuffer, Handle};
 
 /// Records one pass: no barrier, no allocation, no submission. `bindings` stand in the order of the pass's uses.
@@ -37,11 +37,11 @@ pub unsafe extern "C" fn atrous_record(
             }
             // Checked before anything is read, since a wrong count may reach beyond what the host has.
             let count = binding_count as usize;
-            check_count(state, pass, count)?;
+            let uses = uses_of(state, pass, count)?;
             let mut bound = [Binding::Absent; ATROUS_MAX_USES];
-            for (i, to) in bound.iter_mut().enumerate().take(count) {
+            for (i, (to, u)) in bound.iter_mut().zip(uses).enumerate() {
                 // SAFETY: the caller's; i is below the count.
-                *to = binding(i, &unsafe { bindings.add(i).read_unaligned() })?;
+                *to = binding(i, u.access, &unsafe { bindings.add(i).read_unaligned() })?;
             }
             let bound = bound.get(..count).unwrap_or_default();
             // SAFETY: the caller's.
@@ -68,7 +68,8 @@ fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure>
     })
 }
 
-fn check_count(state: &State, pass: u32, count: usize) -> Result<(), Failure> {
+/// The uses of a pass, which are as many as there are bindings.
+fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
     let passes = state.denoiser.declaration().passes();
     let Some(decl) = passes.get(pass as usize) else {
         return Err(Failure::argument(format!("pass {pass} does not exist; there are {}", passes.len())));
@@ -76,10 +77,13 @@ fn check_count(state: &State, pass: u32, count: usize) -> Result<(), Failure> {
     if decl.uses.len() != count {
         return Err(crate::Error::Bindings { pass: decl.name.to_owned(), given: count, needed: decl.uses.len() }.into());
     }
-    Ok(())
+    Ok(&decl.uses)
 }
 
-fn binding(index: usize, given: &AtrousBinding) -> Result<Binding, Failure> {
+fn binding(index: usize, access: Access, given: &AtrousBinding) -> Result<Binding, Failure> {
+    if access == Access::Clear && !given.image.is_null() && given.buffer.is_null() {
+        return Ok(Binding::ClearedImage { image: given.image, layout: given.layout });
+    }
     match (given.view.is_null(), given.buffer.is_null()) {
         (false, false) => Err(Failure {
             status: AtrousStatus::BadBindings,

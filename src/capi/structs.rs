@@ -27,12 +27,18 @@ pub struct AtrousConfig {
     pub height: u32,
     /// Frames that the host records before it waits for the oldest, 1 to 8.
     pub frames_in_flight: u32,
-    /// 0: SVGF.
+    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser.
     pub preset: u32,
     /// 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
     pub signals: u32,
     /// À-trous levels, 1 to 10.
     pub levels: u32,
+    /// Side of the strata of temporal gradients, 2 to 4 pixels.
+    pub stratum_size: u32,
+    /// Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
+    pub gradient_source: u32,
+    /// 1: the host has an image of forward motion.
+    pub forward_motion: u32,
     /// 1: the host has an image of surface ids.
     pub surface_id: u32,
     /// 1: the host has object-space normals.
@@ -101,6 +107,8 @@ pub struct AtrousFrameParams {
     pub jitter: [f32; 2],
     /// This frame's exposure divided by the previous one's.
     pub exposure_ratio: f32,
+    /// 1: the host re-shades this frame's `gradient_samples`.
+    pub reshaded: u32,
 }
 
 /// A frame that was begun. Plain data: copy it as you like.
@@ -199,11 +207,12 @@ pub struct AtrousPass {
     pub name: AtrousName,
 }
 
-/// What is bound to a use. An image: `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is absent.
+/// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is
+/// absent.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousBinding {
-    /// The image of the view; read for transfer writes of images.
+    /// The image of the view: a transfer write has no use for a view.
     pub image: Image,
     /// 2D view of mip 0, layer 0.
     pub view: ImageView,

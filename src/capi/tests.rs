@@ -2,7 +2,6 @@
 
 use super::status::guard;
 use super::*;
-use crate::config::Signals;
 use crate::{Config, Tuning};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -62,8 +61,10 @@ fn null_and_wrong_sizes_are_told() {
 
 #[test]
 fn names_and_uses_fit() {
-    for signals in [Signals::Together, Signals::Apart] {
-        let declaration = Config { signals, object_normal: true, ..Config::new([64, 36]) }.declare().expect("valid");
+    for preset in 0..3 {
+        let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
+        assert_eq!(config.preset as u32, preset);
+        let declaration = config.declare().expect("valid");
         let names = declaration.resources().iter().map(|r| r.name).chain(declaration.passes().iter().map(|p| p.name));
         assert!(names.chain(Tuning::FIELDS.iter().map(|f| f.name)).all(|n| n.len() < ATROUS_NAME_SIZE));
     }

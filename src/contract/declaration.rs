@@ -150,11 +150,15 @@ pub struct PassDecl {
 pub(crate) enum Work {
     /// Uploads [`crate::FrameConstants`] to binding 0 and fills binding 1 with zeros.
     StartFrame,
+    /// Fills binding 0, an image of unsigned integers, with zeros.
+    Clear,
     /// One dispatch that covers the render extent.
     Dispatch {
         shader: &'static Shader,
         /// À-trous level, or what else the shader's first push constant means.
         level: u32,
+        /// Pixels a side of what an invocation covers; of either frame where it is not 1, since strata of the previous frame are walked, too.
+        divisor: u32,
     },
 }
 

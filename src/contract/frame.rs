@@ -6,6 +6,8 @@ use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
 use glam::Mat4;
 
+mod forward;
+
 /// Why all history is dropped for one frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
@@ -41,6 +43,9 @@ pub struct FrameParams {
     pub jitter: [f32; 2],
     /// This frame's exposure divided by the previous frame's, where the host's radiance is pre-exposed. Scales the history. Default: 1.
     pub exposure_ratio: f32,
+    /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous frame.
+    /// Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
+    pub reshaded: bool,
 }
 
 impl FrameParams {
@@ -55,6 +60,7 @@ impl FrameParams {
             clip_from_view: identity,
             jitter: [0.0; 2],
             exposure_ratio: 1.0,
+            reshaded: false,
         }
     }
 
@@ -145,18 +151,21 @@ fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &
     let (view, clip) = (mat(&now.view_from_world), mat(&now.clip_from_view));
     let (previous_view, previous_clip) = (mat(&before.view_from_world), mat(&before.clip_from_view));
     let columns = |m: Mat4| m.to_cols_array_2d();
+    let forward = forward::ForwardProjection::new(config, now, before);
     FrameConstants {
         clip_from_view: now.clip_from_view,
         world_from_clip: columns(view.inverse() * clip.inverse()),
         world_from_view: columns(view.inverse()),
         previous_clip_from_world: columns(previous_clip * previous_view),
         previous_view_from_world: columns(previous_view),
+        world_from_previous_sample: forward.world_from_previous_sample,
+        sample_from_world: forward.sample_from_world,
         render_extent: now.render_extent,
         previous_render_extent: before.render_extent,
         jitter: now.jitter,
         previous_jitter: before.jitter,
         frame_index: index as u32,
-        flags: Flags::of(config, reset),
+        flags: Flags::of(config, reset) | if now.reshaded { Flags::RESHADED } else { 0 },
         exposure_ratio: now.exposure_ratio,
         background_depth: config.conventions.background_depth,
         alpha: tuning.alpha,
@@ -172,6 +181,10 @@ fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &
         taa_alpha: tuning.taa_alpha,
         taa_gamma: tuning.taa_gamma,
         tone_curve: tuning.tone_curve as u32,
+        stratum_size: config.stratum_size,
+        previous_clip_w_scale: forward.previous_clip_w[0],
+        previous_clip_w_offset: forward.previous_clip_w[1],
+        gradient_scale: tuning.gradient_scale,
         padding: [0; 3],
     }
 }

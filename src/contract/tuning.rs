@@ -1,5 +1,6 @@
 //! Per-frame numbers with ranges and defaults; changing one never drops the history.
 
+use crate::config::Preset;
 use crate::error::Error;
 
 /// What a tunable is: for user interfaces and for error messages.
@@ -23,7 +24,7 @@ pub struct TuningField {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u32)]
 pub enum ToneCurve {
-    /// Fit of the ACES reference curve [Narkowicz 2015].
+    /// Fit of the ACES reference curve (Narkowicz 2015).
     #[default]
     Aces = 0,
     /// `x / (1 + luminance)`, which keeps hues.
@@ -75,33 +76,43 @@ macro_rules! tuning {
 }
 
 tuning! {
-    /// Smallest weight of the new sample in the accumulated irradiance [SVGF 4.1]. Raising it reacts faster to changed light and leaves more noise.
+    /// Smallest weight of the new sample in the accumulated irradiance (SVGF 4.1). Raising it reacts faster to changed light and leaves more noise.
     alpha: "1", 0.0 ..= 1.0, 0.2;
     /// The same for the moments of luminance, from which the variance comes. Raising it follows changes faster and makes the filter width unsteady.
     alpha_moments: "1", 0.0 ..= 1.0, 0.2;
     /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the running mean.
     max_history_length: "frames", 1.0 ..= 1024.0, 256.0;
-    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood [SVGF 4.2]. Raising it blurs longer after a disocclusion.
+    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood (SVGF 4.2). Raising it blurs longer after a disocclusion.
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
-    /// Luminance edge stopping: tolerated difference in standard deviations [SVGF eq. 5]. Raising it blurs more.
+    /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
     sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
-    /// Normal edge stopping: exponent of the cosine [SVGF eq. 4]. Raising it keeps finer relief and leaves more noise on curved surfaces.
+    /// Normal edge stopping: exponent of the cosine (SVGF eq. 4). Raising it keeps finer relief and leaves more noise on curved surfaces.
     sigma_n: "1", 0.0 ..= 1024.0, 128.0;
-    /// Depth edge stopping: tolerated departure from the local plane [SVGF eq. 3]. Raising it blurs across depth steps.
+    /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
     sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
     /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks ghosts.
     depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
+    /// Scale of the relative change of light λ by which history is dropped [ASVGF eq. 14]. At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
+    gradient_scale: "1", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
-    /// Weight of the new frame in temporal anti-aliasing [Karis 2014]. Raising it is sharper in motion and jitters more.
+    /// Weight of the new frame in temporal anti-aliasing (Karis 2014). Raising it is sharper in motion and jitters more.
     taa_alpha: "1", 0.01 ..= 1.0, 0.1;
     /// Size of the colour box that clips the history of temporal anti-aliasing. Raising it flickers less and ghosts more.
     taa_gamma: "standard deviations", 0.0 ..= 8.0, 1.25;
 }
 
 impl Tuning {
+    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 [ASVGF].
+    pub fn for_preset(preset: Preset) -> Self {
+        match preset {
+            Preset::Svgf => Self::default(),
+            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, ..Self::default() },
+        }
+    }
+
     /// Checks every field against its range.
     ///
     /// # Errors

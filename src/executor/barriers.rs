@@ -194,17 +194,7 @@ impl Barriers {
                     .new_layout(next.layout),
             );
         } else {
-            self.buffers.push(
-                vk::BufferMemoryBarrier2::default()
-                    .buffer(storage.buffer)
-                    .size(vk::WHOLE_SIZE)
-                    .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-                    .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-                    .src_stage_mask(now.stage)
-                    .src_access_mask(now.access)
-                    .dst_stage_mask(next.stage)
-                    .dst_access_mask(next.access),
-            );
+            self.buffers.push(between(storage.buffer, &now, &next));
         }
         storage.scope = next;
         storage.touched = true;
@@ -224,6 +214,28 @@ impl Barriers {
         self.images.clear();
         self.buffers.clear();
     }
+}
+
+/// One barrier of a buffer that is not ours to track.
+///
+/// # Safety
+/// As `Executor::record`.
+pub(crate) unsafe fn buffer_barrier(device: &ash::Device, cmd: vk::CommandBuffer, buffer: vk::Buffer, from: Scope, to: Scope) {
+    let barrier = between(buffer, &from, &to);
+    // SAFETY: the caller's.
+    unsafe { device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().buffer_memory_barriers(&[barrier])) };
+}
+
+fn between(buffer: vk::Buffer, from: &Scope, to: &Scope) -> vk::BufferMemoryBarrier2<'static> {
+    vk::BufferMemoryBarrier2::default()
+        .buffer(buffer)
+        .size(vk::WHOLE_SIZE)
+        .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+        .src_stage_mask(from.stage)
+        .src_access_mask(from.access)
+        .dst_stage_mask(to.stage)
+        .dst_access_mask(to.access)
 }
 
 fn dependency(from: &Scope, to: &Scope) -> vk::MemoryBarrier2<'static> {

@@ -245,7 +245,7 @@ impl Executor {
             self.barriers.before_pass(&self.device, cmd, declaration, frame, pass, omit, &mut self.memory.storages);
             self.bindings.clear();
             for u in &decl.uses {
-                self.bindings.push(self.memory.storages.binding(u.resource, declaration.copy(u, frame)));
+                self.bindings.push(self.memory.storages.binding(u.resource, declaration.copy(u, frame), u.access));
             }
             if let Some(labels) = &self.labels {
                 labels.cmd_begin_debug_utils_label(cmd, &vk::DebugUtilsLabelEXT::default().label_name(self.memory.label(pass)));

@@ -1,6 +1,6 @@
 //! Copies of resources for tools, captures and tests.
 
-use super::barriers::Scope;
+use super::barriers::{buffer_barrier, Scope};
 use super::storage::Storage;
 use super::transfer::{to_floats, whole_image};
 use super::{find, Executor};
@@ -82,6 +82,10 @@ impl Executor {
 }
 
 unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Storage, buffer: vk::Buffer) {
+    let scope = |stage, access| Scope { stage, access, layout: vk::ImageLayout::UNDEFINED };
+    let copied = scope(vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
+    // SAFETY: the caller's. An earlier copy may have filled the same buffer.
+    unsafe { buffer_barrier(device, cmd, buffer, copied, copied) };
     // SAFETY: the caller's.
     unsafe {
         if storage.image != vk::Image::null() {
@@ -91,11 +95,7 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Stora
             let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size: storage.size };
             device.cmd_copy_buffer(cmd, storage.buffer, buffer, &[region]);
         }
-        let to_host = vk::MemoryBarrier2::default()
-            .src_stage_mask(vk::PipelineStageFlags2::ALL_TRANSFER)
-            .src_access_mask(vk::AccessFlags2::TRANSFER_WRITE)
-            .dst_stage_mask(vk::PipelineStageFlags2::HOST)
-            .dst_access_mask(vk::AccessFlags2::HOST_READ);
-        device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().memory_barriers(&[to_host]));
     }
+    // SAFETY: the caller's.
+    unsafe { buffer_barrier(device, cmd, buffer, copied, scope(vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_READ)) };
 }

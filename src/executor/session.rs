@@ -1,6 +1,6 @@
 //! Frames from slices to slices, one after the other: for tools, tests and whoever has no engine.
 
-use super::barriers::{Barriers, Scope};
+use super::barriers::{buffer_barrier, Barriers, Scope};
 use super::headless::HeadlessDevice;
 use super::session_objects::{Commands, OwnedImage};
 use super::transfer::{to_floats, whole_image, Staging, UPLOADED};
@@ -154,6 +154,9 @@ impl Session {
             let device = session.gpu.device();
             // SAFETY: command buffer is recording; image and buffer are live and large enough.
             unsafe {
+                // The staging buffer may have been filled by a copy before the host wrote to it.
+                let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
+                buffer_barrier(device, cmd, buffer, copied, Scope::COPY_SOURCE);
                 session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
                 let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
                 device.cmd_copy_buffer_to_image(cmd, buffer, image, layout, &[whole_image(extent)]);

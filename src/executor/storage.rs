@@ -2,7 +2,7 @@
 
 use super::barriers::Scope;
 use super::HostImage;
-use crate::contract::{component_of, Component, Declaration, ResourceId, Span};
+use crate::contract::{component_of, Access, Component, Declaration, ResourceId, Span};
 use crate::denoiser::Binding;
 use ash::vk;
 
@@ -119,8 +119,11 @@ impl Storages {
         self.storages[id.0 as usize][0] = self.own[id.0 as usize];
     }
 
-    pub fn binding(&self, id: ResourceId, copy: usize) -> Binding {
+    pub fn binding(&self, id: ResourceId, copy: usize, access: Access) -> Binding {
         match self.storage(id, copy) {
+            Some(s) if s.image != vk::Image::null() && access == Access::Clear => {
+                Binding::ClearedImage { image: s.image, layout: s.scope.layout }
+            }
             Some(s) if s.image != vk::Image::null() => Binding::Image { view: s.view, layout: s.scope.layout },
             Some(s) => Binding::Buffer { buffer: s.buffer, offset: 0, range: vk::WHOLE_SIZE },
             None => Binding::Absent,

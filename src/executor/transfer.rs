@@ -93,6 +93,7 @@ pub(crate) fn to_floats(format: vk::Format, bytes: &[u8]) -> Vec<[f32; 4]> {
         }
         vk::Format::R32G32B32A32_SFLOAT => bytemuck::cast_slice(bytes).to_vec(),
         vk::Format::R16G16B16A16_UINT => bytemuck::cast_slice::<u8, [u16; 4]>(bytes).iter().map(|t| t.map(f32::from)).collect(),
+        vk::Format::R32_SFLOAT => bytemuck::cast_slice::<u8, f32>(bytes).iter().map(|&v| [v, 0.0, 0.0, 0.0]).collect(),
         _ => bytemuck::cast_slice::<u8, u32>(bytes).iter().map(|&v| [v as f32, 0.0, 0.0, 0.0]).collect(),
     }
 }

@@ -1,8 +1,17 @@
-//! The edge-avoiding à-trous wavelet transform, guided by variance. [SVGF] 4.3, eq. 1 to 5.
+//! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
 
 use super::{by_signals, Builder, Frame, Guides, Signal};
 use crate::contract::{Phase, ResourceId};
 use crate::shaders;
+
+/// The kernel of a level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kernel {
+    /// 5×5 B3 spline \[SVGF\].
+    Spline,
+    /// 3×3 box \[ASVGF\].
+    Box,
+}
 
 /// Where the last level left each signal.
 pub(crate) type Filtered = Vec<ResourceId>;
@@ -11,8 +20,11 @@ const NAMES: [&str; 10] =
     ["atrous_0", "atrous_1", "atrous_2", "atrous_3", "atrous_4", "atrous_5", "atrous_6", "atrous_7", "atrous_8", "atrous_9"];
 
 /// One pass a level. Level 0 writes the history of the next frame; the levels after it alternate between two transients.
-pub(crate) fn atrous(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], levels: u32) -> Filtered {
-    let shader = by_signals(signals, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2);
+pub(crate) fn atrous(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], levels: u32, kernel: Kernel) -> Filtered {
+    let shader = match kernel {
+        Kernel::Spline => by_signals(signals, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2),
+        Kernel::Box => by_signals(signals, &shaders::ATROUS_SIGNALS_1_BOX_1, &shaders::ATROUS_SIGNALS_2_BOX_1),
+    };
     let mut filtered: Filtered = signals.iter().map(|s| s.pong).collect();
     for (level, name) in (0..levels).zip(NAMES) {
         let mut uses = vec![frame.constants.uniform(), guides.guide.sampled(), guides.depth_gradient.sampled()];

@@ -14,9 +14,6 @@ pub(crate) struct Guides {
     pub object_normal: Option<ResourceId>,
 }
 
-/// Bytes of the transform of one instance: three rows of four floats.
-const TRANSFORM_BYTES: u64 = 48;
-
 pub(crate) fn import(b: &mut Builder, frame: Frame, config: &Config) -> Guides {
     let guides = Guides {
         guide: b.image("guide", PACKED_64, Lifetime::History),
@@ -28,7 +25,7 @@ pub(crate) fn import(b: &mut Builder, frame: Frame, config: &Config) -> Guides {
     let normal = b.input("normal", HOST_COLOUR, false);
     let motion = b.input("motion", HOST_COLOUR, true);
     let roughness = b.input("roughness", HOST_SCALAR, true);
-    let transforms = b.buffer("instance_transforms", TRANSFORM_BYTES, Lifetime::Input { optional: true });
+    let transforms = b.instance_transforms();
     let mut uses = vec![
         frame.constants.uniform(),
         frame.statistics.updated(),

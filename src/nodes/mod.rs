@@ -1,7 +1,11 @@
 //! The stages as nodes: which shader, which resources, how each is touched. A node adds its passes to a [`Builder`]; nothing is allocated.
 
+mod adaptive_alpha;
 mod atrous;
 mod demodulate;
+mod forward_project;
+mod gradient;
+mod gradient_atrous;
 mod import;
 mod modulate;
 mod start_frame;
@@ -10,8 +14,12 @@ mod temporal_accumulation;
 mod tone_map;
 mod variance;
 
-pub(crate) use atrous::{atrous, Filtered};
+pub(crate) use adaptive_alpha::{adaptive_alpha, host_confidence};
+pub(crate) use atrous::{atrous, Filtered, Kernel};
 pub(crate) use demodulate::demodulate;
+pub(crate) use forward_project::forward_project;
+pub(crate) use gradient::{gradient, Gradients, Strata};
+pub(crate) use gradient_atrous::gradient_atrous;
 pub(crate) use import::{import, Guides};
 pub(crate) use modulate::modulate;
 pub(crate) use start_frame::{start_frame, Frame, STATISTICS_COUNT};
@@ -40,6 +48,9 @@ pub(crate) const HOST_SCALAR: ImageFormat = ImageFormat::Any(Component::Float, v
 /// One id of a host.
 pub(crate) const HOST_ID: ImageFormat = ImageFormat::Any(Component::Uint, vk::Format::R32_UINT);
 
+/// Inputs without which a preset with gradients has none.
+pub(crate) const GRADIENT_INPUTS: [&str; 2] = ["reshaded_radiance", "sparse_gradient"];
+
 /// Collects resources and passes.
 pub(crate) struct Builder {
     declaration: Declaration,
@@ -55,6 +66,11 @@ impl Builder {
         self.resource(name, Shape::Image { format, divisor: 1 }, lifetime)
     }
 
+    /// An image with one texel a stratum.
+    pub fn stratum_image(&mut self, name: &'static str, strata: Strata, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
+        self.resource(name, Shape::Image { format, divisor: strata.size }, lifetime)
+    }
+
     pub fn buffer(&mut self, name: &'static str, size: u64, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Buffer { size }, lifetime)
     }
@@ -62,6 +78,18 @@ impl Builder {
     /// An input image; the same name twice is the same input.
     pub fn input(&mut self, name: &'static str, format: ImageFormat, optional: bool) -> ResourceId {
         self.declaration.find(name).unwrap_or_else(|| self.image(name, format, Lifetime::Input { optional }))
+    }
+
+    /// The same with one texel a stratum.
+    pub fn stratum_input(&mut self, name: &'static str, strata: Strata, format: ImageFormat, optional: bool) -> ResourceId {
+        self.stratum_image(name, strata, format, Lifetime::Input { optional })
+    }
+
+    /// Previous from current world space by surface id: three rows of four floats an instance.
+    pub fn instance_transforms(&mut self) -> ResourceId {
+        const NAME: &str = "instance_transforms";
+        const BYTES_EACH: u64 = 48;
+        self.declaration.find(NAME).unwrap_or_else(|| self.buffer(NAME, BYTES_EACH, Lifetime::Input { optional: true }))
     }
 
     fn resource(&mut self, name: &'static str, shape: Shape, lifetime: Lifetime) -> ResourceId {
@@ -78,7 +106,25 @@ impl Builder {
 
     /// One dispatch. `uses` stand in the order of the shader's bindings.
     pub fn dispatch(&mut self, name: &'static str, phase: Phase, shader: &'static Shader, level: u32, uses: Vec<Use>) {
-        self.pass(name, phase, Work::Dispatch { shader, level }, uses);
+        self.pass(name, phase, Work::Dispatch { shader, level, divisor: 1 }, uses);
+    }
+
+    /// A dispatch with one invocation a stratum.
+    pub fn dispatch_strata(
+        &mut self,
+        name: &'static str,
+        phase: Phase,
+        shader: &'static Shader,
+        strata: Strata,
+        level: u32,
+        uses: Vec<Use>,
+    ) {
+        self.pass(name, phase, Work::Dispatch { shader, level, divisor: strata.size }, uses);
+    }
+
+    /// Fills an image of unsigned integers with zeros.
+    pub fn clear(&mut self, name: &'static str, phase: Phase, image: ResourceId) {
+        self.pass(name, phase, Work::Clear, vec![image.cleared()]);
     }
 
     fn pass(&mut self, name: &'static str, phase: Phase, work: Work, uses: Vec<Use>) {
@@ -161,6 +207,18 @@ impl Signal {
             moments: b.image(moments, PACKED_64, Lifetime::History),
         };
         names.iter().map(declare).collect()
+    }
+
+    /// The image of another denoiser, accumulated in place: the history of a frame is its own result.
+    pub fn declare_stabilized(b: &mut Builder) -> Self {
+        let accumulated = b.image("irradiance_history", HDR, Lifetime::History);
+        Self {
+            noisy: b.input("other_denoised_radiance", HOST_COLOUR, false),
+            ping: accumulated,
+            pong: accumulated,
+            history: accumulated,
+            moments: b.image("moments", PACKED_64, Lifetime::History),
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-//! Temporal anti-aliasing. [Karis 2014]
+//! Temporal anti-aliasing. \[Karis 2014\]
 
 use super::{Builder, Frame, Guides, HDR};
 use crate::contract::{Lifetime, Phase, ResourceId};

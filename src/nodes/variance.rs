@@ -1,4 +1,4 @@
-//! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings. [SVGF] 4.2.
+//! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings. \[SVGF\] 4.2.
 
 use super::{by_signals, Builder, Frame, Guides, Signal};
 use crate::contract::Phase;

@@ -1,5 +1,29 @@
 //! Presets: each a short list of nodes.
 
+mod asvgf;
+mod gradients;
+mod stabilize;
 mod svgf;
 
+pub(crate) use asvgf::asvgf;
+pub(crate) use stabilize::stabilize;
 pub(crate) use svgf::svgf;
+
+use crate::config::{Config, PostProcess};
+use crate::contract::{Lifetime, ResourceId};
+use crate::nodes::{self, Builder, Frame, Guides, HDR};
+
+/// What every preset ends with.
+fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: ResourceId) {
+    if config.post_process == PostProcess::None {
+        return;
+    }
+    let display = b.image("display", HDR, Lifetime::Output);
+    if config.post_process == PostProcess::ToneMapTaa {
+        let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
+        nodes::tone_map(b, frame, denoised, tone_mapped);
+        nodes::taa(b, frame, guides, tone_mapped, display);
+    } else {
+        nodes::tone_map(b, frame, denoised, display);
+    }
+}

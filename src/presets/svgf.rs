@@ -1,8 +1,9 @@
-//! Spatiotemporal variance-guided filtering [SVGF].
+//! Spatiotemporal variance-guided filtering \[SVGF\].
 
-use crate::config::{Config, PostProcess};
-use crate::contract::{Declaration, Lifetime};
-use crate::nodes::{self, Builder, Signal, HDR};
+use super::post_process;
+use crate::config::Config;
+use crate::contract::Declaration;
+use crate::nodes::{self, Builder, Kernel, Signal};
 
 pub(crate) fn svgf(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -10,19 +11,10 @@ pub(crate) fn svgf(config: &Config) -> Declaration {
     let guides = nodes::import(&mut b, frame, config);
     let signals = Signal::declare(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals);
+    nodes::temporal_accumulation(&mut b, frame, guides, &signals, None);
     nodes::variance(&mut b, frame, guides, &signals);
-    let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels);
+    let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    if config.post_process != PostProcess::None {
-        let display = b.image("display", HDR, Lifetime::Output);
-        if config.post_process == PostProcess::ToneMapTaa {
-            let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
-            nodes::tone_map(&mut b, frame, denoised, tone_mapped);
-            nodes::taa(&mut b, frame, guides, tone_mapped, display);
-        } else {
-            nodes::tone_map(&mut b, frame, denoised, display);
-        }
-    }
+    post_process(&mut b, frame, guides, config, denoised);
     b.finish()
 }

@@ -1,4 +1,4 @@
-//! The stage `atrous` [SVGF 4.3, eq. 1 to 5]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
+//! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
 use super::binary16::store;
 use super::geometry_weights::Geometry;
@@ -12,8 +12,11 @@ mod edge_tests;
 #[cfg(test)]
 mod tests;
 
-/// The B3 spline [EAW]: one axis of the 5×5 kernel.
-const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+/// The B3 spline \[EAW\]: one axis of the 5×5 kernel.
+const SPLINE: &[f32] = &[1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+
+/// The box \[ASVGF\]: one axis of the 3×3 kernel.
+const BOX: &[f32] = &[1.0 / 3.0; 3];
 
 /// Tolerated difference of luminance where the variance is 0.
 pub const LUMINANCE_EPSILON: f32 = 1e-4;
@@ -31,6 +34,16 @@ pub struct AtrousInputs<'a> {
 
 /// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the input.
 pub fn atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    filter(frame, SPLINE, level, inputs)
+}
+
+/// The same with a 3×3 box for the kernel \[ASVGF\].
+pub fn box_atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    filter(frame, BOX, level, inputs)
+}
+
+fn filter(frame: &FrameConstants, kernel: &[f32], level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    let radius = kernel.len() as i32 / 2;
     let geometry = Geometry::new(frame, inputs.guide, inputs.depth_gradient);
     let rect = RenderRect::new(frame.render_extent);
     let step = 1_i32.checked_shl(level).unwrap_or(i32::MAX / 4);
@@ -42,9 +55,9 @@ pub fn atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<
             if geometry.is_background(p) {
                 return sums.map(|sum| sum.centre);
             }
-            for (offset, q) in rect.window(p, 2, step) {
-                let kernel = KERNEL[(offset.x + 2) as usize] * KERNEL[(offset.y + 2) as usize];
-                let weight = kernel * geometry.weight(p, q);
+            for (offset, q) in rect.window(p, radius, step) {
+                let h = kernel[(offset.x + radius) as usize] * kernel[(offset.y + radius) as usize];
+                let weight = h * geometry.weight(p, q);
                 if weight > 0.0 {
                     sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
                 }

@@ -16,6 +16,11 @@ pub(crate) fn is_reset(frame: &FrameConstants) -> bool {
     has(frame, Flags::RESET)
 }
 
+/// Whether the host re-shades the gradient samples.
+pub(crate) fn is_reshaded(frame: &FrameConstants) -> bool {
+    has(frame, Flags::RESHADED)
+}
+
 pub(crate) fn depth_encoding(frame: &FrameConstants) -> DepthEncoding {
     match two_bits(frame, Flags::DEPTH_SHIFT) {
         0 => DepthEncoding::Linear,

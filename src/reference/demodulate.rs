@@ -1,4 +1,4 @@
-//! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures [SVGF 3].
+//! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures \[SVGF 3\].
 
 use super::binary16::store;
 use super::guide::unpack_guide;

@@ -35,7 +35,7 @@ impl Geometry {
         self.surfaces.at(p).is_background()
     }
 
-    /// `w_z·w_n` [SVGF eq. 3, 4] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
+    /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
     pub fn weight(&self, p: IVec2, q: IVec2) -> f32 {
         if p == q {
             return 1.0;
@@ -44,12 +44,16 @@ impl Geometry {
         if at_q.is_background() {
             return 0.0;
         }
-        let along_plane = self.gradients.at(p).dot((q - p).as_vec2()).abs();
-        let tolerance = self.sigma_z * along_plane + DEPTH_EPSILON * at_p.linear_depth;
-        let difference = (at_p.linear_depth - at_q.linear_depth).abs();
-        let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
-        // 0⁰ = 1: a sigma of 0 switches normals off. A cosine of 0 is an exponent of −∞, a weight of 0.
-        let exponent_n = if self.sigma_n == 0.0 { 0.0 } else { self.sigma_n * at_p.cosine(&at_q).max(0.0).ln() };
-        (exponent_z + exponent_n).exp()
+        depth_and_normal_weight([self.sigma_z, self.sigma_n], &at_p, &at_q, self.gradients.at(p), (q - p).as_vec2())
     }
+}
+
+/// The same for two surfaces that lie `offset` pixels apart.
+pub(crate) fn depth_and_normal_weight([sigma_z, sigma_n]: [f32; 2], p: &Surface, q: &Surface, gradient: Vec2, offset: Vec2) -> f32 {
+    let tolerance = sigma_z * gradient.dot(offset).abs() + DEPTH_EPSILON * p.linear_depth;
+    let difference = (p.linear_depth - q.linear_depth).abs();
+    let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
+    // 0⁰ = 1: a sigma of 0 switches normals off. A cosine of 0 is an exponent of −∞, a weight of 0.
+    let exponent_n = if sigma_n == 0.0 { 0.0 } else { sigma_n * p.cosine(q).max(0.0).ln() };
+    (exponent_z + exponent_n).exp()
 }

@@ -33,7 +33,8 @@ pub fn fold_id(id: u32) -> u8 {
     folded as u8
 }
 
-fn pcg(v: u32) -> u32 {
+/// The hash of the published generator.
+pub(crate) fn pcg(v: u32) -> u32 {
     let s = v.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let w = ((s >> ((s >> 28) + 4)) ^ s).wrapping_mul(277_803_737);
     (w >> 22) ^ w

@@ -9,14 +9,20 @@
 //! | --- | --- |
 //! | \[EAW\] | Dammertz et al.: Edge-Avoiding À-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010 |
 //! | \[SVGF\] | Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017 |
+//! | \[ASVGF\] | Schied, Peters, Dachsbacher: Gradient Estimation for Real-Time Adaptive Temporal Filtering, PACMCGIT 1(2) art. 24, 2018 |
 //! | \[Karis 2014\] | High-Quality Temporal Supersampling, SIGGRAPH courses 2014 |
 //! | \[Narkowicz 2015\] | ACES Filmic Tone Mapping Curve |
 
+mod adaptive_alpha;
 mod atrous;
 mod binary16;
 mod conventions;
 mod demodulate;
+mod forward_project;
+mod forward_projection;
 mod geometry_weights;
+mod gradient;
+mod gradient_atrous;
 mod guide;
 mod image;
 mod import;
@@ -28,6 +34,7 @@ mod projection;
 mod render_rect;
 mod reprojection;
 mod statistics;
+mod strata;
 mod surface_motion;
 mod svgf;
 mod taa;
@@ -37,10 +44,14 @@ mod test_scene;
 mod tone_map;
 mod variance;
 
-pub use atrous::{atrous, AtrousInputs, LUMINANCE_EPSILON};
+pub use adaptive_alpha::{adaptive_alpha, AdaptiveAlphaInput};
+pub use atrous::{atrous, box_atrous, AtrousInputs, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use forward_project::{forward_project, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates};
 pub use geometry_weights::DEPTH_EPSILON;
+pub use gradient::{gradient, GradientInput, GradientInputs, GradientOutputs};
+pub use gradient_atrous::{gradient_atrous, GradientAtrousInputs, GRADIENT_ITERATIONS};
 pub use guide::{fold_id, pack_guide, unpack_guide, Surface};
 pub use image::Image;
 pub use import::{import, ImportInputs, ImportOutputs};
@@ -50,6 +61,7 @@ pub use moments::{pack_moments, unpack_moments, Moments, Reason};
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
 pub use reprojection::InstanceTransform;
 pub use statistics::{Counter, Statistics};
+pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};
 pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
 };

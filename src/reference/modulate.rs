@@ -1,4 +1,4 @@
-//! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added [SVGF 3].
+//! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
 use super::binary16::store;
 use super::demodulate::divisor;

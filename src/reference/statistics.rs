@@ -19,6 +19,8 @@ pub enum Counter {
     Albedo = 4,
     /// An emission that is not finite.
     Emission = 5,
+    /// A forward motion that is not finite; once for every candidate that needs it.
+    ForwardMotion = 6,
 }
 
 /// How many texels are true.

@@ -144,6 +144,7 @@ impl Svgf {
             surface_motion: &imported.surface_motion,
             depth_gradient: &imported.depth_gradient,
             irradiance: &each(irradiance),
+            history_confidence: None,
             object_normals: imported
                 .object_normal_guide
                 .as_ref()

@@ -1,4 +1,4 @@
-//! The stage `taa` [Karis 2014]: temporal anti-aliasing of the tone-mapped picture.
+//! The stage `taa` \[Karis 2014\]: temporal anti-aliasing of the tone-mapped picture.
 
 use super::binary16::store;
 use super::conventions::is_reset;
@@ -13,7 +13,7 @@ use glam::{IVec2, Vec2, Vec3};
 #[cfg(test)]
 mod tests;
 
-/// Sharpness of the reconstruction filter, from [Karis 2014]'s fit of a Blackman-Harris window of 3.3 pixels.
+/// Sharpness of the reconstruction filter, from \[Karis 2014\]'s fit of a Blackman-Harris window of 3.3 pixels.
 const GAUSSIAN: f32 = 2.29;
 
 /// Inputs of [`taa`]; images have the allocated extent.
@@ -124,7 +124,7 @@ fn clip(gamma: f32, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, history
     from_ycocg(if excess > 1.0 { mean + distance / excess } else { mean + distance }).max(Vec3::ZERO)
 }
 
-/// Weighted by 1/(1 + luminance), so that a single bright sample does not flicker [Karis 2014].
+/// Weighted by 1/(1 + luminance), so that a single bright sample does not flicker \[Karis 2014\].
 fn blend(alpha: f32, current: Vec3, history: Vec3) -> Vec3 {
     let weight = |c: Vec3| 1.0 / (1.0 + luminance(c.to_array()));
     let (now, before) = (alpha * weight(current), (1.0 - alpha) * weight(history));

@@ -1,4 +1,4 @@
-//! The stage `temporal_accumulation` [SVGF 4.1]: irradiance and moments of luminance accumulated along the motion of the surface.
+//! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
 
 use super::binary16::{store, LARGEST_HALF};
 use super::conventions::is_reset;
@@ -60,6 +60,8 @@ pub struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
+    /// As written by `adaptive_alpha`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    pub history_confidence: Option<&'a Image<f32>>,
     /// Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
 }
@@ -105,7 +107,9 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
     for (i, irradiance) in inputs.irradiance.iter().enumerate() {
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
-            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), signal);
+            let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+            let bounds = AlphaBounds::new(frame, inputs.history_confidence.is_some(), change);
+            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal);
             (c, pack_moments(&moments))
         });
         outputs.irradiance.push(texels.map(|t| t.0));
@@ -186,8 +190,33 @@ impl Reprojected {
     }
 }
 
-/// Blends one signal of one pixel with its history [SVGF 4.1].
-fn accumulate(frame: &FrameConstants, c: [f32; 4], history: History, signal: Option<&SignalHistory>) -> ([f32; 4], Moments) {
+/// Smallest weights of the new sample, and the longest history that goes with them.
+#[derive(Clone, Copy)]
+struct AlphaBounds {
+    alpha: f32,
+    alpha_moments: f32,
+    history_length: f32,
+}
+
+impl AlphaBounds {
+    /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
+    fn new(frame: &FrameConstants, is_adaptive: bool, change: f32) -> Self {
+        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
+        let alpha = adapted(frame.alpha);
+        // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
+        let longest = if is_adaptive { 1.0 / alpha.max(1e-6) } else { f32::INFINITY };
+        Self { alpha, alpha_moments: adapted(frame.alpha_moments), history_length: longest.min(frame.max_history_length) }
+    }
+}
+
+/// Blends one signal of one pixel with its history \[SVGF 4.1\].
+fn accumulate(
+    frame: &FrameConstants,
+    c: [f32; 4],
+    history: History,
+    bounds: AlphaBounds,
+    signal: Option<&SignalHistory>,
+) -> ([f32; 4], Moments) {
     let l = texel_luminance(c);
     let fresh = |reason: Reason| {
         let moments = Moments { mean: l, deviation: 0.0, history_length: 1.0, reason: reason as u16 };
@@ -202,9 +231,9 @@ fn accumulate(frame: &FrameConstants, c: [f32; 4], history: History, signal: Opt
     let (irradiance, before) = weighted_history(&taps, signal);
     // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
     let scaled = |x: f32| (x * frame.exposure_ratio).min(LARGEST_HALF);
-    let history_length = (before.history_length + 1.0).min(frame.max_history_length);
-    let alpha = frame.alpha.max(1.0 / history_length);
-    let alpha_moments = frame.alpha_moments.max(1.0 / history_length);
+    let history_length = (before.history_length + 1.0).min(bounds.history_length);
+    let alpha = bounds.alpha.max(1.0 / history_length);
+    let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
     let [r, g, b] = [0, 1, 2].map(|i| {
         let before = scaled(irradiance[i]);
         store(before + alpha * (c[i] - before))

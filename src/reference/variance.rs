@@ -1,4 +1,4 @@
-//! The stage `variance` [SVGF 4.2]: the standard deviation of luminance, from the history where it is long enough, else from the neighbourhood.
+//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the neighbourhood.
 
 use super::binary16::store;
 use super::geometry_weights::Geometry;

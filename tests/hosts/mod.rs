@@ -3,6 +3,7 @@
 //! Each runs in a process of its own, which is this test program once more: a host has no code for validation, so the layer is switched on
 //! from outside, and reports on the standard output.
 
+mod cpp;
 #[path = "../../examples/host_ash.rs"]
 mod host_ash;
 
@@ -12,7 +13,11 @@ use atrous::{Config, FrameParams, Tuning};
 use atrous_synthetic as synthetic;
 use std::process::{Command, Output};
 
-pub const TESTS: &[GpuTest] = &[("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor)];
+pub const TESTS: &[GpuTest] = &[
+    ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
+    ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
+    ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
+];
 
 /// Names the host that a process of this program runs instead of the tests.
 const VARIABLE: &str = "ATROUS_TEST_HOST";

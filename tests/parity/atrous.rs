@@ -2,7 +2,8 @@
 
 use super::compare::{halves, Tolerance, HALF};
 use super::{each, Captured};
-use atrous::reference::{atrous, AtrousInputs};
+use atrous::config::Preset;
+use atrous::reference::{atrous, box_atrous, AtrousInputs};
 use atrous::UseFrame;
 
 pub fn check(c: &Captured, level: u32) {
@@ -18,7 +19,10 @@ pub fn check(c: &Captured, level: u32) {
         depth_gradient: &c.uints("depth_gradient", UseFrame::Current),
         irradiance: &each(&irradiance),
     };
-    let twin = atrous(&c.frame.constants, level, &inputs);
+    let twin = match c.config.preset {
+        Preset::Asvgf => box_atrous(&c.frame.constants, level, &inputs),
+        _ => atrous(&c.frame.constants, level, &inputs),
+    };
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {
         let name = format!("{to}{suffix}");
         // 25 weights, each an exponential with the device's own precision.

@@ -24,7 +24,19 @@ pub fn texels<const N: usize, T: Copy + Default + 'static>(
     tolerance: Tolerance,
     values: impl Fn(T) -> [f32; N],
 ) {
-    let extent = captured.frame.render_extent;
+    equal(what, captured, captured.frame.render_extent, gpu, twin, tolerance, values);
+}
+
+/// The same over the top left `extent` of images that have not one texel a pixel.
+pub fn equal<const N: usize, T: Copy + Default + 'static>(
+    what: &str,
+    captured: &Captured,
+    extent: [u32; 2],
+    gpu: &Image<T>,
+    twin: &Image<T>,
+    tolerance: Tolerance,
+    values: impl Fn(T) -> [f32; N],
+) {
     let (mut differ, mut first) = (0, None);
     for (x, y) in pixels(extent) {
         let texel = |image: &Image<T>| values(*image.get(x as i32, y as i32).expect("inside"));

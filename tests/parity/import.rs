@@ -7,9 +7,7 @@ use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
 use atrous::executor::SessionOptions;
-use atrous::reference::{
-    import, octahedral10_to_normal, unpack_depth_gradient, unpack_guide, unpack_surface_motion, ImportInputs, InstanceTransform,
-};
+use atrous::reference::{import, octahedral10_to_normal, unpack_depth_gradient, unpack_guide, unpack_surface_motion, ImportInputs};
 use atrous::{Config, FrameParams, Tuning, UseFrame};
 
 pub fn check(c: &Captured) {
@@ -19,8 +17,7 @@ pub fn check(c: &Captured) {
     let roughness = c.optional_host("roughness");
     let object_normal = c.optional_host("object_normal");
     let surface_id = c.config.surface_id.then(|| c.uints("surface_id", UseFrame::Current));
-    let transforms: Option<Vec<InstanceTransform>> =
-        c.optional_buffer("instance_transforms").map(bytemuck::allocation::pod_collect_to_vec);
+    let transforms = c.instance_transforms();
     let inputs = ImportInputs {
         depth: &depth,
         normal: &normal,

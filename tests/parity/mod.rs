@@ -1,8 +1,11 @@
 //! Every stage on the GPU against its CPU twin, on what the GPU itself was given: differences do not add up from stage to stage.
 
+mod asvgf;
 mod atrous;
 mod compare;
 mod demodulate;
+mod forward_project;
+mod gradient;
 mod import;
 mod modulate;
 mod taa;
@@ -12,7 +15,7 @@ mod variance;
 
 use super::support::{assert_valid, scene::Scene, session_with, upload};
 use super::GpuTest;
-use ::atrous::config::{PostProcess, Signals};
+use ::atrous::config::{PostProcess, Preset, Signals};
 use ::atrous::executor::{Session, SessionOptions};
 use ::atrous::reference::Image;
 use ::atrous::{Access, Config, Error, FrameContext, FrameParams, ResetReason, Shape, Tuning, UseFrame};
@@ -29,6 +32,14 @@ pub const TESTS: &[GpuTest] = &[
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
     ("tone_map_curves", tone_map::curves),
+    ("asvgf_forward_projected", asvgf::forward_projected),
+    ("asvgf_strata_of_every_size", asvgf::strata_of_every_size),
+    ("asvgf_transforms_and_forward_motion", asvgf::transforms_and_forward_motion),
+    ("asvgf_reshaded", asvgf::reshaded),
+    ("asvgf_sparse_and_confidence", asvgf::sparse_and_confidence),
+    ("asvgf_one_pixel", asvgf::one_pixel),
+    ("asvgf_other_resolutions", asvgf::other_resolutions),
+    ("stabilize", asvgf::stabilize),
 ];
 
 /// What one pass was given and what it wrote.
@@ -45,8 +56,7 @@ impl Captured<'_> {
     }
 
     fn image<T: Clone + Default + bytemuck::Pod>(&self, bytes: &[u8]) -> Image<T> {
-        let texels = bytemuck::allocation::pod_collect_to_vec(bytes);
-        Image::from_texels(self.config.allocated_extent, texels).expect("extent")
+        image_of(bytes, self.config.allocated_extent)
     }
 
     pub fn has(&self, name: &str) -> bool {
@@ -93,6 +103,7 @@ impl Captured<'_> {
     /// The suffixes of the signals' resources.
     pub fn suffixes(&self) -> &'static [&'static str] {
         match self.config.signals {
+            _ if self.config.preset == Preset::Stabilize => &[""],
             Signals::Together => &[""],
             Signals::Apart => &["_direct", "_indirect"],
         }
@@ -105,6 +116,10 @@ impl Captured<'_> {
     pub fn packed_signals(&self, name: &str, frame: UseFrame) -> Vec<Image<[u16; 4]>> {
         self.suffixes().iter().map(|s| self.packed(&format!("{name}{s}"), frame)).collect()
     }
+}
+
+fn image_of<T: Clone + Default + bytemuck::Pod>(bytes: &[u8], extent: [u32; 2]) -> Image<T> {
+    Image::from_texels(extent, bytemuck::allocation::pod_collect_to_vec(bytes)).expect("extent")
 }
 
 /// References to the elements, as the twins take their signals.
@@ -133,16 +148,23 @@ fn sequence_of(config: &Config, extent: [u32; 2]) {
     assert_valid();
 }
 
+/// How many strata were claimed, from one pass to the next.
+#[derive(Clone, Copy, Default)]
+pub struct Claims {
+    claimed: usize,
+}
+
 /// One frame, every pass against its twin.
 pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuning) {
     let mut inputs = BTreeMap::new();
+    let mut claims = Claims::default();
     let trace = &mut |s: &mut Session, frame: &FrameContext, pass: usize, done: bool| {
         if !done {
             inputs = capture(s, pass, |access| access.reads())?;
             return Ok(());
         }
         let outputs = capture(s, pass, |access| access.writes())?.into_iter().map(|((name, _), b)| (name, b)).collect();
-        check(s, pass, &Captured { frame, config, inputs: std::mem::take(&mut inputs), outputs });
+        check(s, pass, &Captured { frame, config, inputs: std::mem::take(&mut inputs), outputs }, &mut claims);
         Ok(())
     };
     s.run_traced(params, tuning, trace).expect("frame");
@@ -165,20 +187,26 @@ fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result<Res
     Ok(captured)
 }
 
-fn check(s: &Session, pass: usize, captured: &Captured) {
+fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
     let pass = &s.executor().denoiser().declaration().passes()[pass];
     match pass.name {
         "start_frame" => {}
         "import" => import::check(captured),
+        "forward_project_clear" => {}
+        "forward_project_claim" => *claims = forward_project::keep_claims(captured),
+        "forward_project_resolve" => forward_project::check(captured, *claims),
+        "gradient" => gradient::check(captured),
+        "adaptive_alpha" => gradient::check_alpha(captured),
         "demodulate" => demodulate::check(captured),
         "temporal_accumulation" => temporal_accumulation::check(captured),
         "variance" => variance::check(captured),
         "modulate" => modulate::check(captured),
         "tone_map" => tone_map::check(captured),
         "taa" => taa::check(captured),
-        name => match name.strip_prefix("atrous_").and_then(|level| level.parse().ok()) {
-            Some(level) => atrous::check(captured, level),
-            None => panic!("no twin is compared with {name}"),
+        name => match name.rsplit_once('_').and_then(|(stage, level)| Some((stage, level.parse().ok()?))) {
+            Some(("atrous", level)) => atrous::check(captured, level),
+            Some(("gradient_atrous", level)) => gradient::check_atrous(captured, level),
+            _ => panic!("no twin is compared with {name}"),
         },
     }
 }

@@ -2,11 +2,13 @@
 
 use super::compare::{halves, HALF};
 use super::{each, Captured};
+use atrous::config::Preset;
 use atrous::reference::{modulate, ModulateInputs};
 use atrous::UseFrame;
 
 pub fn check(c: &Captured) {
     let last = match c.config.levels - 1 {
+        _ if c.config.preset == Preset::Stabilize => "irradiance_history",
         0 => "irradiance_history",
         l if l % 2 == 1 => "filter_ping",
         _ => "filter_pong",

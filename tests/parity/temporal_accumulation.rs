@@ -14,7 +14,7 @@ pub fn check(c: &Captured) {
     let (guide, previous_guide) = (c.packed("guide", UseFrame::Current), c.packed("guide", UseFrame::Previous));
     let surface_motion = c.packed("surface_motion", UseFrame::Current);
     let depth_gradient = c.uints("depth_gradient", UseFrame::Current);
-    let irradiance = c.signals("filter_ping", UseFrame::Current);
+    let irradiance = c.signals(c.accumulated(), UseFrame::Current);
     let history = c.signals("irradiance_history", UseFrame::Previous);
     let moments = c.packed_signals("moments", UseFrame::Previous);
     let signals: Vec<_> = history.iter().zip(&moments).map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
@@ -22,17 +22,19 @@ pub fn check(c: &Captured) {
     let (object_normal, previous_object_normal) = (packed(UseFrame::Current), packed(UseFrame::Previous));
     let object_normals =
         object_normal.as_ref().zip(previous_object_normal.as_ref()).map(|(current, previous)| ObjectNormals { current, previous });
+    let history_confidence = c.has("history_confidence").then(|| c.floats("history_confidence"));
     let inputs = TemporalAccumulationInputs {
         guide: &guide,
         surface_motion: &surface_motion,
         depth_gradient: &depth_gradient,
         irradiance: &each(&irradiance),
         object_normals,
+        history_confidence: history_confidence.as_ref(),
         previous: Some(PreviousFrame { guide: &previous_guide, signals: &signals }),
     };
     let twin = temporal_accumulation(&c.frame.constants, &inputs);
     for (i, suffix) in c.suffixes().iter().enumerate() {
-        let name = format!("filter_ping{suffix}");
+        let name = format!("{}{suffix}", c.accumulated());
         halves(&name, c, &c.written_halves(&name), &twin.irradiance[i], TESTED);
         let name = format!("moments{suffix}");
         // A deviation near 0 is the root of a difference that rounding decides.

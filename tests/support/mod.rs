@@ -1,13 +1,45 @@
 //! What the tests share: the device, sessions on it, and a synthetic scene.
 
+pub mod host;
 pub mod scene;
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
 use scene::Guides;
+use std::cell::RefCell;
 use std::sync::{Arc, OnceLock};
 
 static GPU: OnceLock<Result<Arc<HeadlessDevice>, Error>> = OnceLock::new();
+
+thread_local! {
+    static WARNINGS: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+}
+
+struct Listener;
+
+impl log::Log for Listener {
+    fn enabled(&self, metadata: &log::Metadata) -> bool {
+        metadata.level() <= log::Level::Warn
+    }
+
+    fn log(&self, record: &log::Record) {
+        if self.enabled(record.metadata()) {
+            WARNINGS.with_borrow_mut(|w| w.push(record.args().to_string()));
+        }
+    }
+
+    fn flush(&self) {}
+}
+
+/// What the library said through the log facade on the thread of this test.
+pub fn warnings() -> Vec<String> {
+    static ONCE: std::sync::Once = std::sync::Once::new();
+    ONCE.call_once(|| {
+        log::set_logger(&Listener).expect("no other logger");
+        log::set_max_level(log::LevelFilter::Warn);
+    });
+    WARNINGS.with_borrow(Clone::clone)
+}
 
 /// The device that all tests share, under validation.
 pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {

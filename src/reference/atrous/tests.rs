@@ -40,13 +40,13 @@ fn one_bright_pixel_becomes_the_kernel() {
             [l, l, l, 1000.0]
         });
         let output = run(&frame, level, &flat(EXTENT), &impulse);
-        for (j, ky) in KERNEL.iter().enumerate() {
-            for (i, kx) in KERNEL.iter().enumerate() {
+        for (j, ky) in SPLINE.iter().enumerate() {
+            for (i, kx) in SPLINE.iter().enumerate() {
                 let (x, y) = (10 + (i as i32 - 2) * step, 8 + (j as i32 - 2) * step);
                 let c = output.get(x, y).expect("inside")[0];
                 // The window of a pixel near the border is cut off: its weights sum to less.
                 let sum = |at: i32, side: i32| {
-                    (0..5).filter(|k| (0..side).contains(&(at + (k - 2) * step))).map(|k| KERNEL[k as usize]).sum::<f32>()
+                    (0..5).filter(|k| (0..side).contains(&(at + (k - 2) * step))).map(|k| SPLINE[k as usize]).sum::<f32>()
                 };
                 let expected = kx * ky / (sum(x, 21) * sum(y, 17));
                 assert!((c - expected).abs() < 1e-4, "level {level}, {x} {y}: {c} for {expected}");

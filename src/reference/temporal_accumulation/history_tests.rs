@@ -52,6 +52,7 @@ impl Scene {
                 depth_gradient: &Image::new(EXTENT, pack_depth_gradient(self.gradient)),
                 irradiance: &[&new],
                 object_normals: None,
+                history_confidence: None,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
                     signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -167,6 +168,7 @@ fn another_render_extent_is_scaled() {
             depth_gradient: &guides.depth_gradient,
             irradiance: &[&Image::new(now, [0.0; 4])],
             object_normals: None,
+            history_confidence: None,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
                 signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -197,6 +199,7 @@ fn signals_are_independent_but_for_taps_and_length() {
                     depth_gradient: &guides.depth_gradient,
                     irradiance: &new.iter().collect::<Vec<_>>(),
                     object_normals: None,
+                    history_confidence: None,
                     previous: output.as_ref().map(|_| PreviousFrame { guide: &guides.guide, signals: &signals }),
                 },
             );

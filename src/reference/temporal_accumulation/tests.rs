@@ -21,6 +21,7 @@ fn step(
             depth_gradient: &guides.depth_gradient,
             irradiance: &[c],
             object_normals: None,
+            history_confidence: None,
             previous: signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals }),
         },
     )

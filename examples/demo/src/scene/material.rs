@@ -14,7 +14,7 @@ pub enum Pattern {
         /// Squares for one unit of texture coordinate.
         scale: f32,
     },
-    /// Index into [`Scene::textures`], multiplied by the base colour.
+    /// Index into `Scene::textures`, multiplied by the base colour.
     Texture(usize),
 }
 
@@ -33,7 +33,7 @@ pub struct Material {
     pub specular: f32,
     /// Emitted radiance, linear.
     pub emission: Vec3,
-    /// Index into [`Scene::textures`], multiplied by the emission.
+    /// Index into `Scene::textures`, multiplied by the emission.
     pub emission_texture: Option<usize>,
     /// Emits on both sides; otherwise only on the side that the triangles' winding faces.
     pub two_sided_emission: bool,

@@ -1,0 +1,98 @@
+//! `sequence.json`: matrices, jitter and conventions of a sequence.
+
+use crate::error::{Result, ToolError};
+use atrous::ResetReason;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+type Rows = [[f32; 4]; 4];
+
+/// One frame's camera. Matrices are column-major for column vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// World to view.
+    pub view_from_world: Rows,
+    /// View to clip space, y down, depth 0..1, unjittered.
+    pub clip_from_view: Rows,
+    /// Offset of the samples from pixel centres.
+    pub jitter: [f32; 2],
+    /// Exposure over that of the previous frame.
+    pub exposure_ratio: f32,
+    /// The history is dropped here.
+    pub reset: Option<ResetReason>,
+}
+
+/// What `sequence.json` says.
+#[derive(Clone, Debug, Default)]
+pub struct SequenceFile {
+    /// Cameras by frame number.
+    pub cameras: BTreeMap<u64, Camera>,
+    /// Conventions, as for `--convention`.
+    pub conventions: Vec<(String, String)>,
+}
+
+#[derive(Deserialize)]
+struct Json {
+    frames: Vec<JsonFrame>,
+    #[serde(default)]
+    conventions: BTreeMap<String, serde_json::Value>,
+}
+
+#[derive(Deserialize)]
+struct JsonFrame {
+    i: Option<u64>,
+    view: Rows,
+    proj: Rows,
+    #[serde(default)]
+    jitter: [f32; 2],
+    #[serde(default = "one")]
+    exposure_ratio: f32,
+    #[serde(default)]
+    reset: bool,
+}
+
+fn one() -> f32 {
+    1.0
+}
+
+/// Rows of a matrix, as JSON has them, to columns.
+fn transposed(rows: &Rows) -> Rows {
+    std::array::from_fn(|column| std::array::from_fn(|row| rows[row][column]))
+}
+
+/// Finds `sequence.json`: the given path, or beside the frames; there need not be one.
+pub fn find(given: Option<&Path>, folder: &Path) -> Result<Option<(PathBuf, SequenceFile)>> {
+    let path = match given {
+        Some(path) => path.to_owned(),
+        None => folder.join("sequence.json"),
+    };
+    match std::fs::read_to_string(&path) {
+        Ok(text) => Ok(Some((path.clone(), parse(&path, &text)?))),
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound && given.is_none() => Ok(None),
+        Err(source) => Err(ToolError::Read { path, source }),
+    }
+}
+
+/// Reads the text of a `sequence.json`.
+pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
+    let problem = |problem: String| ToolError::Json { path: path.to_owned(), problem };
+    let json: Json = serde_json::from_str(text).map_err(|e| problem(format!("is not a sequence description: {e}")))?;
+    let mut cameras = BTreeMap::new();
+    for (index, frame) in json.frames.iter().enumerate() {
+        let number = frame.i.unwrap_or(index as u64);
+        let camera = Camera {
+            view_from_world: transposed(&frame.view),
+            clip_from_view: transposed(&frame.proj),
+            jitter: frame.jitter,
+            exposure_ratio: frame.exposure_ratio,
+            reset: frame.reset.then_some(ResetReason::CameraCut),
+        };
+        if cameras.insert(number, camera).is_some() {
+            return Err(problem(format!("has frame {number} twice")));
+        }
+    }
+    let text_of = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
+    Ok(SequenceFile { cameras, conventions })
+}

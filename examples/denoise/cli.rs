@@ -1,0 +1,195 @@
+//! Options.
+
+use crate::conventions::KEYS;
+use crate::roles::Role;
+use crate::setup::Wishes;
+use atrous::config::Signals;
+use atrous::Tuning;
+use clap::{Parser, ValueEnum};
+use std::path::PathBuf;
+
+/// Denoise a sequence of EXR frames with the filters of atrous, and score the result.
+///
+/// Reads multi-channel EXR from Blender, Mitsuba, PBRT and others; finds colour, albedo, normal, depth, motion and ids by their channel names;
+/// says what it found and what is lost without the rest. See docs/denoise.md.
+#[derive(Parser, Clone, Debug)]
+#[command(name = "denoise", version, max_term_width = 110)]
+pub struct Cli {
+    /// A folder, a pattern in quotes ("shot_*.exr", "shot_%04d.exr", "shot_####.exr"), or files
+    #[arg(required = true, value_name = "FRAMES")]
+    pub frames: Vec<PathBuf>,
+
+    /// Folder for the result; frames keep their names
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: PathBuf,
+
+    /// Filter
+    #[arg(long, value_enum, default_value_t = Preset::Svgf)]
+    pub preset: Preset,
+
+    /// Score against the reference channels: table, scores.json and scores.png
+    #[arg(long)]
+    pub score: bool,
+
+    /// Write tone-mapped previews
+    #[arg(long)]
+    pub png: bool,
+
+    /// Write strip.png: noisy, denoised and reference of a frame, the last one unless given
+    #[arg(long, value_name = "FRAME", num_args = 0..=1)]
+    pub strip: Option<Option<u64>>,
+
+    /// Write history length, variance, alpha and disocclusion reasons of every frame into FOLDER/views
+    #[arg(long)]
+    pub views: bool,
+
+    /// Exposure of pictures
+    #[arg(long, default_value_t = 1.0, value_name = "FACTOR")]
+    pub exposure: f32,
+
+    /// Write 32-bit floats instead of half
+    #[arg(long)]
+    pub float: bool,
+
+    /// Overwrite existing results
+    #[arg(long, conflicts_with = "resume")]
+    pub force: bool,
+
+    /// Keep finished frames and make the missing ones
+    #[arg(long)]
+    pub resume: bool,
+
+    /// With --resume: finished frames before the first missing one that are filtered again to rebuild the history
+    #[arg(long, default_value_t = 32, value_name = "FRAMES")]
+    pub warm_up: usize,
+
+    /// Vulkan device by index or part of its name, or `reference` for the CPU twin
+    #[arg(long, value_name = "DEVICE")]
+    pub device: Option<String>,
+
+    /// Filter direct and indirect light apart or together; apart where the file has both
+    #[arg(long, value_enum)]
+    pub signals: Option<SignalsOption>,
+
+    /// À-trous levels, 1 to 10
+    #[arg(long, value_name = "N")]
+    pub levels: Option<u32>,
+
+    /// Side of the strata of temporal gradients, 2 to 4 pixels
+    #[arg(long, value_name = "N")]
+    pub stratum_size: Option<u32>,
+
+    /// Set a tunable, for example sigma_l=2; a wrong name lists them all
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = tunable)]
+    pub tunables: Vec<(String, f32)>,
+
+    /// Name the channels of a role: a layer, channels separated by commas, or `none`. Roles: noisy, direct, indirect, emission, albedo, normal,
+    /// depth, position, motion, previous_depth, id, roughness, reference, alpha, ...
+    #[arg(long = "channel", value_name = "ROLE=NAME", value_parser = channel)]
+    pub channels: Vec<(Role, String)>,
+
+    /// Take only layers of this view layer
+    #[arg(long, value_name = "NAME")]
+    pub view_layer: Option<String>,
+
+    /// Matrices, where not in sequence.json beside the frames
+    #[arg(long, value_name = "FILE")]
+    pub camera: Option<PathBuf>,
+
+    /// Say how a guide is encoded, where it differs from what the layout usually means
+    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Say how a guide is encoded, where it differs from what the layout usually means: {KEYS}"))]
+    pub conventions: Vec<(String, String)>,
+
+    /// Print nothing but errors, warnings and scores
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Filters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Preset {
+    /// Spatiotemporal variance-guided filtering
+    Svgf,
+    /// Adaptive temporal filtering, by layers with the previous frame's samples re-shaded in this frame's scene (reshade_direct, reshade_indirect)
+    Asvgf,
+}
+
+impl Preset {
+    fn of_library(self) -> atrous::config::Preset {
+        match self {
+            Self::Svgf => atrous::config::Preset::Svgf,
+            Self::Asvgf => atrous::config::Preset::Asvgf,
+        }
+    }
+}
+
+/// Signals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SignalsOption {
+    /// One signal
+    Together,
+    /// Direct and indirect
+    Apart,
+}
+
+fn key_value(text: &str) -> Result<(String, String), String> {
+    let (key, value) = text.split_once('=').ok_or("expected KEY=VALUE")?;
+    Ok((key.trim().to_owned(), value.trim().to_owned()))
+}
+
+fn channel(text: &str) -> Result<(Role, String), String> {
+    let (role, name) = key_value(text)?;
+    let known = || Role::all().map(Role::name).collect::<Vec<_>>().join(", ");
+    Role::by_name(&role).map(|role| (role, name)).ok_or_else(|| format!("no role `{role}`; there are: {}", known()))
+}
+
+fn tunable(text: &str) -> Result<(String, f32), String> {
+    let (name, value) = key_value(text)?;
+    let value = value.parse().map_err(|_| format!("`{value}` is not a number"))?;
+    // Checked here, so that a wrong name is told with the option that has it.
+    Tuning::default().set(&name, value).map_err(|e| {
+        let known: Vec<_> =
+            Tuning::FIELDS.iter().map(|f| format!("{} ({} to {}, default {})", f.name, f.min, f.max, f.default)).collect();
+        match e {
+            atrous::Error::UnknownTuning(_) => format!("no tunable `{name}`; there are: {}", known.join(", ")),
+            other => other.to_string(),
+        }
+    })?;
+    Ok((name, value))
+}
+
+impl Cli {
+    /// Tunables.
+    pub fn tuning(&self) -> Result<Tuning, atrous::Error> {
+        let mut tuning = Tuning::for_preset(self.preset.of_library());
+        for (name, value) in &self.tunables {
+            tuning.set(name, *value)?;
+        }
+        Ok(tuning)
+    }
+
+    /// What is asked of the setup.
+    pub fn wishes(&self) -> Wishes {
+        Wishes {
+            channels: self.channels.clone(),
+            view_layer: self.view_layer.clone(),
+            camera: self.camera.clone(),
+            conventions: self.conventions.clone(),
+            signals: self.signals.map(|s| match s {
+                SignalsOption::Together => Signals::Together,
+                SignalsOption::Apart => Signals::Apart,
+            }),
+            levels: self.levels,
+            preset: self.preset.of_library(),
+            stratum_size: self.stratum_size,
+        }
+    }
+
+    /// Name of the preset.
+    pub fn preset_name(&self) -> &'static str {
+        match self.preset {
+            Preset::Svgf => "SVGF",
+            Preset::Asvgf => "A-SVGF",
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! One error for the whole tool. Every message names the file, says what is wrong and what to do.
+
+use std::path::{Path, PathBuf};
+
+/// Everything that can go wrong.
+#[derive(Debug, thiserror::Error)]
+pub enum ToolError {
+    /// A file or folder cannot be read.
+    #[error("{}: cannot be read: {source}", path.display())]
+    Read { path: PathBuf, source: std::io::Error },
+    /// Not an EXR, a truncated one, a corrupt one, or one that this tool has no use for.
+    #[error("{}: not a usable EXR file: {problem}", path.display())]
+    Exr { path: PathBuf, problem: String },
+    /// A header that asks for more memory than any frame needs.
+    #[error("{}: the header claims {claim}; the limit is {limit}. The file is corrupt, or crop the frames first", path.display())]
+    TooLarge { path: PathBuf, claim: String, limit: String },
+    /// A frame with another size than the first.
+    #[error("{}: {}x{} pixels, but the first frame has {}x{}; all frames of a sequence must have one size", path.display(), given[0], given[1], expected[0], expected[1])]
+    FrameSize { path: PathBuf, given: [u32; 2], expected: [u32; 2] },
+    /// A channel with a type that its role cannot have.
+    #[error("{}: channel `{channel}` holds {given}; {needed}", path.display())]
+    ChannelType { path: PathBuf, channel: String, given: &'static str, needed: &'static str },
+    /// A channel that the first frame has and this one has not, or one that was asked for.
+    #[error("{}: no channel `{channel}`; the file has: {known}", path.display())]
+    NoChannel { path: PathBuf, channel: String, known: String },
+    /// Nothing to denoise in the file.
+    #[error("{}: no colour to denoise was recognised; name it with --channel noisy=LAYER. The file has: {known}", path.display())]
+    NoColour { path: PathBuf, known: String },
+    /// No file fits FRAMES.
+    #[error("{}: no EXR frames there{hint}", path.display())]
+    NoFrames { path: PathBuf, hint: String },
+    /// Files that cannot be put into one order.
+    #[error("{}: {problem}", path.display())]
+    Sequence { path: PathBuf, problem: String },
+    /// Holes in the numbering.
+    #[error("missing frame{}: {}{}; temporal filters need consecutive frames. Render them, or name a consecutive part of the sequence", if *count == 1 { "" } else { "s" }, names.join(", "), if *count > names.len() { format!(" and {} more", count - names.len()) } else { String::new() })]
+    MissingFrames { names: Vec<String>, count: usize },
+    /// An output that is already there.
+    #[error("{}: exists already; --force overwrites it, --resume keeps finished frames and makes the missing ones", path.display())]
+    Exists { path: PathBuf },
+    /// A file or folder cannot be written.
+    #[error("{}: cannot be written: {source}{}", path.display(), write_hint(source))]
+    Write { path: PathBuf, source: std::io::Error },
+    /// A file that was to be encoded could not be.
+    #[error("{}: cannot be encoded: {problem}", path.display())]
+    Encode { path: PathBuf, problem: String },
+    /// A JSON file with wrong content.
+    #[error("{}: {problem}", path.display())]
+    Json { path: PathBuf, problem: String },
+    /// Options that contradict each other or the input.
+    #[error("{0}")]
+    Usage(String),
+    /// The library refused.
+    #[error(transparent)]
+    Denoise(#[from] atrous::Error),
+    /// A thread of the pipeline ended without a message of its own.
+    #[error("the {0} thread stopped unexpectedly; this is a bug, please report the sequence")]
+    Thread(&'static str),
+}
+
+fn write_hint(source: &std::io::Error) -> &'static str {
+    match source.kind() {
+        std::io::ErrorKind::StorageFull => ". Free some space, then continue with --resume",
+        std::io::ErrorKind::PermissionDenied | std::io::ErrorKind::ReadOnlyFilesystem => ". Choose another folder with -o",
+        _ => "",
+    }
+}
+
+impl ToolError {
+    /// For `map_err` on reading.
+    pub fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
+        move |source| Self::Read { path: path.to_owned(), source }
+    }
+
+    /// For `map_err` on writing.
+    pub fn write(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
+        move |source| Self::Write { path: path.to_owned(), source }
+    }
+
+    /// A file that is no usable EXR.
+    pub fn exr(path: &Path, problem: impl Into<String>) -> Self {
+        Self::Exr { path: path.to_owned(), problem: problem.into() }
+    }
+}
+
+/// Shorthand.
+pub type Result<T> = std::result::Result<T, ToolError>;

@@ -1,0 +1,106 @@
+//! Writes denoised frames with the channel names and the metadata of the input.
+
+use crate::error::{Result, ToolError};
+use crate::exr_header::ExrHeader;
+use crate::exr_read::{self, Samples};
+use crate::panics::caught;
+use exr::compression::Compression;
+use exr::image::{AnyChannel, AnyChannels, Blocks, Encoding, FlatSamples, Image, Layer};
+use exr::meta::attribute::LineOrder;
+use exr::prelude::{SmallVec, Text, Vec2, WritableImage};
+use std::io::{Cursor, Write};
+use std::path::{Path, PathBuf};
+
+/// What the channels of the output are called.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutputChannels {
+    /// Each set of three gets the colour.
+    pub colours: Vec<[String; 3]>,
+    /// Alpha.
+    pub alpha: Option<String>,
+    /// Half, else float.
+    pub half: bool,
+}
+
+/// Writes bytes under a temporary name beside `path` and renames the file, so that no reader sees half a file and a failure keeps
+/// what was there.
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
+    let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("output");
+    let part = path.with_file_name(format!(".{name}.part"));
+    let written = std::fs::File::create(&part).and_then(|mut file| {
+        file.write_all(bytes)?;
+        // Some file systems find out that they are full only now.
+        file.sync_all()
+    });
+    let result = written.and_then(|()| std::fs::rename(&part, path));
+    result.map_err(|source| {
+        // What is returned says more than a failure to tidy up would.
+        let _ = std::fs::remove_file(&part);
+        ToolError::Write { path: path.to_owned(), source }
+    })
+}
+
+/// Writes a frame: linear radiance, with the metadata of `header`.
+pub fn write(path: &Path, header: &ExrHeader, names: &OutputChannels, radiance: &[[f32; 3]], alpha: Option<&[f32]>) -> Result<()> {
+    let problem = |problem: String| ToolError::Encode { path: path.to_owned(), problem };
+    let mut list: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::new();
+    for set in &names.colours {
+        for (component, name) in set.iter().enumerate() {
+            let values = radiance.iter().map(|p| p[component]);
+            list.push(channel(name, names.half, values).ok_or_else(|| problem(format!("`{name}` is no name for a channel")))?);
+        }
+    }
+    if let (Some(name), Some(alpha)) = (&names.alpha, alpha) {
+        list.extend(channel(name, names.half, alpha.iter().copied()));
+    }
+    let mut attributes = header.parts.first().cloned().unwrap_or_default();
+    attributes.layer_position = header.shared.display_window.position;
+    let encoding = Encoding {
+        compression: compression(header.compressions.first().copied()),
+        blocks: Blocks::ScanLines,
+        line_order: LineOrder::Increasing,
+    };
+    let size = Vec2(header.extent[0] as usize, header.extent[1] as usize);
+    let image = Image::new(header.shared.clone(), Layer::new(size, attributes, encoding, AnyChannels::sort(list)));
+    let mut bytes = Cursor::new(Vec::new());
+    let written = caught(|| image.write().non_parallel().to_buffered(&mut bytes)).map_err(problem)?;
+    written.map_err(|e| problem(e.to_string()))?;
+    write_atomically(path, &bytes.into_inner())
+}
+
+fn channel(name: &str, half: bool, values: impl Iterator<Item = f32>) -> Option<AnyChannel<FlatSamples>> {
+    // Half floats end at 65504; beyond it a bright light would become an infinite one.
+    let to_half = |v: f32| half::f16::from_f32(v.clamp(-65504.0, 65504.0));
+    let samples = if half { FlatSamples::F16(values.map(to_half).collect()) } else { FlatSamples::F32(values.collect()) };
+    Some(AnyChannel::new(Text::new_or_none(name)?, samples))
+}
+
+/// That of the input, unless it loses precision or is one that cannot be written.
+fn compression(input: Option<Compression>) -> Compression {
+    match input {
+        Some(c @ (Compression::Uncompressed | Compression::RLE | Compression::ZIP1 | Compression::ZIP16 | Compression::PIZ)) => c,
+        _ => Compression::ZIP16,
+    }
+}
+
+/// Reads back what [`write`] wrote.
+pub fn read_back(path: &Path, names: &OutputChannels) -> Result<Vec<[f32; 3]>> {
+    let Some(set) = names.colours.first() else { return Err(ToolError::exr(path, "it has no colour")) };
+    let planes = exr_read::read(path, |c| set.contains(&c.name))?;
+    let plane = |name: &String| match planes.samples.get(name) {
+        Some(Samples::Float(values)) => Ok(values),
+        _ => {
+            Err(ToolError::NoChannel { path: path.to_owned(), channel: name.clone(), known: crate::mapping::list(&planes.header) })
+        }
+    };
+    let [r, g, b] = [plane(&set[0])?, plane(&set[1])?, plane(&set[2])?];
+    Ok(r.iter().zip(g).zip(b).map(|((r, g), b)| [*r, *g, *b]).collect())
+}
+
+/// Makes the folder for the output and proves that files can be made in it, before minutes are spent on frames.
+pub fn prepare_folder(folder: &Path) -> Result<()> {
+    std::fs::create_dir_all(folder).map_err(ToolError::write(folder))?;
+    let probe: PathBuf = folder.join(".denoise.part");
+    std::fs::File::create(&probe).map_err(ToolError::write(folder))?;
+    std::fs::remove_file(&probe).map_err(ToolError::write(folder))
+}

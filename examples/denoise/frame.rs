@@ -1,0 +1,265 @@
+//! One frame as the library takes it.
+
+use crate::camera::Camera;
+use crate::error::{Result, ToolError};
+use crate::exr_header::ExrHeader;
+use crate::exr_read::Samples;
+use crate::frame_files::FrameFiles;
+use crate::frame_source;
+use crate::layouts::Layout;
+use crate::roles::Role;
+use crate::setup::{is_about_previous, Setup};
+use atrous::config::{MotionDepth, NormalSpace, Preset, Signals, ViewForward};
+use atrous::FrameParams;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Texels of an image.
+pub type Texels = Vec<[f32; 4]>;
+
+/// Inputs of a frame.
+#[derive(Debug)]
+pub struct FrameInputs {
+    /// Number in the name of the file.
+    pub number: u64,
+    /// Per-frame parameters.
+    pub params: FrameParams,
+    /// Input images by the names that the library has for them.
+    pub images: BTreeMap<&'static str, Texels>,
+    /// Surface ids.
+    pub surface_id: Option<Vec<u32>>,
+    /// The noisy radiance with everything in it, for scores and pictures.
+    pub noisy: Vec<[f32; 3]>,
+    /// Alpha of the beauty, which is passed through.
+    pub alpha: Option<Vec<f32>>,
+    /// The converged image.
+    pub reference: Option<Vec<[f32; 3]>>,
+    /// Values that were not finite and became 0, by role.
+    pub replaced: BTreeMap<Role, usize>,
+    /// Header of the file with the colour.
+    pub header: ExrHeader,
+}
+
+/// Reads a frame.
+pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
+    let reshaded = setup.config.preset == Preset::Asvgf;
+    let wanted: BTreeSet<&str> =
+        setup.mapping.roles.iter().filter(|r| reshaded || !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
+    let planes = frame_source::read(files, setup.config.allocated_extent, |name| wanted.contains(name))?;
+    // The reference may be sparse: rendering it takes long.
+    let optional = |role: Role| is_about_previous(role) || role == Role::Reference;
+    setup.mapping.check(&files.colour, &planes.header, optional)?;
+    let mut channels = Channels { setup, samples: planes.samples, replaced: BTreeMap::new() };
+    let camera = setup.camera(files.number);
+    let mut images = BTreeMap::new();
+    channels.lighting(&mut images);
+    channels.guides(camera, &mut images);
+    if reshaded {
+        channels.reshaded(&mut images);
+    }
+    let surface_id = channels.ids(&images);
+    let noisy = channels.total(&images);
+    let alpha = channels.scalars(Role::Alpha);
+    let reference = channels.vectors(Role::Reference).map(rgb);
+    let replaced = channels.replaced;
+    let params = params(setup, camera);
+    if noisy.len() != setup.pixels() {
+        return Err(ToolError::exr(&files.colour, "its channels do not cover the picture"));
+    }
+    Ok(FrameInputs { number: files.number, params, images, surface_id, noisy, alpha, reference, replaced, header: planes.header })
+}
+
+fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
+    let mut params = FrameParams::new(setup.config.allocated_extent);
+    if let Some(camera) = camera {
+        params.view_from_world = camera.view_from_world;
+        params.clip_from_view = camera.clip_from_view;
+        params.jitter = camera.jitter;
+        params.exposure_ratio = camera.exposure_ratio;
+        params.reset = camera.reset;
+    }
+    params
+}
+
+fn rgb(texels: Texels) -> Vec<[f32; 3]> {
+    texels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
+}
+
+/// The planes of a frame, turned into images one role at a time.
+struct Channels<'a> {
+    setup: &'a Setup,
+    samples: BTreeMap<String, Samples>,
+    replaced: BTreeMap<Role, usize>,
+}
+
+impl Channels<'_> {
+    fn vectors(&mut self, role: Role) -> Option<Texels> {
+        let names = self.setup.mapping.roles.get(&role)?;
+        let mut texels = vec![[0.0; 4]; self.setup.pixels()];
+        let mut bad = vec![false; texels.len()];
+        for (component, name) in names.iter().enumerate().take(role.kind().len()) {
+            let Some(Samples::Float(values)) = self.samples.get(name) else { return None };
+            for ((texel, value), bad) in texels.iter_mut().zip(values).zip(&mut bad) {
+                // An infinite depth is the sky.
+                let usable = value.is_finite() || (role == Role::Depth && !value.is_nan());
+                *bad |= !usable;
+                texel[component] = if usable { *value } else { 0.0 };
+            }
+        }
+        let count = bad.iter().filter(|b| **b).count();
+        if count > 0 {
+            self.replaced.insert(role, count);
+        }
+        Some(texels)
+    }
+
+    fn scalars(&mut self, role: Role) -> Option<Vec<f32>> {
+        self.vectors(role).map(|texels| texels.into_iter().map(|t| t[0]).collect())
+    }
+
+    fn emission(&mut self) -> Option<Texels> {
+        let (emission, environment) = (self.vectors(Role::Emission), self.vectors(Role::Environment));
+        match (emission, environment) {
+            (Some(a), Some(b)) => Some(combine(&a, &b, |a, b| a + b)),
+            (a, b) => a.or(b),
+        }
+    }
+
+    /// Direct light: as it is, or from its demodulated form.
+    fn direct(&mut self) -> Option<Texels> {
+        if self.setup.mapping.has(Role::Direct) {
+            return self.vectors(Role::Direct);
+        }
+        let (light, colour) = (self.vectors(Role::DemodulatedDirect)?, self.vectors(Role::DiffuseColour)?);
+        Some(combine(&light, &colour, |a, b| a * b))
+    }
+
+    fn lighting(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
+        let emission = self.emission();
+        let rest = |total: &Texels, part: &Option<Texels>| match part {
+            Some(part) => combine(total, part, |a, b| (a - b).max(0.0)),
+            None => total.clone(),
+        };
+        let both = self.setup.mapping.has(Role::Direct) && self.setup.mapping.has(Role::Indirect);
+        match (self.setup.config.signals, both) {
+            (Signals::Together, true) => {
+                let parts = (self.vectors(Role::Direct), self.vectors(Role::Indirect));
+                if let (Some(direct), Some(indirect)) = parts {
+                    images.insert("noisy_radiance", combine(&direct, &indirect, |a, b| a + b));
+                }
+            }
+            (Signals::Together, false) => {
+                let noisy = self.vectors(Role::Noisy);
+                images.extend(noisy.map(|n| ("noisy_radiance", rest(&n, &emission))));
+            }
+            (Signals::Apart, true) => {
+                images.extend(self.vectors(Role::Direct).map(|d| ("noisy_direct", d)));
+                images.extend(self.vectors(Role::Indirect).map(|d| ("noisy_indirect", d)));
+            }
+            // What is neither emission nor direct is called indirect, so that nothing is lost.
+            (Signals::Apart, false) => {
+                let (noisy, direct) = (self.vectors(Role::Noisy), self.direct());
+                images.extend(noisy.map(|n| ("noisy_indirect", rest(&rest(&n, &emission), &direct))));
+                images.extend(direct.map(|d| ("noisy_direct", d)));
+            }
+        }
+        images.extend(emission.map(|e| ("emission", e)));
+    }
+
+    fn guides(&mut self, camera: Option<&Camera>, images: &mut BTreeMap<&'static str, Texels>) {
+        let pixels = self.setup.pixels();
+        images.extend(self.vectors(Role::Albedo).map(|a| ("albedo", a)));
+        images.extend(self.vectors(Role::Roughness).map(|r| ("roughness", r)));
+        let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
+        images.insert("normal", normal);
+        let depth = self.vectors(Role::Depth).or_else(|| self.depth_of_positions(camera));
+        images.insert("depth", depth.unwrap_or_else(|| vec![[1.0; 4]; pixels]));
+        if let Some(motion) = self.motion(camera.is_some()) {
+            images.insert("motion", motion);
+        }
+    }
+
+    /// The previous frame's samples in the scene of this frame; absent in the first frame.
+    fn reshaded(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
+        let parts = (self.vectors(Role::ReshadeDirect), self.vectors(Role::ReshadeIndirect));
+        let sum = match parts {
+            (Some(direct), Some(indirect)) => Some(combine(&direct, &indirect, |a, b| a + b)),
+            (direct, indirect) => direct.or(indirect),
+        };
+        images.extend(sum.map(|s| ("reshaded_radiance", s)));
+    }
+
+    fn depth_of_positions(&mut self, camera: Option<&Camera>) -> Option<Texels> {
+        let c = self.setup.config.conventions;
+        let in_view = c.normal_space == NormalSpace::View;
+        if camera.is_none() && !(in_view && self.setup.mapping.layout == Layout::Pbrt) {
+            return None;
+        }
+        let view = camera.filter(|_| !in_view).map_or(glam::Mat4::IDENTITY, |c| glam::Mat4::from_cols_array_2d(&c.view_from_world));
+        let sign = if c.view_forward == ViewForward::NegativeZ { -1.0 } else { 1.0 };
+        let positions = self.vectors(Role::Position)?;
+        let depth = |p: [f32; 4]| match p {
+            // Nothing was hit.
+            [0.0, 0.0, 0.0, _] => 0.0,
+            [x, y, z, _] => sign * view.transform_point3(glam::Vec3::new(x, y, z)).z,
+        };
+        Some(positions.into_iter().map(|p| [depth(p), 0.0, 0.0, 0.0]).collect())
+    }
+
+    fn motion(&mut self, camera: bool) -> Option<Texels> {
+        let still = || (!camera).then(|| vec![[0.0; 4]; self.setup.pixels()]);
+        if !self.setup.mapping.has(Role::Motion) {
+            return still();
+        }
+        let mut motion = self.vectors(Role::Motion)?;
+        if self.setup.config.conventions.motion_depth == MotionDepth::Absolute {
+            for (texel, previous) in motion.iter_mut().zip(self.scalars(Role::PreviousDepth).unwrap_or_default()) {
+                texel[2] = previous;
+            }
+        }
+        Some(motion)
+    }
+
+    /// Ids with 0 for the background. Only this project's data sets keep 0 free for it.
+    fn ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
+        let name = self.setup.mapping.roles.get(&Role::Id)?.first()?;
+        let mut ids = match self.samples.remove(name)? {
+            Samples::Uint(ids) => ids,
+            Samples::Float(ids) => {
+                let bad = ids.iter().filter(|v| !v.is_finite()).count();
+                if bad > 0 {
+                    self.replaced.insert(Role::Id, bad);
+                }
+                // The cast saturates, and NaN becomes 0.
+                ids.into_iter().map(|v| v.round() as u32).collect()
+            }
+        };
+        if self.setup.mapping.layout != Layout::Atrous {
+            let far = self.setup.config.conventions.background_depth;
+            for (id, depth) in ids.iter_mut().zip(images.get("depth")?) {
+                *id = if depth[0] > 0.0 && depth[0] < far { id.saturating_add(1) } else { 0 };
+            }
+        }
+        Some(ids)
+    }
+
+    fn total(&mut self, images: &BTreeMap<&'static str, Texels>) -> Vec<[f32; 3]> {
+        if let Some(noisy) = self.vectors(Role::Noisy) {
+            return rgb(noisy);
+        }
+        let parts = ["noisy_radiance", "noisy_direct", "noisy_indirect", "emission"].iter().filter_map(|n| images.get(n));
+        let sum = parts.fold(vec![[0.0; 4]; self.setup.pixels()], |sum, part| combine(&sum, part, |a, b| a + b));
+        rgb(sum)
+    }
+}
+
+fn combine(a: &Texels, b: &Texels, of: impl Fn(f32, f32) -> f32) -> Texels {
+    a.iter().zip(b).map(|(a, b)| std::array::from_fn(|i| of(a[i], b[i]))).collect()
+}
+
+impl Setup {
+    /// Pixels of a frame.
+    pub fn pixels(&self) -> usize {
+        let [width, height] = self.config.allocated_extent;
+        width as usize * height as usize
+    }
+}

@@ -1,0 +1,115 @@
+//! Channel names of known renderers, as one table.
+//!
+//! Sources: the data sets of this project; Blender's passes (Cycles' `primitive_motion_vector` for the sign of `Vector`: previous − current in
+//! X and Y, current − next in Z and W, pixels, y up); Mitsuba 3's `aov` integrator (`depth` is the distance along the ray, 0 where nothing is
+//! hit); PBRT-v4's `gbuffer` film; Open Image Denoise's example files (`*_hdr`, `*_alb`, `*_nrm`).
+
+use crate::roles::Role;
+
+/// Who writes channels with these names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layout {
+    /// The data sets of this project, and captures of its library.
+    Atrous,
+    /// Blender multilayer EXR.
+    Blender,
+    /// Mitsuba 3 with the `aov` integrator.
+    Mitsuba,
+    /// PBRT-v4 with the `gbuffer` film.
+    Pbrt,
+    /// Colour, albedo, normal, as Open Image Denoise takes them.
+    Plain,
+}
+
+impl Layout {
+    /// For messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Atrous => "atrous data set",
+            Self::Blender => "Blender",
+            Self::Mitsuba => "Mitsuba AOVs",
+            Self::Pbrt => "PBRT gbuffer",
+            Self::Plain => "plain colour, albedo, normal",
+        }
+    }
+}
+
+/// One way in which a role is stored.
+pub struct Entry {
+    /// Role.
+    pub role: Role,
+    /// Layouts with this entry; empty: all.
+    pub layouts: &'static [Layout],
+    /// Last parts of the layer name, any case; "" is no layer. In order of preference.
+    pub layers: &'static [&'static str],
+    /// Alternatives for the names of the components.
+    pub components: &'static [&'static [&'static str]],
+}
+
+const RGB: &[&[&str]] = &[&["R", "G", "B"]];
+const XYZ: &[&[&str]] = &[&["X", "Y", "Z"], &["R", "G", "B"]];
+const XY: &[&[&str]] = &[&["X", "Y"], &["U", "V"], &["R", "G"]];
+const DEPTH: &[&[&str]] = &[&["Z"], &["V"], &["T"], &["D"], &["Y"], &["R"], &["X"]];
+const ID: &[&[&str]] = &[&["I"], &["X"], &["Y"], &["V"], &["R"]];
+
+const fn entry(
+    role: Role,
+    layouts: &'static [Layout],
+    layers: &'static [&'static str],
+    components: &'static [&'static [&'static str]],
+) -> Entry {
+    Entry { role, layouts, layers, components }
+}
+
+use Layout::{Atrous, Blender, Mitsuba, Pbrt, Plain};
+
+/// All of them. The first that fits wins.
+pub const ENTRIES: &[Entry] = &[
+    entry(Role::Noisy, &[Atrous], &["noisy"], RGB),
+    // `Noisy Image` is the unfiltered render where Blender's own denoiser has already been over `Combined`.
+    entry(Role::Noisy, &[Blender], &["noisy image", "combined"], RGB),
+    entry(Role::Noisy, &[], &["", "color", "colour", "hdr", "beauty", "rgba", "img", "image", "my_image"], RGB),
+    entry(Role::Direct, &[Atrous], &["direct"], RGB),
+    entry(Role::Indirect, &[Atrous], &["indirect"], RGB),
+    entry(Role::Emission, &[Atrous], &["emission"], RGB),
+    entry(Role::Emission, &[Blender], &["emit", "emission"], RGB),
+    entry(Role::Environment, &[Blender], &["env", "environment"], RGB),
+    entry(Role::DemodulatedDirect, &[Blender], &["diffdir", "diffuse direct"], RGB),
+    entry(Role::DiffuseColour, &[Blender], &["diffcol", "diffuse color"], RGB),
+    entry(Role::Albedo, &[Blender], &["denoising albedo", "diffcol", "diffuse color"], RGB),
+    entry(Role::Albedo, &[], &["albedo", "alb", "albedo0", "diffuse_albedo"], RGB),
+    entry(Role::Normal, &[Blender], &["normal", "denoising normal"], XYZ),
+    entry(Role::Normal, &[Mitsuba], &["sh_normal", "nn", "shading_normal", "normal", "normals", "geo_normal"], XYZ),
+    entry(Role::Normal, &[Pbrt], &["ns", "n"], XYZ),
+    entry(Role::Normal, &[], &["normal", "nrm", "normals", "n"], XYZ),
+    entry(Role::Depth, &[Blender], &["depth", "z", "denoising depth"], DEPTH),
+    entry(Role::Depth, &[], &["depth", "dd", "dd.y", "z"], DEPTH),
+    entry(Role::Position, &[], &["position", "pos", "p"], XYZ),
+    entry(Role::Motion, &[Blender], &["vector"], XY),
+    entry(Role::Motion, &[], &["mv", "motion", "motion_vector", "flow"], XY),
+    entry(Role::PreviousDepth, &[Atrous], &["prevz"], DEPTH),
+    entry(Role::Id, &[Blender], &["indexob", "object index"], ID),
+    entry(Role::Id, &[], &["id", "surface_id", "shape_index", "shape", "instance_id"], ID),
+    entry(Role::Roughness, &[], &["roughness"], DEPTH),
+    entry(Role::Reference, &[], &["ref", "reference"], RGB),
+    entry(Role::ReshadeDirect, &[Atrous], &["reshade_direct"], RGB),
+    entry(Role::ReshadeIndirect, &[Atrous], &["reshade_indirect"], RGB),
+    entry(Role::ReshadeEmission, &[Atrous], &["reshade_emission"], RGB),
+];
+
+/// Which renderer wrote these channels. `layers` are in lower case.
+pub fn recognise(layers: &[String], channels: &[String]) -> Layout {
+    let layer = |wanted: &[&str]| layers.iter().any(|l| wanted.iter().any(|w| l == w || l.ends_with(&format!(".{w}"))));
+    let channel = |wanted: &[&str]| channels.iter().any(|c| wanted.contains(&c.as_str()));
+    if layer(&["noisy"]) {
+        Atrous
+    } else if layers.iter().any(|l| l.ends_with(".combined") || l == "combined") {
+        Blender
+    } else if layer(&["ns"]) || channel(&["dzdx", "p.x", "dudx"]) {
+        Pbrt
+    } else if layer(&["sh_normal", "nn", "geo_normal", "shape_index", "dd", "prim_index"]) || channel(&["depth.t"]) {
+        Mitsuba
+    } else {
+        Plain
+    }
+}

@@ -1,0 +1,74 @@
+//! Loading, filtering and saving at the same time, each on a thread, with short queues between them: memory does not grow with the number of
+//! frames.
+
+use crate::backend::{Backend, FrameOutputs};
+use crate::error::{Result, ToolError};
+use crate::frame::{self, FrameInputs};
+use crate::plan::{Action, Step};
+use crate::setup::Setup;
+use std::sync::mpsc::{sync_channel, Receiver, SyncSender};
+
+/// Frames that wait between two threads.
+const QUEUE: usize = 2;
+
+/// A frame that was filtered, or that only has to be scored (`None`).
+pub struct Finished {
+    /// What was planned.
+    pub step: Step,
+    /// Inputs.
+    pub inputs: FrameInputs,
+    /// Result, unless it is on disk already.
+    pub outputs: Option<FrameOutputs>,
+}
+
+/// Takes finished frames, on a thread of its own.
+pub trait Sink: Send {
+    /// Takes the next frame.
+    fn take(&mut self, finished: Finished) -> Result<()>;
+}
+
+/// Runs all steps. The first error ends the run after what was filtered before it is saved.
+pub fn run(steps: &[Step], setup: &Setup, backend: &mut dyn Backend, views: bool, sink: &mut dyn Sink) -> Result<()> {
+    std::thread::scope(|scope| {
+        let (loaded_in, loaded) = sync_channel(QUEUE);
+        let (finished_in, finished) = sync_channel(QUEUE);
+        let loader = scope.spawn(move || load(steps, setup, &loaded_in));
+        let saver = scope.spawn(move || save(finished, sink));
+        let filtered = filter(loaded, backend, views, finished_in);
+        let loaded = loader.join().map_err(|_| ToolError::Thread("loading"));
+        let saved = saver.join().map_err(|_| ToolError::Thread("saving")).and_then(|r| r);
+        // An error of the saver ended the others, so it comes first.
+        saved.and(filtered).and(loaded)
+    })
+}
+
+type Loaded = (Step, Result<FrameInputs>);
+
+fn load(steps: &[Step], setup: &Setup, queue: &SyncSender<Loaded>) {
+    for step in steps {
+        let inputs = frame::load(&step.files, setup);
+        let failed = inputs.is_err();
+        // A closed queue means that another thread failed, and says why.
+        if queue.send((step.clone(), inputs)).is_err() || failed {
+            return;
+        }
+    }
+}
+
+fn filter(queue: Receiver<Loaded>, backend: &mut dyn Backend, views: bool, done: SyncSender<Finished>) -> Result<()> {
+    for (step, inputs) in queue {
+        let inputs = inputs?;
+        let outputs = match step.action {
+            Action::Score => None,
+            Action::Write | Action::KeepHistory => Some(backend.denoise(&inputs, views && step.action == Action::Write)?),
+        };
+        if done.send(Finished { step, inputs, outputs }).is_err() {
+            return Ok(());
+        }
+    }
+    Ok(())
+}
+
+fn save(queue: Receiver<Finished>, sink: &mut dyn Sink) -> Result<()> {
+    queue.into_iter().try_for_each(|finished| sink.take(finished))
+}

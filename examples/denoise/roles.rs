@@ -1,0 +1,133 @@
+//! What a channel can be to the denoiser, and what is lost without it.
+
+/// Meaning of one or more channels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Role {
+    /// Radiance to denoise, all of it.
+    Noisy,
+    /// Coverage of the beauty, passed through.
+    Alpha,
+    /// Light scattered once.
+    Direct,
+    /// Light scattered more than once.
+    Indirect,
+    /// Emitters and environment seen directly, without noise.
+    Emission,
+    /// A further emission that is added to the first (Blender's `Env`).
+    Environment,
+    /// Direct light divided by the albedo (Blender's `DiffDir`); multiplied by [`Role::DiffuseColour`] it is direct light.
+    DemodulatedDirect,
+    /// What [`Role::DemodulatedDirect`] was divided by.
+    DiffuseColour,
+    /// Diffuse reflectance at the first hit.
+    Albedo,
+    /// Shading normal.
+    Normal,
+    /// Depth.
+    Depth,
+    /// World-space position of the first hit.
+    Position,
+    /// Motion, 2D.
+    Motion,
+    /// View depth of the surface point in the previous frame's camera.
+    PreviousDepth,
+    /// Stable id per instance.
+    Id,
+    /// Roughness at the first hit.
+    Roughness,
+    /// Converged image, for the score.
+    Reference,
+    /// Previous frame's direct samples, shaded again in this frame's scene.
+    ReshadeDirect,
+    /// Previous frame's indirect samples, likewise.
+    ReshadeIndirect,
+    /// Previous frame's emission, likewise.
+    ReshadeEmission,
+}
+
+/// How many numbers a role has per pixel, and of which type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// R, G, B; half or float.
+    Colour,
+    /// X, Y, Z; half or float.
+    Vector,
+    /// X, Y; half or float.
+    Motion,
+    /// One half or float.
+    Scalar,
+    /// One integer, stored as any type.
+    Id,
+}
+
+impl Kind {
+    /// Numbers per pixel.
+    pub const fn len(self) -> usize {
+        match self {
+            Self::Colour | Self::Vector => 3,
+            Self::Motion => 2,
+            Self::Scalar | Self::Id => 1,
+        }
+    }
+}
+
+/// One row: role, name for options and messages, kind, and what is lost without it (empty: nothing worth a word).
+const ROLES: &[(Role, &str, Kind, &str)] = &[
+    (Role::Noisy, "noisy", Kind::Colour, ""),
+    (Role::Alpha, "alpha", Kind::Scalar, ""),
+    (Role::Direct, "direct", Kind::Colour, ""),
+    (Role::Indirect, "indirect", Kind::Colour, "direct and indirect light are filtered together, which blurs shadow edges more"),
+    (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
+    (Role::Environment, "environment", Kind::Colour, ""),
+    (Role::DemodulatedDirect, "demodulated_direct", Kind::Colour, ""),
+    (Role::DiffuseColour, "diffuse_colour", Kind::Colour, ""),
+    (Role::Albedo, "albedo", Kind::Colour, "textures are blurred together with the light"),
+    (Role::Normal, "normal", Kind::Vector, "light bleeds across creases, where only the orientation of the surface changes"),
+    (
+        Role::Depth,
+        "depth",
+        Kind::Scalar,
+        "light bleeds across silhouettes, and uncovered surfaces keep the history of what hid them",
+    ),
+    (Role::Position, "position", Kind::Vector, ""),
+    (Role::Motion, "motion", Kind::Motion, ""),
+    (Role::PreviousDepth, "previous_depth", Kind::Scalar, ""),
+    (Role::Id, "id", Kind::Id, "objects at equal depth and orientation are not told apart in the history"),
+    (Role::Roughness, "roughness", Kind::Scalar, ""),
+    (Role::Reference, "reference", Kind::Colour, ""),
+    (Role::ReshadeDirect, "reshade_direct", Kind::Colour, ""),
+    (Role::ReshadeIndirect, "reshade_indirect", Kind::Colour, ""),
+    (Role::ReshadeEmission, "reshade_emission", Kind::Colour, ""),
+];
+
+impl Role {
+    /// All roles.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ROLES.iter().map(|r| r.0)
+    }
+
+    fn row(self) -> &'static (Self, &'static str, Kind, &'static str) {
+        // Every role has a row: a test walks them.
+        ROLES.iter().find(|r| r.0 == self).unwrap_or(&ROLES[0])
+    }
+
+    /// Name for options and messages.
+    pub fn name(self) -> &'static str {
+        self.row().1
+    }
+
+    /// Numbers per pixel.
+    pub fn kind(self) -> Kind {
+        self.row().2
+    }
+
+    /// What is lost without it.
+    pub fn loss(self) -> &'static str {
+        self.row().3
+    }
+
+    /// A role by its name.
+    pub fn by_name(name: &str) -> Option<Self> {
+        ROLES.iter().find(|r| r.1 == name).map(|r| r.0)
+    }
+}

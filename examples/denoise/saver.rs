@@ -1,0 +1,143 @@
+//! What is done with a filtered frame: written, previewed, scored, counted.
+
+use crate::error::Result;
+use crate::exr_write::{self, OutputChannels};
+use crate::layouts::Layout;
+use crate::mapping::Mapping;
+use crate::pictures;
+use crate::pipeline::{Finished, Sink};
+use crate::plan::Action;
+use crate::roles::Role;
+use crate::score::ScoreBook;
+use indicatif::ProgressBar;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+/// What the user wants of every frame.
+#[derive(Clone, Debug)]
+pub struct Wanted {
+    /// Output folder.
+    pub folder: PathBuf,
+    /// Channels of the output.
+    pub channels: OutputChannels,
+    /// Previews.
+    pub png: bool,
+    /// The frame of which a strip is made.
+    pub strip: Option<u64>,
+    /// Scores.
+    pub score: bool,
+    /// Exposure of pictures.
+    pub exposure: f32,
+    /// Smallest weight of a new frame, for the view of α.
+    pub alpha: f32,
+    /// For titles.
+    pub preset: String,
+}
+
+/// Writes frames and remembers what is told at the end.
+pub struct Saver {
+    wanted: Wanted,
+    progress: ProgressBar,
+    /// Scores.
+    pub book: ScoreBook,
+    /// Files that were written.
+    pub written: usize,
+    /// Values that were not finite, by role.
+    pub replaced: BTreeMap<Role, usize>,
+    /// Results that were not finite.
+    pub bad_results: usize,
+    /// Frames that came through.
+    pub taken: usize,
+    warned: usize,
+}
+
+/// Frames with bad pixels that are named one by one; later ones are only counted.
+const NAMED: usize = 8;
+
+impl Saver {
+    /// A saver that moves a progress bar.
+    pub fn new(wanted: Wanted, book: ScoreBook, progress: ProgressBar) -> Self {
+        Self { wanted, progress, book, written: 0, replaced: BTreeMap::new(), bad_results: 0, taken: 0, warned: 0 }
+    }
+
+    /// Takes the progress bar away.
+    pub fn finish(&self) {
+        self.progress.finish_and_clear();
+    }
+
+    fn warn(&mut self, finished: &Finished) {
+        for (role, count) in &finished.inputs.replaced {
+            *self.replaced.entry(*role).or_default() += count;
+            self.warned += 1;
+            if self.warned <= NAMED {
+                let path = finished.step.files.colour.display();
+                self.progress
+                    .suspend(|| eprintln!("warning: {path}: {count} pixels of {} are not finite and became 0", role.name()));
+            }
+        }
+    }
+
+    fn pictures(&mut self, finished: &Finished, radiance: &[[f32; 3]]) -> Result<()> {
+        let Wanted { folder, exposure, alpha, .. } = &self.wanted;
+        let stem = finished.step.output.file_stem().and_then(|s| s.to_str()).unwrap_or("frame").to_owned();
+        let extent = finished.inputs.params.render_extent;
+        if self.wanted.png {
+            pictures::preview(&folder.join(format!("{stem}.png")), extent, radiance, *exposure)?;
+        }
+        match &finished.outputs {
+            Some(outputs) if !outputs.views.is_empty() => {
+                let views = folder.join("views");
+                std::fs::create_dir_all(&views).map_err(crate::error::ToolError::write(&views))?;
+                pictures::views(&views, &stem, extent, &outputs.views, *alpha)
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Sink for Saver {
+    fn take(&mut self, mut finished: Finished) -> Result<()> {
+        self.warn(&finished);
+        let filtered = finished.outputs.as_mut().map(|o| std::mem::take(&mut o.radiance));
+        let radiance = match (finished.step.action, filtered) {
+            (Action::Write, Some(mut radiance)) => {
+                self.bad_results += clean(&mut radiance);
+                let alpha = finished.inputs.alpha.as_deref();
+                exr_write::write(&finished.step.output, &finished.inputs.header, &self.wanted.channels, &radiance, alpha)?;
+                self.written += 1;
+                self.pictures(&finished, &radiance)?;
+                radiance
+            }
+            // Scored as it was written, which is the same as filtered anew, but for the warm-up.
+            _ if self.wanted.score => exr_write::read_back(&finished.step.output, &self.wanted.channels)?,
+            _ => Vec::new(),
+        };
+        let score = if self.wanted.score { self.book.add(&finished.inputs, &radiance)? } else { None };
+        if self.wanted.strip == Some(finished.inputs.number) && !radiance.is_empty() {
+            let path = self.wanted.folder.join("strip.png");
+            pictures::strip(&path, &self.wanted.preset, &finished.inputs, &radiance, score.as_ref(), self.wanted.exposure)?;
+        }
+        self.taken += 1;
+        self.progress.inc(1);
+        Ok(())
+    }
+}
+
+fn clean(radiance: &mut [[f32; 3]]) -> usize {
+    let bad = radiance.iter_mut().filter(|p| p.iter().any(|v| !v.is_finite()));
+    bad.map(|p| *p = [0.0; 3]).count()
+}
+
+/// The names of the input's beauty; `R`, `G`, `B` where it has none, and besides where the layout is this project's own, whose tools read these.
+pub fn output_channels(mapping: &Mapping, half: bool) -> OutputChannels {
+    let plain = ["R", "G", "B"].map(str::to_owned);
+    let mut colours = Vec::new();
+    if let Some([r, g, b]) = mapping.roles.get(&Role::Noisy).map(Vec::as_slice) {
+        colours.push([r.clone(), g.clone(), b.clone()]);
+    }
+    if colours.is_empty() || (mapping.layout == Layout::Atrous && colours[0] != plain) {
+        colours.push(plain);
+    }
+    let alpha = mapping.roles.get(&Role::Alpha).and_then(|a| a.first().cloned());
+    OutputChannels { colours, alpha, half }
+}

@@ -1,0 +1,196 @@
+//! Scores frames against the converged image.
+
+use crate::error::{Result, ToolError};
+use crate::frame::FrameInputs;
+use crate::motion::{self, SurfaceMotion};
+use atrous::config::Conventions;
+use atrous::quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous::FrameParams;
+use atrous_picture::{Column, PictureError, TextTable};
+use serde::Serialize;
+use std::path::Path;
+
+/// Why FLIP is not among the metrics.
+pub const NO_FLIP: &str =
+    "FLIP is left out: the one crate that binds it (nv-flip 0.1) has no HDR-FLIP, which linear radiance needs";
+
+/// Metrics of one frame. `None`: not defined for it, as the temporal error is not for the first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Metrics {
+    /// Root of the mean squared error, linear radiance.
+    pub rmse: f64,
+    /// Mean squared error relative to the squared reference.
+    pub rel_mse: f64,
+    /// Peak signal-to-noise ratio of the tone-mapped images, dB; `None` where they are equal.
+    pub psnr: Option<f64>,
+    /// Structural similarity of the tone-mapped images.
+    pub ssim: f64,
+    /// Motion-compensated temporal error.
+    pub temporal_error: Option<f64>,
+}
+
+impl Metrics {
+    /// Headings and decimals.
+    pub const COLUMNS: [(&'static str, usize); 5] = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("temporal", 5)];
+
+    /// In the order of [`Self::COLUMNS`]; NaN for what is not defined.
+    pub fn values(&self) -> [f64; 5] {
+        let or_nan = |v: Option<f64>| v.unwrap_or(f64::NAN);
+        [self.rmse, self.rel_mse, or_nan(self.psnr), self.ssim, or_nan(self.temporal_error)]
+    }
+
+    /// The mean of what is defined.
+    pub fn mean(all: &[Self]) -> Self {
+        let mean = |of: &dyn Fn(&Self) -> Option<f64>| {
+            let values: Vec<f64> = all.iter().filter_map(of).collect();
+            (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+        };
+        Self {
+            rmse: mean(&|m| Some(m.rmse)).unwrap_or_default(),
+            rel_mse: mean(&|m| Some(m.rel_mse)).unwrap_or_default(),
+            psnr: mean(&|m| m.psnr),
+            ssim: mean(&|m| Some(m.ssim)).unwrap_or_default(),
+            temporal_error: mean(&|m| m.temporal_error),
+        }
+    }
+}
+
+/// Scores of a frame.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct FrameScore {
+    /// Number of the frame.
+    pub frame: u64,
+    /// Of the result.
+    pub denoised: Metrics,
+    /// Of the input, for comparison.
+    pub noisy: Metrics,
+}
+
+/// What the next frame's temporal error needs of this one.
+struct Previous {
+    number: u64,
+    params: FrameParams,
+    image: Vec<[f32; 3]>,
+    noisy: Vec<[f32; 3]>,
+    reference: Vec<[f32; 3]>,
+    surface: SurfaceMotion,
+}
+
+/// Collects scores in the order of frames.
+pub struct ScoreBook {
+    conventions: Conventions,
+    previous: Option<Previous>,
+    /// Scores so far.
+    pub frames: Vec<FrameScore>,
+    /// Frames without a reference.
+    pub without_reference: usize,
+}
+
+impl ScoreBook {
+    /// An empty one.
+    pub fn new(conventions: Conventions) -> Self {
+        Self { conventions, previous: None, frames: Vec::new(), without_reference: 0 }
+    }
+
+    /// Scores the next frame. `None`: it has no reference.
+    pub fn add(&mut self, frame: &FrameInputs, image: &[[f32; 3]]) -> Result<Option<FrameScore>> {
+        let Some(reference) = &frame.reference else {
+            self.without_reference += 1;
+            self.previous = None;
+            return Ok(None);
+        };
+        let previous = self.previous.take().filter(|p| p.number + 1 == frame.number);
+        let before = previous.as_ref().map_or(frame.params, |p| p.params);
+        let surface = motion::of_frame(frame, &before, &self.conventions);
+        let metrics = |image: &[[f32; 3]], of: fn(&Previous) -> &Vec<[f32; 3]>| {
+            let pair = previous.as_ref().map(|p| (p, of(p).as_slice()));
+            measure(frame.params.render_extent, image, reference, pair, &surface)
+        };
+        let problem = |e: QualityError| ToolError::Usage(format!("frame {} cannot be scored: {e}", frame.number));
+        let denoised = metrics(image, |p| &p.image).map_err(problem)?;
+        let noisy = metrics(&frame.noisy, |p| &p.noisy).map_err(problem)?;
+        let score = FrameScore { frame: frame.number, denoised, noisy };
+        self.frames.push(score);
+        self.previous = Some(Previous {
+            number: frame.number,
+            params: frame.params,
+            image: image.to_vec(),
+            noisy: frame.noisy.clone(),
+            reference: reference.clone(),
+            surface,
+        });
+        Ok(Some(score))
+    }
+
+    /// Means of result and input.
+    pub fn means(&self) -> (Metrics, Metrics) {
+        let of = |pick: fn(&FrameScore) -> Metrics| Metrics::mean(&self.frames.iter().map(pick).collect::<Vec<_>>());
+        (of(|f| f.denoised), of(|f| f.noisy))
+    }
+
+    /// A row per frame, and the means.
+    pub fn table(&self) -> std::result::Result<TextTable, PictureError> {
+        let mut table = TextTable::new("frame", Metrics::COLUMNS.map(|(name, decimals)| Column::new(name, decimals)));
+        for score in &self.frames {
+            table.row(score.frame.to_string(), &score.denoised.values())?;
+        }
+        let (denoised, noisy) = self.means();
+        table.row("mean", &denoised.values())?;
+        table.row("noisy, mean", &noisy.values())?;
+        Ok(table)
+    }
+
+    /// Everything as JSON.
+    pub fn json(&self, preset: &str, device: &str) -> serde_json::Value {
+        let (mean, noisy_mean) = self.means();
+        serde_json::json!({
+            "preset": preset,
+            "device": device,
+            "mean": mean,
+            "noisy_mean": noisy_mean,
+            "frames": self.frames,
+            "flip": null,
+            "flip_note": NO_FLIP,
+        })
+    }
+}
+
+fn measure(
+    [width, height]: [u32; 2],
+    image: &[[f32; 3]],
+    reference: &[[f32; 3]],
+    previous: Option<(&Previous, &[[f32; 3]])>,
+    surface: &SurfaceMotion,
+) -> std::result::Result<Metrics, QualityError> {
+    let rgb = |pixels| Rgb::new(width, height, pixels);
+    let (now, reference) = (rgb(image)?, rgb(reference)?);
+    let mut metrics = Metrics {
+        rmse: rmse(now, reference)?,
+        rel_mse: rel_mse(now, reference)?,
+        psnr: Some(psnr(now, reference)?).filter(|p| p.is_finite()),
+        ssim: ssim(now, reference)?,
+        temporal_error: None,
+    };
+    if let Some((previous, image)) = previous {
+        let guides = TemporalGuides {
+            motion_px: &surface.motion_px,
+            expected_previous_depth: &surface.previous_depth,
+            previous_depth: &previous.surface.depth,
+            surface_id: &surface.id,
+            previous_surface_id: &previous.surface.id,
+        };
+        metrics.temporal_error = match temporal_error(now, rgb(image)?, reference, rgb(&previous.reference)?, &guides) {
+            Ok(error) => Some(error),
+            Err(QualityError::NoCommonSurface) => None,
+            Err(other) => return Err(other),
+        };
+    }
+    Ok(metrics)
+}
+
+/// Writes `scores.json`.
+pub fn write_json(path: &Path, value: &serde_json::Value) -> Result<()> {
+    let text =
+        serde_json::to_string_pretty(value).map_err(|e| ToolError::Encode { path: path.to_owned(), problem: e.to_string() })?;
+    crate::exr_write::write_atomically(path, text.as_bytes())
+}

@@ -1,0 +1,202 @@
+//! What is decided on the first frame and holds for the whole sequence, and how it is told to the user.
+
+use crate::camera::{self, Camera, SequenceFile};
+use crate::conventions;
+use crate::error::{Result, ToolError};
+use crate::frame_files::FrameFiles;
+use crate::frame_source;
+use crate::layouts::Layout;
+use crate::mapping::{Mapping, Named};
+use crate::roles::Role;
+use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, Preset, Signals};
+use atrous::Config;
+use std::path::{Path, PathBuf};
+
+/// What the user asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Wishes {
+    /// Channels by role.
+    pub channels: Vec<(Role, String)>,
+    /// Only layers of this view layer.
+    pub view_layer: Option<String>,
+    /// Another `sequence.json`.
+    pub camera: Option<PathBuf>,
+    /// Conventions by key.
+    pub conventions: Vec<(String, String)>,
+    /// Signals, where not by what the file has.
+    pub signals: Option<Signals>,
+    /// À-trous levels, where not the default.
+    pub levels: Option<u32>,
+    /// Filter.
+    pub preset: Preset,
+    /// Side of the strata, where not the default.
+    pub stratum_size: Option<u32>,
+}
+
+/// What holds for all frames.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    /// Channels.
+    pub mapping: Mapping,
+    /// For the library.
+    pub config: Config,
+    /// Cameras.
+    pub sequence: Option<SequenceFile>,
+    /// Lines to print.
+    pub report: Vec<String>,
+}
+
+impl Setup {
+    /// Looks at the first frames.
+    pub fn new(frames: &[FrameFiles], wishes: &Wishes) -> Result<Self> {
+        let Some(first) = frames.first() else { return Err(ToolError::Usage("no frames were given".into())) };
+        let header = frame_source::header(first)?;
+        let mut mapping = Mapping::choose(&first.colour, &header, &wishes.channels, wishes.view_layer.as_deref())?;
+        // Channels about the previous frame are absent in the first.
+        if let Some(second) = frames.get(1) {
+            let later: Vec<_> = wishes.channels.iter().filter(|n| is_about_previous(n.0)).cloned().collect();
+            let later: &Named = &later;
+            if let Ok(second) = Mapping::choose(&second.colour, &frame_source::header(second)?, later, wishes.view_layer.as_deref())
+            {
+                mapping.roles.extend(second.roles.into_iter().filter(|(role, _)| is_about_previous(*role)));
+            }
+        }
+        let folder = first.colour.parent().unwrap_or(Path::new("."));
+        let sequence = camera::find(wishes.camera.as_deref(), folder)?;
+        let mut config = Config::new(header.extent);
+        config.frames_in_flight = 1;
+        config.surface_id = mapping.has(Role::Id);
+        config.levels = wishes.levels.unwrap_or(config.levels);
+        config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
+        config.preset = wishes.preset;
+        config.gradient_source = GradientSource::Reshaded;
+        config.signals = signals(&mapping, wishes.signals)?;
+        config.conventions = conventions::of_layout(&mapping);
+        let mut report = describe(&mapping, &config);
+        if let Some((path, file)) = &sequence {
+            check_cameras(path, file, frames)?;
+            apply(&mut config, &file.conventions, |what| ToolError::Json { path: path.clone(), problem: what })?;
+            report.push(format!("  {:<16} {}", "camera", path.display()));
+        }
+        apply(&mut config, &wishes.conventions, ToolError::Usage)?;
+        without(&mut config, &mapping, sequence.is_some(), &mut report);
+        config.validate()?;
+        if header.windows_differ {
+            report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
+        }
+        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), report })
+    }
+
+    /// The camera of a frame.
+    pub fn camera(&self, number: u64) -> Option<&Camera> {
+        self.sequence.as_ref().and_then(|s| s.cameras.get(&number))
+    }
+}
+
+/// Roles that the first frame of a sequence need not have.
+pub fn is_about_previous(role: Role) -> bool {
+    matches!(role, Role::ReshadeDirect | Role::ReshadeIndirect | Role::ReshadeEmission)
+}
+
+fn signals(mapping: &Mapping, wish: Option<Signals>) -> Result<Signals> {
+    match (wish, mapping.has_signals_apart()) {
+        (Some(Signals::Apart), false) => Err(ToolError::Usage(
+            "--signals apart needs direct and indirect light in separate layers; name them with --channel direct=LAYER and --channel indirect=LAYER".into(),
+        )),
+        (Some(wish), _) => Ok(wish),
+        (None, true) => Ok(Signals::Apart),
+        (None, false) => Ok(Signals::Together),
+    }
+}
+
+fn apply(config: &mut Config, changes: &[(String, String)], error: impl Fn(String) -> ToolError) -> Result<()> {
+    for (key, value) in changes {
+        conventions::set(&mut config.conventions, key, value)
+            .ok_or_else(|| error(format!("no convention `{key}={value}`; there are: {}", conventions::KEYS)))?;
+    }
+    Ok(())
+}
+
+fn check_cameras(path: &Path, file: &SequenceFile, frames: &[FrameFiles]) -> Result<()> {
+    match frames.iter().find(|f| !file.cameras.contains_key(&f.number)) {
+        Some(frame) => Err(ToolError::Json {
+            path: path.to_owned(),
+            problem: format!("has no camera for {} (frame {})", frame.colour.display(), frame.number),
+        }),
+        None => Ok(()),
+    }
+}
+
+fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
+    let mut lines = vec![format!("channels ({}):", mapping.layout.name())];
+    for (role, names) in &mapping.roles {
+        lines.push(format!("  {:<16} {}", role.name(), short(names)));
+    }
+    let signals = match config.signals {
+        Signals::Together => "together, as one signal",
+        Signals::Apart => "direct and indirect apart",
+    };
+    lines.push(format!("  {:<16} {signals}", "filtered"));
+    lines
+}
+
+/// `noisy.R, noisy.G, noisy.B` as `noisy.R/G/B`.
+fn short(names: &[String]) -> String {
+    let split: Vec<_> = names.iter().map(|n| crate::mapping::split(n)).collect();
+    match split.iter().all(|s| s.0 == split[0].0) {
+        true => format!(
+            "{}{}{}",
+            split[0].0,
+            if split[0].0.is_empty() { "" } else { "." },
+            split.iter().map(|s| s.1).collect::<Vec<_>>().join("/")
+        ),
+        false => names.join(", "),
+    }
+}
+
+/// Names what is missing and what is lost, and makes the encodings fit what stands in for it.
+fn without(config: &mut Config, mapping: &Mapping, camera: bool, report: &mut Vec<String>) {
+    let mut lost = |what: &str, loss: &str| report.push(format!("  no {what}: {loss}"));
+    let c = &mut config.conventions;
+    let depth = mapping.has(Role::Depth) || (mapping.has(Role::Position) && (camera || mapping.layout == Layout::Pbrt));
+    for role in [Role::Emission, Role::Albedo, Role::Normal, Role::Id] {
+        if !mapping.has(role) {
+            lost(role.name(), role.loss());
+        }
+    }
+    if !mapping.has_signals_apart() {
+        lost("direct and indirect light", Role::Indirect.loss());
+    }
+    if !mapping.has(Role::Normal) {
+        c.normal = NormalEncoding::Xyz;
+    }
+    if !mapping.has(Role::Depth) {
+        c.depth = DepthEncoding::Linear;
+    }
+    if !depth {
+        lost("depth", Role::Depth.loss());
+    } else if !camera && c.depth != DepthEncoding::Linear {
+        lost("camera", "the depth cannot be decoded without a projection and is taken as linear");
+        c.depth = DepthEncoding::Linear;
+    }
+    match (mapping.has(Role::Motion), camera && depth) {
+        (true, true) => {}
+        (true, false) if c.motion_depth == MotionDepth::Absolute && mapping.has(Role::PreviousDepth) => {}
+        (true, false) => {
+            lost("camera and depth", "depths are expected to stay as they were; surfaces that come closer by more than depth_tolerance lose their history");
+            c.motion_depth = MotionDepth::Difference;
+        }
+        (false, true) => {
+            lost("motion", "it is computed from depth and camera, so objects that move by themselves lose their history");
+            c.motion_depth = MotionDepth::None;
+        }
+        (false, false) => {
+            lost(
+                "motion and no camera",
+                "pixels are taken to stay where they are; with a moving camera the history smears or is lost",
+            );
+            (c.motion_unit, c.motion_depth) = (MotionUnit::Pixels, MotionDepth::Difference);
+            (c.motion_direction, c.motion_y_up) = (MotionDirection::PreviousMinusCurrent, false);
+        }
+    }
+}

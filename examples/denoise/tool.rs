@@ -1,0 +1,122 @@
+//! The run from options to the last line printed.
+
+use crate::backend::{Backend, GpuBackend};
+use crate::backend_reference::ReferenceBackend;
+use crate::cli::Cli;
+use crate::error::{Result, ToolError};
+use crate::exr_write;
+use crate::frame_files;
+use crate::pictures;
+use crate::pipeline;
+use crate::plan::{self, Existing, Step};
+use crate::roles::Role;
+use crate::saver::{output_channels, Saver, Wanted};
+use crate::score::{self, ScoreBook, NO_FLIP};
+use crate::setup::Setup;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::time::Instant;
+
+/// Does what the options say.
+pub fn run(cli: &Cli) -> Result<()> {
+    let frames = frame_files::find(&cli.frames)?;
+    let setup = Setup::new(&frames, &cli.wishes())?;
+    let tuning = cli.tuning()?;
+    if !cli.quiet {
+        let [w, h] = setup.config.allocated_extent;
+        eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());
+        setup.report.iter().for_each(|line| eprintln!("{line}"));
+    }
+    if cli.score && !setup.mapping.has(Role::Reference) {
+        return Err(ToolError::Usage(
+            "--score needs a reference; name its channels with --channel reference=LAYER, or leave --score out".into(),
+        ));
+    }
+    if !(cli.exposure.is_finite() && cli.exposure > 0.0) {
+        return Err(ToolError::Usage(format!("--exposure is {}; it must be above 0", cli.exposure)));
+    }
+    let last = frames.last().map_or(0, |f| f.number);
+    let existing = Existing { force: cli.force, resume: cli.resume, warm_up: cli.warm_up, score: cli.score };
+    let steps = plan::plan(frames, &cli.output, setup.config.allocated_extent, existing)?;
+    exr_write::prepare_folder(&cli.output)?;
+    if steps.is_empty() {
+        eprintln!("all frames are finished");
+        return Ok(());
+    }
+    let mut backend = open(cli, &setup, tuning)?;
+    let device = backend.name();
+    if !cli.quiet {
+        eprintln!("{} on {device}", cli.preset_name());
+    }
+    let wanted = Wanted {
+        folder: cli.output.clone(),
+        channels: output_channels(&setup.mapping, !cli.float),
+        png: cli.png,
+        strip: cli.strip.map(|frame| frame.unwrap_or(last)),
+        score: cli.score,
+        exposure: cli.exposure,
+        alpha: tuning.alpha,
+        preset: cli.preset_name().into(),
+    };
+    let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
+    let start = Instant::now();
+    let result = pipeline::run(&steps, &setup, backend.as_mut(), cli.views, &mut saver);
+    saver.finish();
+    // What is finished is told even where the run failed.
+    summary(cli, &saver, start.elapsed().as_secs_f64(), steps.len());
+    result?;
+    if cli.score {
+        scores(cli, &saver.book, &device)?;
+    }
+    Ok(())
+}
+
+fn open(cli: &Cli, setup: &Setup, tuning: atrous::Tuning) -> Result<Box<dyn Backend>> {
+    if cli.device.as_deref() == Some("reference") {
+        return Ok(Box::new(ReferenceBackend::new(&setup.config, tuning)?));
+    }
+    Ok(Box::new(GpuBackend::new(cli.device.clone(), &setup.config, tuning)?))
+}
+
+/// On stderr, and hidden where that is no terminal.
+fn progress(cli: &Cli, steps: &[Step]) -> ProgressBar {
+    if cli.quiet {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:32} {pos}/{len} frames, {per_sec}, {eta} left");
+    ProgressBar::new(steps.len() as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+fn summary(cli: &Cli, saver: &Saver, seconds: f64, steps: usize) {
+    for (role, count) in &saver.replaced {
+        eprintln!("warning: {count} pixels of {} were not finite in all frames together and became 0", role.name());
+    }
+    if saver.bad_results > 0 {
+        eprintln!("warning: {} denoised pixels were not finite and became 0; please report this sequence", saver.bad_results);
+    }
+    if !cli.quiet {
+        let rate = saver.taken as f64 / seconds.max(1e-9);
+        eprintln!(
+            "{} of {steps} frames in {seconds:.1} s ({rate:.1} frames/s), {} written to {}",
+            saver.taken,
+            saver.written,
+            cli.output.display()
+        );
+    }
+}
+
+fn scores(cli: &Cli, book: &ScoreBook, device: &str) -> Result<()> {
+    if book.frames.is_empty() {
+        eprintln!("no frame has a reference: nothing was scored");
+        return Ok(());
+    }
+    let table = book.table().map_err(|e| ToolError::Usage(e.to_string()))?;
+    print!("{table}");
+    if book.without_reference > 0 {
+        println!("{} frames have no reference and are not in the table", book.without_reference);
+    }
+    if !cli.quiet {
+        eprintln!("{NO_FLIP}");
+    }
+    score::write_json(&cli.output.join("scores.json"), &book.json(cli.preset_name(), device))?;
+    pictures::plots(&cli.output.join("scores.png"), book, cli.preset_name())
+}

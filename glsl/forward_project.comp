@@ -1,0 +1,173 @@
+#version 450
+// Carries one pixel of every stratum of the previous frame to this frame, where the host shades it again with its surface and seed.
+// Source: [ASVGF] 3.1, 3.3. Deviations: of several samples for a stratum the one with the largest key wins, not the first to arrive, so that the
+// result does not depend on the order of execution; the host's G-buffer is not patched.
+// In:  guide (current, previous), depth_gradient, gradient_candidates of the previous frame; instance_transforms: previous from current world
+//      space by surface_id; forward_motion at the pixels of the previous frame: xy to this frame, z linear depth in this frame.
+// Out: claim (RESOLVE 0): gradient_claims. Resolve: gradient_samples, and gradient_candidates for the next frame.
+// variants: RESOLVE=0,FORWARD_MOTION=0 RESOLVE=0,FORWARD_MOTION=1 RESOLVE=1,FORWARD_MOTION=0,SURFACE_ID=0 RESOLVE=1,FORWARD_MOTION=0,SURFACE_ID=1 RESOLVE=1,FORWARD_MOTION=1,SURFACE_ID=0 RESOLVE=1,FORWARD_MOTION=1,SURFACE_ID=1
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "statistics.glsl"
+#include "guide.glsl"
+#include "strata.glsl"
+#include "forward_projection.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 2) uniform utexture2D guide;
+layout(set = 0, binding = 3) uniform utexture2D previous_guide;
+layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 5) uniform utexture2D previous_candidates;
+layout(set = 0, binding = 6, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
+#if FORWARD_MOTION
+layout(set = 0, binding = 7) uniform texture2D forward_motion;
+#endif
+#if RESOLVE
+layout(set = 0, binding = 7 + FORWARD_MOTION) uniform utexture2D claims;
+layout(set = 0, binding = 8 + FORWARD_MOTION, rgba16ui) uniform writeonly uimage2D gradient_samples;
+layout(set = 0, binding = 9 + FORWARD_MOTION, rgba16ui) uniform writeonly uimage2D candidates;
+#if SURFACE_ID
+layout(set = 0, binding = 10 + FORWARD_MOTION) uniform utexture2D surface_id;
+#endif
+#else
+layout(set = 0, binding = 7 + FORWARD_MOTION, r32ui) uniform uimage2D claims;
+#endif
+
+const uint MOTION_PIXELS = 0u;
+const uint MOTION_UV = 1u;
+const uint NO_PIXEL = 0xffffu;
+
+uint frame_hash(uint salt) { return pcg(frame.frame_index + salt); }
+
+// Low bits of a key: 1 + number of the stratum in the previous frame. The bits above are a hash, so that no direction is preferred.
+uint key_mask() {
+    uvec2 strata = strata_of(frame.previous_render_extent);
+    return (2u << findMSB(strata.x * strata.y)) - 1u;
+}
+
+uint key_of(uint index) {
+    uint mask = key_mask();
+    return (pcg(index + frame_hash(0u)) & ~mask) | (index + 1u);
+}
+
+// The host's forward motion of a pixel. 0: there is none; 1: used; 2: not finite.
+uint host_position(ivec2 j, out ForwardPosition position) {
+    position = ForwardPosition(vec2(0.0), vec2(0.0), 0.0, 0.0);
+#if FORWARD_MOTION
+    vec3 v = texelFetch(forward_motion, j, 0).xyz;
+    if (!is_finite(v)) return 2u;
+    if (v.z <= 0.0) return 0u;
+    vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
+    uint unit = frame.flags >> FLAG_MOTION_UNIT_SHIFT & 3u;
+    precise vec2 m = v.xy * (unit == MOTION_PIXELS ? vec2(1.0) : unit == MOTION_UV ? extent : extent * 0.5);
+    if (has_flag(FLAG_MOTION_Y_UP)) m.y = -m.y;
+    precise vec2 start = (vec2(j) + 0.5) + frame.previous_jitter;
+    precise vec2 move = m - frame.jitter;
+    precise vec2 numerator = start * extent;
+    numerator = numerator + move * previous_extent;
+    position = ForwardPosition(numerator, previous_extent, v.z, 1.0);
+    return 1u;
+#else
+    return 0u;
+#endif
+}
+
+// From the matrices, and the transform of the pixel's instance where there is one.
+bool carried_position(ivec2 j, float z, uint id, out ForwardPosition position) {
+    vec4 world = previous_world_position(j, z);
+    uint count = is_present(6u) ? uint(instance_transforms.rows.length()) / 3u : 0u;
+    if (id < count) {
+        vec4 rows[3];
+        bool finite = true;
+        for (uint i = 0u; i < 3u; ++i) {
+            rows[i] = instance_transforms.rows[id * 3u + i];
+            finite = finite && is_finite(rows[i]);
+        }
+        vec4 current;
+        // As in import, an instance whose transform is not finite did not move.
+        if (finite) {
+            if (!invert_transform(rows, world, current)) {
+                position = ForwardPosition(vec2(0.0), vec2(0.0), 0.0, 0.0);
+                return false;
+            }
+            world = current;
+        }
+    }
+    position = project_world(world);
+    return true;
+}
+
+// The candidate of a stratum of the previous frame, in this frame. False: it is gone.
+bool project_candidate(uint index, out ivec2 previous_pixel, out ivec2 pixel) {
+    uint width = strata_of(frame.previous_render_extent).x;
+    uvec4 candidate = texelFetch(previous_candidates, ivec2(index % width, index / width), 0);
+    previous_pixel = ivec2(candidate.xy);
+    pixel = ivec2(0);
+    if (candidate.x == NO_PIXEL) return false;
+    uvec4 packed = texelFetch(previous_guide, previous_pixel, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0) return false;
+    ForwardPosition position;
+    uint host = host_position(previous_pixel, position);
+#if !RESOLVE
+    if (host == 2u) count_bad(BAD_FORWARD_MOTION);
+#endif
+    if (host == 2u) return false;
+    if (host == 0u && !carried_position(previous_pixel, z, candidate.z | candidate.w << 16, position)) return false;
+    if (!covering_pixel(position, pixel)) return false;
+    uvec4 now = texelFetch(guide, pixel, 0);
+    float z_now = unpack_depth(now);
+    if (z_now == 0.0 || unpack_id(now) != unpack_id(packed)) return false;
+    return is_visible(position, z_now, unpackHalf2x16(texelFetch(depth_gradient, pixel, 0).x));
+}
+
+#if RESOLVE
+// One pixel of the stratum for the next frame, any but the place that is a gradient sample in this one.
+uvec4 next_candidate(ivec2 s, uint taken) {
+    uvec2 extent = stratum_extent(s);
+    uint width = strata_of(frame.render_extent).x;
+    // The taken place as a number among the pixels that exist.
+    bool is_taken = taken != NO_PIXEL;
+    uint skipped = is_taken ? taken % frame.stratum_size + taken / frame.stratum_size * extent.x : NO_PIXEL;
+    uint count = extent.x * extent.y - (is_taken ? 1u : 0u);
+    if (count == 0u) return uvec4(NO_PIXEL, NO_PIXEL, 0u, 0u);
+    uint chosen = pcg(uint(s.x) + uint(s.y) * width + frame_hash(1u)) % count;
+    if (chosen >= skipped) ++chosen;
+    ivec2 pixel = first_pixel(s) + ivec2(chosen % extent.x, chosen / extent.x);
+#if SURFACE_ID
+    uint id = texelFetch(surface_id, pixel, 0).x;
+#else
+    uint id = 0xffffffffu;
+#endif
+    return uvec4(uvec2(pixel), id & 0xffffu, id >> 16);
+}
+
+void main() {
+    ivec2 s = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_stratum(s)) return;
+    uint key = texelFetch(claims, s, 0).x;
+    ivec2 previous_pixel, pixel;
+    uint place = NO_PIXEL;
+    uvec4 result = uvec4(0u);
+    if (key != 0u && project_candidate((key & key_mask()) - 1u, previous_pixel, pixel)) {
+        ivec2 offset = pixel - first_pixel(s);
+        place = uint(offset.x) + uint(offset.y) * frame.stratum_size;
+        result = pack_gradient_sample(previous_pixel, place);
+    }
+    imageStore(gradient_samples, s, result);
+    imageStore(candidates, s, next_candidate(s, place));
+}
+#else
+void main() {
+    uvec2 s = gl_GlobalInvocationID.xy;
+    uvec2 strata = strata_of(frame.previous_render_extent);
+    if (has_flag(FLAG_RESET) || any(greaterThanEqual(s, strata))) return;
+    uint index = s.x + s.y * strata.x;
+    ivec2 previous_pixel, pixel;
+    if (!project_candidate(index, previous_pixel, pixel)) return;
+    imageAtomicMax(claims, pixel / int(frame.stratum_size), key_of(index));
+}
+#endif

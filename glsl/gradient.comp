@@ -1,0 +1,161 @@
+#version 450
+// Temporal gradient of every stratum: how much the luminance of the same samples changed from the previous frame to this one.
+// Source: [ASVGF] eq. 2, 3, 13, and 3.4 for mean and variance. Deviations: luminance is divided by that of the albedo, the previous frame's for
+// both; of a dense re-shaded image (SOURCE 1) all pixels of a stratum count, each at its place in the previous frame.
+// In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
+//      depth_gradient. Both: noisy_luminance of the previous frame. SOURCE 2: sparse_gradient of the host.
+// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide; noisy_luminance (luminance of radiance, of albedo).
+// variants: SIGNALS=1,SOURCE=0 SIGNALS=2,SOURCE=0 SIGNALS=1,SOURCE=1 SIGNALS=2,SOURCE=1 SIGNALS=1,SOURCE=2 SIGNALS=2,SOURCE=2
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "finite.glsl"
+#include "surface_motion.glsl"
+#include "luminance.glsl"
+#include "demodulation.glsl"
+#include "strata.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform texture2D albedo;
+layout(set = 0, binding = 3) uniform texture2D noisy_0;
+#if SIGNALS == 2
+layout(set = 0, binding = 4) uniform texture2D noisy_1;
+#endif
+layout(set = 0, binding = 3 + SIGNALS, rgba16f) uniform writeonly image2D gradient;
+layout(set = 0, binding = 4 + SIGNALS, rgba16ui) uniform writeonly uimage2D gradient_guide;
+#if SOURCE == 2
+layout(set = 0, binding = 5 + SIGNALS) uniform texture2D sparse_gradient;
+#else
+layout(set = 0, binding = 5 + SIGNALS, r32ui) uniform writeonly uimage2D noisy_luminance;
+layout(set = 0, binding = 6 + SIGNALS) uniform utexture2D previous_luminance;
+#endif
+#if SOURCE == 0
+layout(set = 0, binding = 7 + SIGNALS) uniform utexture2D gradient_samples;
+#elif SOURCE == 1
+layout(set = 0, binding = 7 + SIGNALS) uniform texture2D reshaded_radiance;
+layout(set = 0, binding = 8 + SIGNALS) uniform utexture2D previous_guide;
+layout(set = 0, binding = 9 + SIGNALS) uniform utexture2D surface_motion;
+layout(set = 0, binding = 10 + SIGNALS) uniform utexture2D depth_gradient;
+#endif
+
+struct Sum {
+    float change;     // δ
+    float brightest;  // Δ
+    float samples;
+    float mean;
+    float squares;
+    float surfaces;
+};
+
+float radiance_luminance(vec3 radiance) { return is_finite(radiance) ? luminance(storable(radiance)) : 0.0; }
+
+float noisy_at(ivec2 p) {
+    float l = radiance_luminance(texelFetch(noisy_0, p, 0).rgb);
+#if SIGNALS == 2
+    l += radiance_luminance(texelFetch(noisy_1, p, 0).rgb);
+#endif
+    return min(l, 65504.0);
+}
+
+float albedo_at(ivec2 p, bool background) {
+    if (background || !is_present(2u)) return 1.0;
+    vec3 a = texelFetch(albedo, p, 0).rgb;
+    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? clamp(a[i], ALBEDO_EPSILON, 65504.0) : 1.0;
+    return luminance(a);
+}
+
+// Both luminances are half floats by the same rounding: what did not change differs by 0.
+float as_half(float x) { return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x; }
+
+#if SOURCE != 2
+void add_change(inout Sum sum, float now, ivec2 previous_pixel) {
+    vec2 before = unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x);
+    float l = min(before.x * frame.exposure_ratio, 65504.0);
+    sum.change += (now - l) / before.y;
+    sum.brightest += max(now, l) / before.y;
+    sum.samples += 1.0;
+}
+#endif
+
+#if SOURCE == 1
+// The pixel of the previous frame that showed this surface.
+bool previous_pixel_of(ivec2 p, uvec4 packed, out ivec2 j) {
+    SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+    j = ivec2(floor(previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent)));
+    if (!is_inside_previous(j)) return false;
+    uvec4 before = texelFetch(previous_guide, j, 0);
+    float z = unpack_depth(before);
+    if (z == 0.0 || unpack_id(before) != unpack_id(packed)) return false;
+    float expected = unpack_depth(packed) * (1.0 + m.depth_ratio);
+    vec2 slope = abs(unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
+    return abs(z - expected) <= frame.depth_tolerance * expected + slope.x + slope.y;
+}
+
+void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
+    ivec2 j;
+    if (has_flag(FLAG_RESET) || !is_present(7u + SIGNALS) || !previous_pixel_of(p, packed, j)) return;
+    vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
+    if (is_finite(radiance)) add_change(sum, as_half(radiance_luminance(radiance)), j);
+}
+#endif
+
+// Guide of the pixel that stands for the stratum: roughness makes room for its place.
+uvec4 guide_of(uvec4 packed, uint place) {
+    uint rest = (packed.z | packed.w << 16) & ~(0xfu << 20) | place << 20;
+    return uvec4(packed.xy, rest & 0xffffu, rest >> 16);
+}
+
+vec4 result(Sum sum) {
+    float change = sum.samples > 0.0 ? sum.change / sum.samples : 0.0;
+    float brightest = sum.samples > 0.0 ? sum.brightest / sum.samples : 0.0;
+    float mean = sum.surfaces > 0.0 ? sum.mean / sum.surfaces : 0.0;
+    float variance = sum.surfaces > 0.0 ? max(0.0, sum.squares / sum.surfaces - mean * mean) : 0.0;
+    return clamp(vec4(change, brightest, mean, sqrt(variance)), -65504.0, 65504.0);
+}
+
+void main() {
+    ivec2 s = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_stratum(s)) return;
+    uvec2 extent = stratum_extent(s);
+    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    // The sample's own pixel stands for the stratum; else its middle, else its first surface.
+    uint wanted = (extent.x - 1u) / 2u + (extent.y - 1u) / 2u * frame.stratum_size;
+#if SOURCE == 0
+    GradientSample gradient_sample = unpack_gradient_sample(texelFetch(gradient_samples, s, 0));
+    bool sampled = gradient_sample.valid && has_flag(FLAG_RESHADED) && !has_flag(FLAG_RESET);
+    if (sampled) wanted = gradient_sample.place;
+#endif
+    uvec4 stands = uvec4(0u);
+    for (uint y = 0u; y < extent.y; ++y)
+        for (uint x = 0u; x < extent.x; ++x) {
+            uint place = x + y * frame.stratum_size;
+            ivec2 p = pixel_at(s, place);
+            uvec4 packed = texelFetch(guide, p, 0);
+            bool background = unpack_depth(packed) == 0.0;
+            vec2 texel = vec2(noisy_at(p), albedo_at(p, background));
+#if SOURCE != 2
+            imageStore(noisy_luminance, p, uvec4(packHalf2x16(texel), 0u, 0u, 0u));
+#endif
+            if (background) continue;
+            if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
+            float l = texel.x / texel.y;
+            sum.mean += l;
+            sum.squares += l * l;
+            sum.surfaces += 1.0;
+#if SOURCE == 0
+            if (sampled && place == wanted) add_change(sum, as_half(texel.x), gradient_sample.previous_pixel);
+#elif SOURCE == 1
+            add_reshaded(sum, p, packed);
+#endif
+        }
+    vec4 value = result(sum);
+#if SOURCE == 2
+    vec2 host = is_present(5u + SIGNALS) ? texelFetch(sparse_gradient, s, 0).xy : vec2(0.0);
+    value.xy = is_finite(host) ? clamp(host, vec2(-65504.0, 0.0), vec2(65504.0)) : vec2(0.0);
+#endif
+    imageStore(gradient, s, value);
+    imageStore(gradient_guide, s, stands);
+}

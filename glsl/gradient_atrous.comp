@@ -1,0 +1,56 @@
+#version 450
+// One iteration of the reconstruction of the temporal gradient: strata without a sample take it from their surroundings, noise goes.
+// Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
+// In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration.
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "geometry_weights.glsl"
+#include "strata.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D gradient_guide;
+layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 3) uniform texture2D gradient_in;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D gradient_out;
+
+const float LUMINANCE_EPSILON = 1e-4;
+
+ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.w >> 4 & 0xfu); }
+
+void main() {
+    ivec2 s = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_stratum(s)) return;
+    vec4 centre = texelFetch(gradient_in, s, 0);
+    uvec4 packed = texelFetch(gradient_guide, s, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0) {
+        imageStore(gradient_out, s, centre);
+        return;
+    }
+    vec3 n = unpack_normal(packed);
+    ivec2 p = pixel_of(s, packed);
+    vec2 slope = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    float tolerance = frame.sigma_l * centre.w + LUMINANCE_EPSILON;
+    vec3 sum = centre.xyz;
+    float variance = centre.w * centre.w, weight_sum = 1.0;
+    int step_size = 1 << push.level;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 t = s + ivec2(x, y) * step_size;
+            if ((x == 0 && y == 0) || !is_stratum(t)) continue;
+            uvec4 packed_t = texelFetch(gradient_guide, t, 0);
+            float z_t = unpack_depth(packed_t);
+            if (z_t == 0.0) continue;
+            vec4 value = texelFetch(gradient_in, t, 0);
+            vec2 offset = vec2(pixel_of(t, packed_t) - p);
+            float exponent = depth_weight_exponent(z, z_t, slope, offset) + abs(value.z - centre.z) / tolerance;
+            float weight = normal_weight(n, unpack_normal(packed_t)) * exp(-exponent);
+            sum += weight * value.xyz;
+            variance += weight * weight * value.w * value.w;
+            weight_sum += weight;
+        }
+    imageStore(gradient_out, s, vec4(sum, sqrt(variance)) / weight_sum);
+}

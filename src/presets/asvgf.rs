@@ -1,0 +1,22 @@
+//! Adaptive temporal filtering by temporal gradients \[ASVGF\].
+
+use super::{gradients, post_process};
+use crate::config::Config;
+use crate::contract::Declaration;
+use crate::nodes::{self, Builder, Kernel, Signal};
+
+pub(crate) fn asvgf(config: &Config) -> Declaration {
+    let mut b = Builder::new(config.allocated_extent);
+    let frame = nodes::start_frame(&mut b);
+    let guides = nodes::import(&mut b, frame, config);
+    let source = gradients::before_lighting(&mut b, frame, guides, config);
+    let signals = Signal::declare(&mut b, config.signals);
+    let confidence = gradients::after_lighting(&mut b, frame, guides, config, source, &signals);
+    nodes::demodulate(&mut b, frame, guides, &signals);
+    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Some(confidence));
+    nodes::variance(&mut b, frame, guides, &signals);
+    let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
+    let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
+    post_process(&mut b, frame, guides, config, denoised);
+    b.finish()
+}

@@ -1,0 +1,182 @@
+//! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be shaded again.
+
+use super::conventions::{is_reset, motion_points_up, motion_unit};
+use super::forward_projection::{covering_pixel, invert_transform, is_visible, previous_world_position, project, ForwardPosition};
+use super::guide::{pcg, unpack_guide};
+use super::reprojection::InstanceTransform;
+use super::statistics::{Counter, Statistics};
+use super::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
+use super::surface_motion::unpack_depth_gradient;
+use super::Image;
+use crate::config::MotionUnit;
+use crate::FrameConstants;
+use glam::{IVec2, UVec2, Vec4};
+
+/// Inputs of [`forward_project`]; guides have the allocated extent, candidates one texel a stratum of it.
+#[derive(Clone, Copy, Debug)]
+pub struct ForwardProjectInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// The host's ids, for the candidates of the next frame.
+    pub surface_id: Option<&'a Image<u32>>,
+    /// Guide and candidates of the previous frame. Not read in a reset frame; `None` is treated as one.
+    pub previous: Option<PreviousCandidates<'a>>,
+    /// As for `import`: indexed by surface id, previous from current.
+    pub instance_transforms: Option<&'a [InstanceTransform]>,
+    /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this frame, 0 or less
+    /// where the matrices shall do.
+    pub forward_motion: Option<&'a Image<[f32; 4]>>,
+}
+
+/// What the previous frame left.
+#[derive(Clone, Copy, Debug)]
+pub struct PreviousCandidates<'a> {
+    /// The guide of the previous frame.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by this stage.
+    pub candidates: &'a Image<[u16; 4]>,
+}
+
+/// Outputs of [`forward_project`], one texel a stratum of the allocated extent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ForwardProjectOutputs {
+    /// See [`super::unpack_gradient_sample`].
+    pub gradient_samples: Image<[u16; 4]>,
+    /// x, y: the pixel that the next frame carries forward, 65535 for none; z, w: its surface id.
+    pub gradient_candidates: Image<[u16; 4]>,
+    /// Forward motions that are not finite.
+    pub statistics: Statistics,
+}
+
+/// Projects the candidates of the previous frame, and picks those of the next.
+pub fn forward_project(frame: &FrameConstants, inputs: &ForwardProjectInputs) -> ForwardProjectOutputs {
+    let extent = inputs.guide.extent().map(|side| side.div_ceil(frame.stratum_size));
+    let strata = Strata::new(frame);
+    let mut statistics = Statistics::default();
+    let mut claims: Image<(u32, Option<GradientSample>)> = Image::new(extent, (0, None));
+    if let Some(previous) = inputs.previous.filter(|_| !is_reset(frame)) {
+        let projection = Projection { frame, inputs, previous };
+        let count = Strata::of_previous(frame).count();
+        for index in 0..count.x * count.y {
+            let Some(sample) = projection.sample(UVec2::new(index % count.x, index / count.x), &mut statistics) else { continue };
+            let [x, y] = sample.pixel.map(|v| (v / strata.size) as i32);
+            let key = key_of(frame, index, count.x * count.y);
+            if let Some(claim) = claims.get_mut(x, y).filter(|claim| key > claim.0) {
+                *claim = (key, Some(sample));
+            }
+        }
+    }
+    let texels = Image::compute(extent, strata.count().into(), |s| {
+        let sample = claims.at(s).1;
+        (pack_gradient_sample(strata.size, sample), next_candidate(frame, inputs.surface_id, s, sample))
+    });
+    ForwardProjectOutputs { gradient_samples: texels.map(|t| t.0), gradient_candidates: texels.map(|t| t.1), statistics }
+}
+
+/// By which the samples of a stratum are ranked: a hash above, the number of the stratum in the previous frame plus 1 below.
+fn key_of(frame: &FrameConstants, index: u32, count: u32) -> u32 {
+    let mask = (2 << count.ilog2()) - 1;
+    (pcg(index.wrapping_add(pcg(frame.frame_index))) & !mask) | (index + 1)
+}
+
+/// Any pixel of the stratum but the one that is a gradient sample in this frame.
+fn next_candidate(frame: &FrameConstants, ids: Option<&Image<u32>>, s: IVec2, sample: Option<GradientSample>) -> [u16; 4] {
+    let strata = Strata::new(frame);
+    let others: Vec<IVec2> =
+        strata.pixels(s).map(|(_, p)| p).filter(|p| sample.is_none_or(|taken| p.as_uvec2() != UVec2::from(taken.pixel))).collect();
+    if others.is_empty() {
+        return [NO_PIXEL, NO_PIXEL, 0, 0];
+    }
+    let index = s.x as u32 + s.y as u32 * strata.count().x;
+    let chosen = pcg(index.wrapping_add(pcg(frame.frame_index.wrapping_add(1)))) % others.len() as u32;
+    let pixel = others[chosen as usize];
+    let id = ids.map_or(u32::MAX, |ids| ids.at(pixel));
+    [pixel.x as u16, pixel.y as u16, id as u16, (id >> 16) as u16]
+}
+
+struct Projection<'a> {
+    frame: &'a FrameConstants,
+    inputs: &'a ForwardProjectInputs<'a>,
+    previous: PreviousCandidates<'a>,
+}
+
+impl Projection<'_> {
+    /// The candidate of a stratum of the previous frame in this one, where it is visible.
+    fn sample(&self, stratum: UVec2, statistics: &mut Statistics) -> Option<GradientSample> {
+        let [x, y, id_low, id_high] = self.previous.candidates.at(stratum.as_ivec2());
+        if x == NO_PIXEL {
+            return None;
+        }
+        let previous_pixel = IVec2::new(x.into(), y.into());
+        let surface = unpack_guide(self.previous.guide.at(previous_pixel));
+        if surface.is_background() {
+            return None;
+        }
+        let position = match self.host_position(previous_pixel) {
+            Host::Position(position) => position,
+            Host::Bad => {
+                statistics[Counter::ForwardMotion as usize] += 1;
+                return None;
+            }
+            Host::Nothing => {
+                let id = u32::from(id_low) | u32::from(id_high) << 16;
+                let world = previous_world_position(self.frame, previous_pixel, surface.linear_depth);
+                project(self.frame, self.carried(world, id)?)
+            }
+        };
+        let pixel = covering_pixel(self.frame, &position)?;
+        let now = unpack_guide(self.inputs.guide.at(pixel));
+        let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(pixel));
+        let is_same = !now.is_background() && now.id == surface.id;
+        (is_same && is_visible(self.frame, &position, now.linear_depth, gradient))
+            .then(|| GradientSample { pixel: pixel.as_uvec2().into(), previous_pixel: previous_pixel.as_uvec2().into() })
+    }
+
+    /// The world position in this frame. An instance beyond the end, or with an entry that is not finite, did not move; `None` where its
+    /// transform has no inverse.
+    fn carried(&self, world: Vec4, id: u32) -> Option<Vec4> {
+        let transform = self.inputs.instance_transforms.and_then(|t| t.get(id as usize));
+        match transform.filter(|t| t.iter().flatten().all(|x| x.is_finite())) {
+            Some(transform) => invert_transform(transform, world),
+            None => Some(world),
+        }
+    }
+
+    fn host_position(&self, pixel: IVec2) -> Host {
+        let Some([x, y, z, _]) = self.inputs.forward_motion.map(|m| m.at(pixel)) else { return Host::Nothing };
+        if ![x, y, z].iter().all(|v| v.is_finite()) {
+            return Host::Bad;
+        }
+        if z <= 0.0 {
+            return Host::Nothing;
+        }
+        let frame = self.frame;
+        let numerator = |i: usize| {
+            let (extent, previous) = (frame.render_extent[i] as f32, frame.previous_render_extent[i] as f32);
+            let motion = [x, y][i]
+                * match motion_unit(frame) {
+                    MotionUnit::Pixels => 1.0,
+                    MotionUnit::Uv => extent,
+                    MotionUnit::Ndc => extent * 0.5,
+                };
+            let motion = if i == 1 && motion_points_up(frame) { -motion } else { motion };
+            let start = pixel.as_vec2()[i] + 0.5 + frame.previous_jitter[i];
+            start * extent + (motion - frame.jitter[i]) * previous
+        };
+        Host::Position(ForwardPosition {
+            numerator: [numerator(0), numerator(1)],
+            denominator: frame.previous_render_extent.map(|side| side as f32),
+            depth: z,
+            depth_denominator: 1.0,
+        })
+    }
+}
+
+/// What the host says of a pixel's forward motion.
+enum Host {
+    Nothing,
+    Bad,
+    Position(ForwardPosition),
+}

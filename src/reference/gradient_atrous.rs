@@ -1,0 +1,70 @@
+//! The stage `gradient_atrous` \[ASVGF 3.4, eq. 7 to 12\]: an iteration of the reconstruction of the temporal gradient.
+
+use super::atrous::LUMINANCE_EPSILON;
+use super::binary16::round_to_half;
+use super::geometry_weights::depth_and_normal_weight;
+use super::guide::unpack_guide;
+use super::strata::Strata;
+use super::surface_motion::unpack_depth_gradient;
+use super::Image;
+use crate::FrameConstants;
+use glam::{IVec2, Vec2};
+
+/// Iterations of the presets.
+pub const GRADIENT_ITERATIONS: u32 = 5;
+
+/// Inputs of [`gradient_atrous`].
+#[derive(Clone, Copy, Debug)]
+pub struct GradientAtrousInputs<'a> {
+    /// As written by `gradient`.
+    pub gradient_guide: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// As written by `gradient`, or by the iteration before.
+    pub gradient: &'a Image<[f32; 4]>,
+}
+
+/// Filters δ, Δ and mean with taps `2^level` strata apart, and the deviation of the mean along with them.
+pub fn gradient_atrous(frame: &FrameConstants, level: u32, inputs: &GradientAtrousInputs) -> Image<[f32; 4]> {
+    let strata = Strata::new(frame);
+    Image::compute(inputs.gradient.extent(), strata.count().into(), |s| {
+        let centre = inputs.gradient.at(s);
+        let surface = unpack_guide(inputs.gradient_guide.at(s));
+        if surface.is_background() {
+            return centre;
+        }
+        let p = pixel_of(strata, inputs.gradient_guide, s);
+        let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));
+        let tolerance = frame.sigma_l * centre[3] + LUMINANCE_EPSILON;
+        let (mut sum, mut variance, mut weights) = ([0.0; 3], 0.0, 0.0);
+        for i in 0..9 {
+            let t = s + IVec2::new(i % 3 - 1, i / 3 - 1) * (1 << level);
+            if !strata.contains(t) {
+                continue;
+            }
+            let tap = unpack_guide(inputs.gradient_guide.at(t));
+            if tap.is_background() {
+                continue;
+            }
+            let value = inputs.gradient.at(t);
+            let weight = if t == s {
+                1.0
+            } else {
+                let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
+                let weight_l = (-(value[2] - centre[2]).abs() / tolerance).exp();
+                depth_and_normal_weight([frame.sigma_z, frame.sigma_n], &surface, &tap, slope, offset) * weight_l
+            };
+            (0..3).for_each(|i| sum[i] += weight * value[i]);
+            variance += weight * weight * value[3] * value[3];
+            weights += weight;
+        }
+        [sum[0], sum[1], sum[2], variance.sqrt()].map(|x| round_to_half(x / weights))
+    })
+}
+
+/// The pixel that stands for a stratum.
+fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2 {
+    let place = i32::from(gradient_guide.at(s)[3] >> 4 & 0xf);
+    let size = strata.size as i32;
+    strata.first_pixel(s) + IVec2::new(place % size, place / size)
+}

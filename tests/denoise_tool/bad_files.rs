@@ -1,0 +1,158 @@
+//! Bad input and bad output: an error that names the file, and what was finished stays.
+
+use crate::error::ToolError;
+use crate::exr_read::{read, read_header};
+use crate::samples::{self, denoise, frame_path, sequence, Sample, Type};
+use std::path::Path;
+
+fn fails(path: &Path, part: &str) {
+    let message = match read(path, |_| true) {
+        Ok(_) => panic!("{part}: was read"),
+        Err(error) => error.to_string(),
+    };
+    let name = path.file_name().and_then(|n| n.to_str()).expect("a name");
+    assert!(message.contains(name) && message.contains(part), "{message}");
+}
+
+#[test]
+fn truncated_at_every_length() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("cut.exr");
+    samples::frame(0).write(&path);
+    let bytes = std::fs::read(&path).expect("a file");
+    for length in (0..bytes.len()).step_by(37).chain([bytes.len() - 1]) {
+        std::fs::write(&path, &bytes[..length]).expect("a file");
+        fails(&path, "EXR");
+    }
+}
+
+#[test]
+fn other_files_and_folders() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("text.exr");
+    std::fs::write(&path, "this is no picture, it is a text of some length").expect("a file");
+    fails(&path, "EXR");
+    fails(&folder.path().join("absent.exr"), "cannot be read");
+    let inner = folder.path().join("folder.exr");
+    std::fs::create_dir(&inner).expect("a folder");
+    fails(&inner, "");
+}
+
+/// Replaces the windows of a header, which are four 32-bit numbers after the name of the attribute and of its type.
+fn with_window(bytes: &[u8], attribute: &str, window: [i32; 4]) -> Vec<u8> {
+    let key = format!("{attribute}\0box2i\0");
+    let at = bytes.windows(key.len()).position(|w| w == key.as_bytes()).expect("the attribute") + key.len() + 4;
+    let mut changed = bytes.to_vec();
+    for (i, value) in window.iter().enumerate() {
+        changed[at + 4 * i..at + 4 * i + 4].copy_from_slice(&value.to_le_bytes());
+    }
+    changed
+}
+
+#[test]
+fn absurd_sizes_fail_before_memory_is_taken() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("huge.exr");
+    samples::frame(0).write(&path);
+    let bytes = std::fs::read(&path).expect("a file");
+    let huge = [0, 0, i32::MAX - 1, i32::MAX - 1];
+    for attribute in ["dataWindow", "displayWindow"] {
+        for window in [huge, [0, 0, 16383, 16383], [0, 0, 20000, 10], [-1_000_000_000, 0, 1_000_000_000, 0]] {
+            std::fs::write(&path, with_window(&bytes, attribute, window)).expect("a file");
+            let error = read(&path, |_| true).expect_err("absurd");
+            assert!(error.to_string().contains("huge.exr"), "{attribute} {window:?}: {error}");
+        }
+    }
+    std::fs::write(&path, with_window(&with_window(&bytes, "dataWindow", huge), "displayWindow", huge)).expect("a file");
+    assert!(read_header(&path).is_err());
+}
+
+#[test]
+fn frames_that_do_not_fit_the_first_end_the_run_and_keep_what_is_finished() {
+    let other_size = Sample::new(16, 16);
+    let mut other_type = samples::frame(2);
+    other_type.channels.iter_mut().filter(|c| c.0 == "depth.Z").for_each(|c| c.1 = Type::Uint);
+    let mut no_normal = samples::frame(2);
+    no_normal.channels.retain(|c| !c.0.starts_with("normal"));
+    for (bad, part) in [(other_size.flat("R", Type::Half, 1.0), "16x16"), (other_type, "depth.Z"), (no_normal, "normal.X")] {
+        let (input, output) = (sequence(4), tempfile::tempdir().expect("a temporary folder"));
+        bad.write(&frame_path(input.path(), 2));
+        let message = denoise(input.path(), output.path(), &[]).expect_err(part).to_string();
+        assert!(message.contains("frame_0002.exr") && message.contains(part), "{message}");
+        let finished: Vec<bool> = (0..4).map(|n| frame_path(output.path(), n).exists()).collect();
+        assert_eq!(finished, [true, true, false, false], "{part}");
+    }
+}
+
+#[test]
+fn a_truncated_frame_ends_the_run_and_can_be_resumed_from() {
+    let (input, output) = (sequence(4), tempfile::tempdir().expect("a temporary folder"));
+    let bad = frame_path(input.path(), 2);
+    let bytes = std::fs::read(&bad).expect("a file");
+    std::fs::write(&bad, &bytes[..bytes.len() / 2]).expect("a file");
+    let message = denoise(input.path(), output.path(), &[]).expect_err("truncated").to_string();
+    assert!(message.contains("frame_0002.exr") && message.contains("truncated"), "{message}");
+    std::fs::write(&bad, &bytes).expect("a file");
+    denoise(input.path(), output.path(), &["--resume"]).expect("resumed");
+    assert!((0..4).all(|n| frame_path(output.path(), n).exists()));
+}
+
+#[test]
+fn missing_frames_are_named() {
+    let (input, output) = (sequence(4), tempfile::tempdir().expect("a temporary folder"));
+    std::fs::remove_file(frame_path(input.path(), 1)).expect("removed");
+    let error = denoise(input.path(), output.path(), &[]).expect_err("a hole");
+    assert!(matches!(error, ToolError::MissingFrames { .. }) && error.to_string().contains("frame_0001.exr"), "{error}");
+}
+
+#[test]
+fn bad_pixels_become_zero() {
+    let (input, output) = (sequence(2), tempfile::tempdir().expect("a temporary folder"));
+    let mut sample = samples::frame(1);
+    for channel in &mut sample.channels {
+        if ["noisy.R", "direct.R", "albedo.G", "normal.Z", "depth.Z", "mv.X", "emission.B", "ref.B"].contains(&channel.0.as_str()) {
+            channel.2 = Box::new(|x, y| {
+                if (x, y) == (4, 4) {
+                    f32::NAN
+                } else if (x, y) == (5, 5) {
+                    f32::INFINITY
+                } else {
+                    0.5
+                }
+            });
+        }
+    }
+    sample.write(&frame_path(input.path(), 1));
+    denoise(input.path(), output.path(), &["--score", "--png", "--views", "--strip"]).expect("bad pixels are replaced");
+    let planes = read(&frame_path(output.path(), 1), |_| true).expect("a result");
+    for (name, samples) in planes.samples {
+        let crate::exr_read::Samples::Float(values) = samples else { panic!("{name} is no float") };
+        assert!(values.iter().all(|v| v.is_finite()), "{name}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_cannot_be_written() {
+    let input = sequence(1);
+    let message = denoise(input.path(), Path::new("/proc/denoised"), &[]).expect_err("not writable").to_string();
+    assert!(message.contains("/proc/denoised") && message.contains("cannot be written"), "{message}");
+    let file = frame_path(input.path(), 0);
+    let message = denoise(input.path(), &file, &[]).expect_err("a file is no folder").to_string();
+    assert!(message.contains("frame_0000.exr"), "{message}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_keeps_what_is_finished() {
+    let (input, output) = (sequence(3), tempfile::tempdir().expect("a temporary folder"));
+    // What is written under the temporary name of frame 1 goes to a device that is always full.
+    let part = output.path().join(".frame_0001.exr.part");
+    std::os::unix::fs::symlink("/dev/full", part).expect("a link");
+    let error = denoise(input.path(), output.path(), &[]).expect_err("full");
+    let message = error.to_string();
+    assert!(message.contains("frame_0001.exr") && message.contains("--resume"), "{message}");
+    assert!(frame_path(output.path(), 0).exists() && !frame_path(output.path(), 1).exists());
+    denoise(input.path(), output.path(), &["--resume"]).expect("resumed");
+    assert!((0..3).all(|n| frame_path(output.path(), n).exists()));
+}

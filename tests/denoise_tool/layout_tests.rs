@@ -1,0 +1,225 @@
+//! Channels of known renderers are found; what is missing is told.
+
+use crate::error::ToolError;
+use crate::frame;
+use crate::frame_files;
+use crate::layouts::Layout;
+use crate::roles::Role;
+use crate::samples::{self, Sample, Type};
+use crate::setup::{Setup, Wishes};
+use atrous::config::{DepthEncoding, MotionDepth, Signals};
+use std::path::Path;
+
+fn setup_of(sample: &Sample, wishes: &Wishes) -> (tempfile::TempDir, Result<Setup, ToolError>) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    sample.write(&folder.path().join("f_0001.exr"));
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("a frame");
+    let setup = Setup::new(&frames, wishes);
+    (folder, setup)
+}
+
+fn good(sample: &Sample) -> (tempfile::TempDir, Setup, frame::FrameInputs) {
+    let (folder, setup) = setup_of(sample, &Wishes::default());
+    let setup = setup.expect("a layout");
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("a frame");
+    let inputs = frame::load(&frames[0], &setup).expect("a frame");
+    (folder, setup, inputs)
+}
+
+fn names(setup: &Setup, role: Role) -> String {
+    setup.mapping.roles.get(&role).map(|n| n.join(" ")).unwrap_or_default()
+}
+
+#[test]
+fn every_role_has_a_row() {
+    for role in Role::all() {
+        assert_eq!(Role::by_name(role.name()), Some(role));
+    }
+}
+
+#[test]
+fn own_data_sets() {
+    let (_folder, setup, inputs) = good(&samples::frame(1));
+    assert_eq!(setup.mapping.layout, Layout::Atrous);
+    assert_eq!(setup.config.signals, Signals::Apart);
+    assert!(setup.config.surface_id);
+    assert_eq!(setup.config.conventions.motion_depth, MotionDepth::Absolute);
+    assert_eq!(inputs.images["motion"][0], [0.0, 0.0, 2.0, 0.0]);
+    assert_eq!(inputs.surface_id.map(|ids| ids[5]), Some(1));
+    assert!(!setup.report.iter().any(|l| l.contains("no ")), "{:?}", setup.report);
+}
+
+#[test]
+fn blender() {
+    let half = Type::Half;
+    let sample = Sample::new(8, 6)
+        .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 1.0)
+        .flat("ViewLayer.Combined.A", half, 0.5)
+        .channel("ViewLayer.Depth.Z", Type::Float, |x, _| if x == 0 { 1e10 } else { 3.0 })
+        .flat("ViewLayer.Normal.X ViewLayer.Normal.Y", Type::Float, 0.0)
+        .flat("ViewLayer.Normal.Z", Type::Float, 1.0)
+        .flat("ViewLayer.Vector.X ViewLayer.Vector.Y", Type::Float, 2.0)
+        .flat("ViewLayer.Vector.Z ViewLayer.Vector.W", Type::Float, 9.0)
+        .flat("ViewLayer.DiffCol.R ViewLayer.DiffCol.G ViewLayer.DiffCol.B", half, 0.5)
+        .flat("ViewLayer.DiffDir.R ViewLayer.DiffDir.G ViewLayer.DiffDir.B", half, 0.5)
+        .flat("ViewLayer.DiffInd.R ViewLayer.DiffInd.G ViewLayer.DiffInd.B", half, 0.25)
+        .flat("ViewLayer.Emit.R ViewLayer.Emit.G ViewLayer.Emit.B", half, 0.125)
+        .flat("ViewLayer.Env.R ViewLayer.Env.G ViewLayer.Env.B", half, 0.125)
+        .flat("ViewLayer.IndexOB.X", Type::Float, 0.0)
+        .flat("ViewLayer_2.Combined.R ViewLayer_2.Combined.G ViewLayer_2.Combined.B", half, 7.0);
+    let (_folder, setup, inputs) = good(&sample);
+    assert_eq!(setup.mapping.layout, Layout::Blender);
+    assert_eq!(names(&setup, Role::Noisy), "ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B");
+    assert_eq!(names(&setup, Role::Motion), "ViewLayer.Vector.X ViewLayer.Vector.Y");
+    assert_eq!(names(&setup, Role::Alpha), "ViewLayer.Combined.A");
+    assert_eq!(names(&setup, Role::Albedo), "ViewLayer.DiffCol.R ViewLayer.DiffCol.G ViewLayer.DiffCol.B");
+    assert!(setup.config.conventions.motion_y_up);
+    // Combined 1 = emission 0.25 + direct 0.5·0.5 + the rest.
+    assert_eq!(setup.config.signals, Signals::Apart);
+    assert_eq!(inputs.images["emission"][1][0], 0.25);
+    assert_eq!(inputs.images["noisy_direct"][1][0], 0.25);
+    assert_eq!(inputs.images["noisy_indirect"][1][0], 0.5);
+    // Objects without a pass index have 0, as the sky has.
+    let ids = inputs.surface_id.expect("ids");
+    assert_eq!((ids[0], ids[1]), (0, 1));
+}
+
+#[test]
+fn mitsuba() {
+    let sample = Sample::new(8, 6)
+        .flat("my_render.R my_render.G my_render.B my_render.A", Type::Float, 1.0)
+        .flat("albedo.R albedo.G albedo.B", Type::Float, 0.5)
+        .flat("dd.y.T", Type::Float, 3.0)
+        .flat("nn.X nn.Y nn.Z", Type::Float, 0.5)
+        .flat("pos.X pos.Y pos.Z", Type::Float, 1.5)
+        .flat("shape_index.I", Type::Float, 4.0);
+    let (_folder, setup, _) = good(&sample);
+    assert_eq!(setup.mapping.layout, Layout::Mitsuba);
+    assert_eq!(names(&setup, Role::Noisy), "my_render.R my_render.G my_render.B");
+    assert_eq!(names(&setup, Role::Depth), "dd.y.T");
+    assert_eq!(names(&setup, Role::Normal), "nn.X nn.Y nn.Z");
+    assert_eq!(names(&setup, Role::Position), "pos.X pos.Y pos.Z");
+    assert_eq!(names(&setup, Role::Id), "shape_index.I");
+    // No camera: the distance along the ray cannot be turned into a depth.
+    assert_eq!(setup.config.conventions.depth, DepthEncoding::Linear);
+    assert!(setup.report.iter().any(|l| l.contains("no camera")), "{:?}", setup.report);
+}
+
+#[test]
+fn pbrt() {
+    let sample = Sample::new(8, 6)
+        .flat("R G B Albedo.R Albedo.G Albedo.B", Type::Half, 0.5)
+        .flat("P.X P.Y", Type::Float, 1.0)
+        .flat("P.Z", Type::Float, 4.0)
+        .flat("N.X N.Y N.Z Ns.X Ns.Y Ns.Z", Type::Half, 0.5)
+        .flat("u v dzdx dzdy", Type::Half, 0.0);
+    let (_folder, setup, inputs) = good(&sample);
+    assert_eq!(setup.mapping.layout, Layout::Pbrt);
+    assert_eq!(names(&setup, Role::Normal), "Ns.X Ns.Y Ns.Z");
+    assert_eq!(names(&setup, Role::Noisy), "R G B");
+    // Camera space by default, so that z is the depth.
+    assert_eq!(inputs.images["depth"][3][0], 4.0);
+}
+
+#[test]
+fn plain_colour_names_everything_that_is_lost() {
+    let (_folder, setup, inputs) = good(&Sample::new(8, 6).flat("R G B", Type::Half, 0.5));
+    assert_eq!(setup.mapping.layout, Layout::Plain);
+    for lost in ["albedo", "normal", "depth", "motion", "id", "emission", "direct"] {
+        assert!(setup.report.iter().any(|l| l.contains(&format!("no {lost}"))), "{lost}: {:?}", setup.report);
+    }
+    assert_eq!(inputs.images["motion"][0], [0.0; 4]);
+}
+
+#[test]
+fn colour_albedo_and_normal_in_files_of_their_own() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for number in 7..10 {
+        let path = |what: &str| folder.path().join(format!("shot_{number:03}{what}.exr"));
+        Sample::new(8, 6).flat("R G B", Type::Half, 0.5).write(&path("_hdr"));
+        Sample::new(8, 6).flat("R G B", Type::Half, 0.25).write(&path("_alb"));
+        Sample::new(8, 6).flat("X Y Z", Type::Half, 1.0).write(&path("_nrm"));
+    }
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    assert_eq!(frames.iter().map(|f| f.number).collect::<Vec<_>>(), [7, 8, 9]);
+    let setup = Setup::new(&frames, &Wishes::default()).expect("a layout");
+    assert_eq!(names(&setup, Role::Albedo), "albedo.R albedo.G albedo.B");
+    assert_eq!(names(&setup, Role::Normal), "normal.X normal.Y normal.Z");
+    let inputs = frame::load(&frames[1], &setup).expect("a frame");
+    assert_eq!((inputs.images["albedo"][0][2], inputs.noisy[0][1]), (0.25, 0.5));
+}
+
+#[test]
+fn options_name_channels_and_their_errors_list_what_there_is() {
+    let sample = Sample::new(8, 6).flat("x.a.R x.a.G x.a.B far", Type::Half, 0.5).flat("count", Type::Uint, 1.0);
+    let named = |list: &[(Role, &str)]| Wishes {
+        channels: list.iter().map(|(role, name)| (*role, (*name).to_owned())).collect(),
+        ..Wishes::default()
+    };
+    let (_f, unnamed) = setup_of(&sample, &Wishes::default());
+    assert!(matches!(unnamed, Err(ToolError::NoColour { .. })), "{unnamed:?}");
+    let (_f, setup) = setup_of(&sample, &named(&[(Role::Noisy, "x.a"), (Role::Depth, "far"), (Role::Id, "count")]));
+    let setup = setup.expect("named channels");
+    assert_eq!((names(&setup, Role::Noisy), names(&setup, Role::Depth)), ("x.a.R x.a.G x.a.B".into(), "far".into()));
+    let (_f, swapped) = setup_of(&sample, &named(&[(Role::Noisy, "x.a.B, x.a.G, x.a.R")]));
+    assert_eq!(names(&swapped.expect("named channels"), Role::Noisy), "x.a.B x.a.G x.a.R");
+    let (_f, wrong) = setup_of(&sample, &named(&[(Role::Noisy, "x.b")]));
+    assert!(wrong.expect_err("no such layer").to_string().contains("x.a.R"));
+    let (_f, wrong) = setup_of(&sample, &named(&[(Role::Noisy, "x.a"), (Role::Depth, "count")]));
+    let message = wrong.expect_err("integers are no depth").to_string();
+    assert!(message.contains("f_0001.exr") && message.contains("`count`") && message.contains("unsigned"), "{message}");
+}
+
+#[test]
+fn a_camera_stands_in_for_motion() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let write = |number: u32| {
+        let sample = Sample::new(32, 18).flat("R G B", Type::Half, 0.5).flat("pos.X pos.Y", Type::Float, 0.0);
+        sample
+            .flat("pos.Z", Type::Float, -2.0)
+            .flat("albedo.R albedo.G albedo.B", Type::Half, 0.5)
+            .write(&samples::frame_path(folder.path(), number));
+    };
+    (0..2).for_each(write);
+    std::fs::write(folder.path().join("sequence.json"), cameras(&[0.0, 0.25])).expect("a file");
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    let setup = Setup::new(&frames, &Wishes::default()).expect("a layout");
+    assert!(setup.report.iter().any(|l| l.contains("computed from depth and camera")), "{:?}", setup.report);
+    let load = |i: usize| frame::load(&frames[i], &setup).expect("a frame");
+    let (first, second) = (load(0), load(1));
+    assert_eq!(second.images["depth"][9][0], 2.0);
+    assert!(!second.images.contains_key("motion"));
+    // The camera moved 0.25 to the right at depth 2 with a focal length of 1: by 0.125 of half the width, so the surface was 2 pixels further right.
+    let motion = crate::motion::of_frame(&second, &first.params, &setup.config.conventions);
+    let [x, y] = motion.motion_px[100];
+    assert!((x - 2.0).abs() < 1e-3 && y.abs() < 1e-3, "{x} {y}");
+    assert!((motion.previous_depth[100] - 2.0).abs() < 1e-4);
+}
+
+/// `sequence.json` with a camera that looks along −z from each x.
+pub fn cameras(positions: &[f32]) -> String {
+    let frame = |(i, x): (usize, &f32)| {
+        format!(
+            r#"{{"i": {i}, "view": [[1,0,0,{}],[0,1,0,0],[0,0,1,0],[0,0,0,1]], "proj": [[1,0,0,0],[0,-1,0,0],[0,0,-1,-0.1],[0,0,-1,0]]}}"#,
+            -x
+        )
+    };
+    format!(r#"{{"frames": [{}]}}"#, positions.iter().enumerate().map(frame).collect::<Vec<_>>().join(","))
+}
+
+#[test]
+fn conventions_of_the_sequence_are_taken() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    samples::frame(0).write(&samples::frame_path(folder.path(), 0));
+    let json = |key: &str| cameras(&[0.0]).replacen('{', &format!(r#"{{"conventions": {{"{key}": "uv"}}, "#), 1);
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    let path = folder.path().join("sequence.json");
+    std::fs::write(&path, json("motion_unit")).expect("a file");
+    let setup = Setup::new(&frames, &Wishes::default()).expect("conventions");
+    assert_eq!(setup.config.conventions.motion_unit, atrous::config::MotionUnit::Uv);
+    std::fs::write(&path, json("motion_units")).expect("a file");
+    let message = Setup::new(&frames, &Wishes::default()).expect_err("no such key").to_string();
+    assert!(message.contains("sequence.json") && message.contains("motion_unit="), "{message}");
+    std::fs::write(&path, "{").expect("a file");
+    assert!(matches!(Setup::new(&frames, &Wishes::default()), Err(ToolError::Json { path: p, .. }) if p == Path::new(&path)));
+}

@@ -1,0 +1,81 @@
+//! Memory does not grow with the number of frames.
+
+use crate::backend::{Backend, FrameOutputs};
+use crate::error::Result;
+use crate::frame::FrameInputs;
+use crate::pipeline::{self, Finished, Sink};
+use crate::plan::{self, Existing};
+use crate::saver::{output_channels, Saver, Wanted};
+use crate::score::ScoreBook;
+use crate::setup::{Setup, Wishes};
+use crate::{frame_files, samples};
+
+/// Gives the input back.
+struct Copy;
+
+impl Backend for Copy {
+    fn name(&self) -> String {
+        "copy".into()
+    }
+
+    fn denoise(&mut self, frame: &FrameInputs, _: bool) -> Result<FrameOutputs> {
+        Ok(FrameOutputs { radiance: frame.noisy.clone(), views: Vec::new() })
+    }
+}
+
+/// Looks at the resident memory on the way.
+struct Watched {
+    saver: Saver,
+    resident: Vec<u64>,
+}
+
+impl Sink for Watched {
+    fn take(&mut self, finished: Finished) -> Result<()> {
+        let output = finished.step.output.clone();
+        self.saver.take(finished)?;
+        let _ = std::fs::remove_file(output);
+        self.resident.push(resident_bytes());
+        Ok(())
+    }
+}
+
+fn resident_bytes() -> u64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|l| l.strip_prefix("VmRSS:"));
+    line.and_then(|l| l.trim().trim_end_matches("kB").trim().parse::<u64>().ok()).unwrap_or_default() * 1024
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
+    let (input, output) = (tempfile::tempdir().expect("a temporary folder"), tempfile::tempdir().expect("a temporary folder"));
+    let first = samples::frame_path(input.path(), 0);
+    let wide = samples::Sample { display: samples::bounds(0, 0, 64, 36), data: samples::bounds(0, 0, 64, 36), ..samples::frame(0) };
+    wide.write(&first);
+    for number in 1..1000 {
+        std::fs::hard_link(&first, samples::frame_path(input.path(), number)).expect("a link");
+    }
+    let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+    let setup = Setup::new(&frames, &Wishes::default()).expect("a layout");
+    assert_eq!(setup.config.allocated_extent, [64, 36]);
+    let steps = plan::plan(frames, output.path(), [64, 36], Existing::default()).expect("a plan");
+    let wanted = Wanted {
+        folder: output.path().to_owned(),
+        channels: output_channels(&setup.mapping, true),
+        png: false,
+        strip: None,
+        score: true,
+        exposure: 1.0,
+        alpha: 0.2,
+        preset: "copy".into(),
+    };
+    let saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), indicatif::ProgressBar::hidden());
+    let mut sink = Watched { saver, resident: Vec::new() };
+    pipeline::run(&steps, &setup, &mut Copy, false, &mut sink).expect("a run");
+    assert_eq!((sink.saver.written, sink.saver.book.frames.len()), (1000, 1000));
+    // Other tests of this program run beside it and allocate, too: the smallest value of each hundred frames is taken.
+    let least: Vec<u64> = sink.resident.chunks(100).map(|c| c.iter().copied().min().unwrap_or_default()).collect();
+    let grown = least[9].saturating_sub(least[1]);
+    // A frame is 0.7 MiB in memory; 800 leaked ones would be 560 MiB.
+    assert!(grown < 24 << 20, "resident memory grew by {} KiB: {least:?}", grown >> 10);
+}

@@ -1,0 +1,216 @@
+//! Sequences of the presets with temporal gradients, every pass against its twin; and what a capture of them has beside pixels.
+
+use super::compare::{equal, Tolerance};
+use super::{image_of, run, Captured};
+use crate::support::{assert_valid, random, scene::Scene, session_with, upload};
+use atrous::config::{GradientSource, MotionUnit, Preset, Signals};
+use atrous::executor::{Session, SessionOptions};
+use atrous::reference::{Image, InstanceTransform};
+use atrous::{Config, FrameParams, ResetReason, Tuning, UseFrame};
+use half::f16;
+
+impl Captured<'_> {
+    /// Strata of the allocated extent.
+    pub fn strata(&self) -> [u32; 2] {
+        self.config.allocated_extent.map(|side| side.div_ceil(self.config.stratum_size))
+    }
+
+    /// The radiance that is compared with that of the previous frame.
+    pub fn noisy(&self) -> &'static [&'static str] {
+        match self.config.signals {
+            _ if self.config.preset == Preset::Stabilize => &["noisy_radiance"],
+            Signals::Together => &["noisy_radiance"],
+            Signals::Apart => &["noisy_direct", "noisy_indirect"],
+        }
+    }
+
+    /// The radiance that is filtered.
+    pub fn filtered(&self) -> &'static [&'static str] {
+        match self.config.preset {
+            Preset::Stabilize => &["other_denoised_radiance"],
+            _ => self.noisy(),
+        }
+    }
+
+    /// Where it is accumulated.
+    pub fn accumulated(&self) -> &'static str {
+        match self.config.preset {
+            Preset::Stabilize => "irradiance_history",
+            _ => "filter_ping",
+        }
+    }
+
+    pub fn packed_of(&self, name: &str, frame: UseFrame, extent: [u32; 2]) -> Image<[u16; 4]> {
+        image_of(self.bytes(name, frame), extent)
+    }
+
+    pub fn halves_of(&self, name: &str, frame: UseFrame, extent: [u32; 2]) -> Image<[f32; 4]> {
+        self.packed_of(name, frame, extent).map(|t| t.map(|b| f16::from_bits(b).to_f32()))
+    }
+
+    pub fn host_of(&self, name: &str, extent: [u32; 2]) -> Image<[f32; 4]> {
+        image_of(self.bytes(name, UseFrame::Current), extent)
+    }
+
+    pub fn floats(&self, name: &str) -> Image<f32> {
+        self.image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn written_floats(&self, name: &str) -> Image<f32> {
+        self.image(&self.outputs[name])
+    }
+
+    pub fn written_uints_of(&self, name: &str, extent: [u32; 2]) -> Image<u32> {
+        image_of(&self.outputs[name], extent)
+    }
+
+    pub fn written_packed_of(&self, name: &str, extent: [u32; 2]) -> Image<[u16; 4]> {
+        image_of(&self.outputs[name], extent)
+    }
+
+    pub fn written_halves_of(&self, name: &str, extent: [u32; 2]) -> Image<[f32; 4]> {
+        self.written_packed_of(name, extent).map(|t| t.map(|b| f16::from_bits(b).to_f32()))
+    }
+
+    pub fn instance_transforms(&self) -> Option<Vec<InstanceTransform>> {
+        self.optional_buffer("instance_transforms").map(bytemuck::allocation::pod_collect_to_vec)
+    }
+
+    fn rendered_strata(&self) -> [u32; 2] {
+        self.frame.render_extent.map(|side| side.div_ceil(self.config.stratum_size))
+    }
+
+    pub fn assert_same_strata(&self, what: &str, gpu: &Image<[u16; 4]>, twin: &Image<[u16; 4]>) {
+        for (x, y) in crate::support::pixels(self.rendered_strata()) {
+            let (x, y) = (x as i32, y as i32);
+            assert_eq!(gpu.get(x, y), twin.get(x, y), "{what}, frame {}: stratum {x},{y}", self.frame.index);
+        }
+    }
+
+    pub fn compare_strata(&self, what: &str, gpu: &Image<[f32; 4]>, twin: &Image<[f32; 4]>, tolerance: Tolerance) {
+        equal(what, self, self.rendered_strata(), gpu, twin, tolerance, |t| t);
+    }
+}
+
+fn config(extent: [u32; 2]) -> Config {
+    Config { preset: Preset::Asvgf, levels: 2, ..Config::new(extent) }
+}
+
+/// Frames with a camera that moves and a light that jumps; `inputs` uploads what else the configuration has.
+fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
+    let mut s = session_with(config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for i in 0..6 {
+        let light = if i % 3 == 2 { 0.3 } else { 1.0 };
+        let scene = Scene { speed: 0.12, light, allocated: config.allocated_extent, ..Scene::new(extent) };
+        upload(&mut s, &scene.frame(i, i));
+        inputs(&mut s, i, &scene);
+        let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
+        let reset = (i == 4).then_some(ResetReason::CameraCut);
+        let exposure_ratio = if i == 3 { 1.5 } else { 1.0 };
+        let params = FrameParams { jitter, reset, exposure_ratio, reshaded: i != 5, ..scene.params(i) };
+        run(&mut s, config, &params, &Tuning::for_preset(config.preset));
+    }
+    assert_valid();
+}
+
+pub fn forward_projected() {
+    for signals in [Signals::Together, Signals::Apart] {
+        sequence(&Config { signals, ..config([61, 35]) }, [61, 35], |_, _, _| {});
+    }
+    sequence(&Config { surface_id: false, object_normal: true, ..config([40, 23]) }, [37, 21], |_, _, _| {});
+}
+
+pub fn strata_of_every_size() {
+    for stratum_size in [2, 3, 4] {
+        for extent in [[32, 24], [33, 25], [5, 3]] {
+            sequence(&Config { stratum_size, ..config(extent) }, extent, |_, _, _| {});
+        }
+    }
+}
+
+pub fn one_pixel() {
+    for stratum_size in [2, 3, 4] {
+        sequence(&Config { stratum_size, ..config([1, 1]) }, [1, 1], |_, _, _| {});
+    }
+}
+
+/// Transforms of an instance that moves, of one that is singular, of one that is not finite, and too few of them; forward motion with holes.
+pub fn transforms_and_forward_motion() {
+    let identity = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let moved = [[0.96, -0.28, 0.0, 0.1], [0.28, 0.96, 0.0, -0.05], [0.0, 0.0, 1.0, 0.02]];
+    let singular = [[1.0, 0.0, 0.0, 0.0], [0.0; 4], [0.0, 0.0, 1.0, 0.0]];
+    let bad = [[f32::NAN; 4]; 3];
+    let tables: [&[InstanceTransform]; 4] =
+        [&[identity, identity, moved], &[identity], &[identity, singular, moved], &[identity, bad, bad]];
+    for table in tables {
+        sequence(&config([40, 23]), [40, 23], |s, _, _| {
+            s.upload_buffer("instance_transforms", bytemuck::cast_slice(table)).expect("transforms");
+        });
+    }
+    for motion_unit in [MotionUnit::Uv, MotionUnit::Pixels, MotionUnit::Ndc] {
+        let conventions =
+            atrous::config::Conventions { motion_unit, motion_y_up: motion_unit == MotionUnit::Ndc, ..Default::default() };
+        sequence(&Config { conventions, forward_motion: true, ..config([40, 23]) }, [40, 23], |s, i, scene| {
+            let depth = scene.frame(i, i).depth;
+            let motion = depth.iter().enumerate().map(|(k, z)| match k % 7 {
+                0 => [f32::NAN, 0.0, 1.0, 0.0],
+                1 => [0.0, 0.0, 0.0, 0.0],
+                2 => [0.0, 0.0, f32::INFINITY, 0.0],
+                _ => [0.02 * random(k as u32, i, 7), -0.01, z[0], 0.0],
+            });
+            s.upload("forward_motion", &motion.collect::<Vec<_>>()).expect("forward_motion");
+        });
+    }
+}
+
+pub fn reshaded() {
+    for signals in [Signals::Together, Signals::Apart] {
+        let config = Config { signals, gradient_source: GradientSource::Reshaded, ..config([61, 35]) };
+        sequence(&config, [61, 35], |s, i, scene| {
+            let mut again = scene.frame(i.saturating_sub(1), i.saturating_sub(1)).noisy_radiance;
+            again[40] = [f32::NAN; 4];
+            match i {
+                3 => s.unbind("reshaded_radiance").expect("unbind"),
+                _ => s.upload("reshaded_radiance", &again).expect("reshaded_radiance"),
+            }
+        });
+    }
+}
+
+pub fn sparse_and_confidence() {
+    let sparse = Config { gradient_source: GradientSource::Sparse, ..config([40, 23]) };
+    sequence(&sparse, [40, 23], |s, i, _| {
+        let texels: Vec<_> = (0..14 * 8).map(|k| [random(k, i, 0) - 0.5, random(k, i, 1), 0.0, 0.0]).collect();
+        s.upload("sparse_gradient", &texels).expect("sparse_gradient");
+    });
+    let confidence = Config { gradient_source: GradientSource::Confidence, ..config([40, 23]) };
+    sequence(&confidence, [40, 23], |s, i, _| {
+        let texels: Vec<_> = (0..40 * 23).map(|k| [if k % 5 == 0 { f32::NAN } else { 1.5 * random(k, i, 0) - 0.2 }; 4]).collect();
+        s.upload("confidence", &texels).expect("confidence");
+    });
+}
+
+pub fn stabilize() {
+    for gradient_source in [GradientSource::ForwardProjected, GradientSource::Confidence] {
+        let config = Config { preset: Preset::Stabilize, gradient_source, ..config([40, 23]) };
+        sequence(&config, [40, 23], |s, i, scene| {
+            if gradient_source == GradientSource::Confidence {
+                let confidence: Vec<_> = (0..40 * 23).map(|k| [random(k, i, 3); 4]).collect();
+                s.upload("confidence", &confidence).expect("confidence");
+            }
+            s.upload("other_denoised_radiance", &scene.frame(i, i + 100).noisy_radiance).expect("other_denoised_radiance");
+        });
+    }
+}
+
+/// The render extent grows and shrinks: strata of the previous frame are others than those of this one.
+pub fn other_resolutions() {
+    let config = config([64, 48]);
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for (i, extent) in (0..).zip([[64, 48], [40, 31], [64, 48], [33, 20], [33, 20]]) {
+        let scene = Scene { allocated: [64, 48], ..Scene::new(extent) };
+        upload(&mut s, &scene.frame(i, i));
+        run(&mut s, &config, &FrameParams { reshaded: true, ..scene.params(i) }, &Tuning::for_preset(config.preset));
+    }
+    assert_valid();
+}
