@@ -2,6 +2,8 @@
 // A host's input is answered by an error. Tests may panic.
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+#[cfg(feature = "capi")]
+pub mod capi;
 #[cfg(feature = "capture")]
 pub mod capture;
 pub mod config;

@@ -6,7 +6,9 @@
 mod bad_input;
 mod contract;
 mod declarations;
+mod documents;
 mod gradients;
+mod hosts;
 mod parity;
 mod pattern;
 mod percentile;
@@ -22,6 +24,9 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 pub type GpuTest = (&'static str, fn());
 
 fn main() {
+    if let Some(code) = hosts::run_as_host() {
+        std::process::exit(code);
+    }
     let mut arguments = Arguments::from_args();
     // A frame keeps every core busy on a software device: more threads than two only cost memory.
     arguments.test_threads.get_or_insert(2);
@@ -30,9 +35,11 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 10] = [
+    let groups: &[(&str, &[GpuTest], bool)] = &[
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
+        ("documents", documents::TESTS, false),
+        ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("properties", properties::TESTS, true),
         ("gradients", gradients::TESTS, true),
@@ -43,7 +50,7 @@ fn main() {
         ("sync_validation", sync_validation::TESTS, true),
     ];
     let mut trials = Vec::new();
-    for (group, tests, needs_gpu) in groups {
+    for &(group, tests, needs_gpu) in groups {
         for &(name, test) in tests {
             let trial = Trial::test(format!("{group}::{name}"), move || run(test)).with_ignored_flag(needs_gpu && device.is_err());
             trials.push(trial);

@@ -75,6 +75,18 @@ impl Access {
         ImageAccess { stage, access, layout }
     }
 
+    /// Stage and access mask for `vkCmdPipelineBarrier`, on devices without synchronization2.
+    pub const fn legacy_scope(self) -> (vk::PipelineStageFlags, vk::AccessFlags) {
+        use vk::{AccessFlags as A, PipelineStageFlags as S};
+        match self {
+            Self::Sampled | Self::StorageRead => (S::COMPUTE_SHADER, A::SHADER_READ),
+            Self::StorageWrite => (S::COMPUTE_SHADER, A::SHADER_WRITE),
+            Self::StorageReadWrite => (S::COMPUTE_SHADER, A::from_raw(A::SHADER_READ.as_raw() | A::SHADER_WRITE.as_raw())),
+            Self::Uniform => (S::COMPUTE_SHADER, A::UNIFORM_READ),
+            Self::Clear => (S::TRANSFER, A::TRANSFER_WRITE),
+        }
+    }
+
     /// Whether the old contents matter. `false`: the host may transition from `UNDEFINED`.
     pub const fn reads(self) -> bool {
         !matches!(self, Self::StorageWrite | Self::Clear)
@@ -128,6 +140,17 @@ mod tests {
     fn only_whole_writes_may_discard() {
         let discarding: Vec<_> = Access::ALL.into_iter().filter(|a| !a.reads()).collect();
         assert_eq!(discarding, [Access::StorageWrite, Access::Clear]);
+    }
+
+    #[test]
+    fn the_legacy_scope_says_the_same() {
+        use vk::AccessFlags as A;
+        for access in Access::ALL {
+            let (stage, mask) = access.legacy_scope();
+            assert_eq!(stage == vk::PipelineStageFlags::TRANSFER, access == Access::Clear, "{access:?}");
+            assert_eq!(mask.intersects(A::SHADER_WRITE | A::TRANSFER_WRITE), access.writes(), "{access:?}");
+            assert_eq!(mask.intersects(A::SHADER_READ | A::UNIFORM_READ), access.reads(), "{access:?}");
+        }
     }
 
     #[test]

@@ -1,0 +1,401 @@
+/* atrous: the passes of a real-time path-tracing denoiser, for the frame graph of a Vulkan engine.
+ *
+ * Made from src/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test --test suite header` renews it, and a test compares.
+ * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike.
+ * docs/integrate.md has the contract on two pages; examples/host_cpp is an engine that uses it. */
+
+#ifndef ATROUS_H
+#define ATROUS_H
+
+#include <stdint.h>
+#include "vulkan/vulkan_core.h"
+
+// Bytes of a name, with its null.
+#define ATROUS_NAME_SIZE 64
+
+// Most uses that a pass has.
+#define ATROUS_MAX_USES 32
+
+// What a function of the C ABI returns.
+enum AtrousStatus
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // Done.
+  ATROUS_STATUS_OK = 0,
+  // A pointer is null, a struct_size is wrong, or a value is out of range.
+  ATROUS_STATUS_INVALID_ARGUMENT = 1,
+  // The handle is null, was destroyed, or never was one.
+  ATROUS_STATUS_INVALID_HANDLE = 2,
+  // The frame was not begun, or was begun before the last resize.
+  ATROUS_STATUS_STALE_FRAME = 3,
+  // The bindings do not fit the pass in number or kind.
+  ATROUS_STATUS_BAD_BINDINGS = 4,
+  // The device lacks something.
+  ATROUS_STATUS_UNSUPPORTED_DEVICE = 5,
+  // Memory ran out.
+  ATROUS_STATUS_OUT_OF_MEMORY = 6,
+  // Another Vulkan call failed.
+  ATROUS_STATUS_VULKAN_ERROR = 7,
+  // A bug in atrous: it panicked. Destroy the denoiser.
+  ATROUS_STATUS_PANICKED = 8,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum AtrousStatus AtrousStatus;
+#else
+typedef uint32_t AtrousStatus;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
+typedef struct AtrousDenoiser AtrousDenoiser;
+
+// What is decided once; `atrous_config_default` fills it. The numbers are those of the enums of `atrous::config`.
+typedef struct AtrousConfig {
+  // sizeof(AtrousConfig).
+  uint32_t struct_size;
+  // Width that images are allocated with, pixels.
+  uint32_t width;
+  // Height that images are allocated with, pixels.
+  uint32_t height;
+  // Frames that the host records before it waits for the oldest, 1 to 8.
+  uint32_t frames_in_flight;
+  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser.
+  uint32_t preset;
+  // 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
+  uint32_t signals;
+  // À-trous levels, 1 to 10.
+  uint32_t levels;
+  // Side of the strata of temporal gradients, 2 to 4 pixels.
+  uint32_t stratum_size;
+  // Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
+  uint32_t gradient_source;
+  // 1: the host has an image of forward motion.
+  uint32_t forward_motion;
+  // 1: the host has an image of surface ids.
+  uint32_t surface_id;
+  // 1: the host has object-space normals.
+  uint32_t object_normal;
+  // 0: nothing; 1: tone map; 2: tone map and temporal anti-aliasing.
+  uint32_t post_process;
+  // 0: linear; 1: what a depth buffer holds; 2: length of the ray.
+  uint32_t depth;
+  // 0: xyz; 1: xyz·0.5 + 0.5; 2: octahedral; 3: octahedral·0.5 + 0.5.
+  uint32_t normal;
+  // 0: world space; 1: view space.
+  uint32_t normal_space;
+  // 0: pixels; 1: uv; 2: ndc.
+  uint32_t motion_unit;
+  // 0: previous − current; 1: current − previous.
+  uint32_t motion_direction;
+  // 1: y of the motion points up.
+  uint32_t motion_y_up;
+  // 1: the motion includes the change of jitter.
+  uint32_t motion_jittered;
+  // z of the motion. 0: nothing; 1: previous depth − depth; 2: previous depth.
+  uint32_t motion_depth;
+  // 0: the camera looks along −z of view space; 1: along +z.
+  uint32_t view_forward;
+  // Linear depths from here on are background.
+  float background_depth;
+} AtrousConfig;
+
+// Once per frame; `atrous_frame_params_default` fills it.
+typedef struct AtrousFrameParams {
+  // sizeof(AtrousFrameParams).
+  uint32_t struct_size;
+  // Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
+  uint32_t frame_slot;
+  // 0: keep the history. Else drop it: 2 camera cut, 3 resize, 4 scene load, 5 origin shift, 6 exposure jump.
+  uint32_t reset;
+  // Width rendered this frame, anchored top left.
+  uint32_t render_width;
+  // Height rendered this frame.
+  uint32_t render_height;
+  // World to view, column-major.
+  float view_from_world[16];
+  // View to Vulkan clip space, unjittered, column-major.
+  float clip_from_view[16];
+  // Offset of the samples from the pixel centres, pixels.
+  float jitter[2];
+  // This frame's exposure divided by the previous one's.
+  float exposure_ratio;
+  // 1: the host re-shades this frame's `gradient_samples`.
+  uint32_t reshaded;
+} AtrousFrameParams;
+
+// Where the passes run. Handles stay the host's.
+typedef struct AtrousCreateInfo {
+  // sizeof(AtrousCreateInfo).
+  uint32_t struct_size;
+  // Instance of the device.
+  VkInstance instance;
+  // Physical device of the device.
+  VkPhysicalDevice physical_device;
+  // Device.
+  VkDevice device;
+  // `vkGetInstanceProcAddr` of the loader that made the instance.
+  PFN_vkGetInstanceProcAddr get_instance_proc_addr;
+  // Configuration; read during the call alone.
+  const struct AtrousConfig *config;
+} AtrousCreateInfo;
+
+// A small buffer of bytes that a name is copied into.
+typedef char AtrousName[ATROUS_NAME_SIZE];
+
+// A resource that the host allocates or gives.
+typedef struct AtrousResource {
+  // sizeof(AtrousResource), set by the host.
+  uint32_t struct_size;
+  // 0: image; 1: buffer.
+  uint32_t kind;
+  // 0: input; 1: output; 2: transient; 3: history of two copies; 4: history in place.
+  uint32_t lifetime;
+  // Copies that the host allocates: 2 of a history, 0 of an input.
+  uint32_t copies;
+  // 1: an input that may be left out.
+  uint32_t optional;
+  // 0: exactly `format`; 1: any floating-point or normalised format; 2: any unsigned integer format.
+  uint32_t format_class;
+  // Format to create the image with.
+  VkFormat format;
+  // Width of the image.
+  uint32_t width;
+  // Height of the image.
+  uint32_t height;
+  // Usage that passes need of the image; OR in your own.
+  VkImageUsageFlags image_usage;
+  // Usage that passes need of the buffer; OR in your own.
+  VkBufferUsageFlags buffer_usage;
+  // Index of the first pass that touches it.
+  uint32_t first_pass;
+  // Index of the last pass that touches it: transients may share memory where these ranges do not overlap.
+  uint32_t last_pass;
+  // Bytes of one copy, texels alone.
+  uint64_t bytes;
+  // Stable key.
+  AtrousName name;
+} AtrousResource;
+
+// How a pass uses a resource.
+typedef struct AtrousUse {
+  // Index of the resource.
+  uint32_t resource;
+  // 1: the copy of the previous frame.
+  uint32_t previous;
+  // 0: sampled; 1: storage read; 2: storage write of every texel; 3: storage read and write; 4: uniform; 5: transfer write.
+  uint32_t access;
+  // 1: old contents matter; 0: the host may discard them.
+  uint32_t reads;
+  // 1: contents change.
+  uint32_t writes;
+  // Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal in its place.
+  VkImageLayout layout;
+  // Stage of synchronization2.
+  VkPipelineStageFlags2 stage;
+  // Access mask of synchronization2.
+  VkAccessFlags2 access_mask;
+  // Stage for vkCmdPipelineBarrier.
+  VkPipelineStageFlags legacy_stage;
+  // Access mask for vkCmdPipelineBarrier.
+  VkAccessFlags legacy_access_mask;
+} AtrousUse;
+
+// A pass: the smallest thing to schedule. Every barrier belongs between passes.
+typedef struct AtrousPass {
+  // sizeof(AtrousPass), set by the host.
+  uint32_t struct_size;
+  // 0: before lighting; 1: after lighting; 2: post-process.
+  uint32_t phase;
+  // Uses, and thereby bindings.
+  uint32_t use_count;
+  // The first `use_count` are set.
+  struct AtrousUse uses[ATROUS_MAX_USES];
+  // For labels and profiles.
+  AtrousName name;
+} AtrousPass;
+
+// Bytes, known before any is spent; before a device's own alignment.
+typedef struct AtrousMemory {
+  // sizeof(AtrousMemory), set by the host.
+  uint32_t struct_size;
+  // Survives the frame.
+  uint64_t history;
+  // Transients, aliased by lifetime.
+  uint64_t transient;
+  // Transients if none is aliased.
+  uint64_t transient_unaliased;
+  // Outputs.
+  uint64_t output;
+} AtrousMemory;
+
+// A number of the tuning, for user interfaces.
+typedef struct AtrousTuningField {
+  // sizeof(AtrousTuningField), set by the host.
+  uint32_t struct_size;
+  // Smallest legal value.
+  float min;
+  // Largest legal value.
+  float max;
+  // Default.
+  float default_value;
+  // For atrous_set_tuning.
+  AtrousName name;
+} AtrousTuningField;
+
+// A frame that was begun. Plain data: copy it as you like.
+typedef struct AtrousFrame {
+  // sizeof(AtrousFrame), set by the host before `atrous_begin_frame`.
+  uint32_t struct_size;
+  // As in AtrousFrameParams.
+  uint32_t frame_slot;
+  // Counts frames from 0.
+  uint64_t index;
+  // Counts resizes.
+  uint64_t generation;
+  // Which copy of a resource with two copies is the current one: 0 or 1. The other one is the previous.
+  uint32_t current_copy;
+  // Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
+  uint32_t reset;
+} AtrousFrame;
+
+// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is
+// absent.
+typedef struct AtrousBinding {
+  // The image of the view: a transfer write has no use for a view.
+  VkImage image;
+  // 2D view of mip 0, layer 0.
+  VkImageView view;
+  // Layout that the image is in when the pass runs.
+  VkImageLayout layout;
+  // Buffer.
+  VkBuffer buffer;
+  // Offset in bytes.
+  uint64_t offset;
+  // Bytes, or VK_WHOLE_SIZE.
+  uint64_t range;
+} AtrousBinding;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// The message of the last call on this thread that failed; empty before the first. Valid until the next call on this thread fails.
+const char *atrous_last_error(void);
+
+// The name of a status, for logs; never null.
+const char *atrous_status_name(uint32_t status);
+
+// Fills a configuration with defaults for an extent.
+//
+// # Safety
+// `config` is null or points to an AtrousConfig with its struct_size set.
+AtrousStatus atrous_config_default(struct AtrousConfig *config, uint32_t width, uint32_t height);
+
+// Fills the parameters of a frame with defaults: identity matrices, no jitter, no reset.
+//
+// # Safety
+// `params` is null or points to an AtrousFrameParams with its struct_size set.
+AtrousStatus atrous_frame_params_default(struct AtrousFrameParams *params,
+                                         uint32_t width,
+                                         uint32_t height);
+
+// Creates a denoiser: pipelines and descriptor pools, no memory.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; handles are live, belong together and outlive the denoiser.
+AtrousStatus atrous_create(const struct AtrousCreateInfo *info,
+                           struct AtrousDenoiser **denoiser);
+
+// Destroys a denoiser. The handle is invalid from then on, and stays so.
+//
+// # Safety
+// GPU work that was recorded with it is complete; the device is live.
+AtrousStatus atrous_destroy(struct AtrousDenoiser *denoiser);
+
+// Declares everything anew for other extents; history starts anew, and frames that were begun before are refused.
+//
+// # Safety
+// GPU work that was recorded with it is complete; the device is live.
+AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser,
+                           uint32_t width,
+                           uint32_t height);
+
+// How many resources and passes there are. Either pointer may be null.
+//
+// # Safety
+// Pointers are null or valid.
+AtrousStatus atrous_counts(const struct AtrousDenoiser *denoiser,
+                           uint32_t *resources,
+                           uint32_t *passes);
+
+// Declares a resource.
+//
+// # Safety
+// `resource` is null or points to an AtrousResource with its struct_size set.
+AtrousStatus atrous_resource(const struct AtrousDenoiser *denoiser,
+                             uint32_t index,
+                             struct AtrousResource *resource);
+
+// Declares a pass. Passes run in the order of their indices.
+//
+// # Safety
+// `pass` is null or points to an AtrousPass with its struct_size set.
+AtrousStatus atrous_pass(const struct AtrousDenoiser *denoiser,
+                         uint32_t index,
+                         struct AtrousPass *pass);
+
+// Bytes that the declared resources take.
+//
+// # Safety
+// `memory` is null or points to an AtrousMemory with its struct_size set.
+AtrousStatus atrous_memory(const struct AtrousDenoiser *denoiser, struct AtrousMemory *memory);
+
+// A number of the tuning by its index; invalid argument beyond the last.
+//
+// # Safety
+// `field` is null or points to an AtrousTuningField with its struct_size set.
+AtrousStatus atrous_tuning_field(uint32_t index, struct AtrousTuningField *field);
+
+// Sets a number of the tuning from the next frame on; it never drops the history.
+//
+// # Safety
+// `name` is null or a null-terminated string.
+AtrousStatus atrous_set_tuning(struct AtrousDenoiser *denoiser, const char *name, float value);
+
+// The next frame drops all history: after the host re-created images.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_invalidate(struct AtrousDenoiser *denoiser);
+
+// Starts a frame. `frame` goes to every atrous_record of it.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set.
+AtrousStatus atrous_begin_frame(struct AtrousDenoiser *denoiser,
+                                const struct AtrousFrameParams *params,
+                                struct AtrousFrame *frame);
+
+// Records one pass: no barrier, no allocation, no submission. `bindings` stand in the order of the pass's uses.
+//
+// Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
+//
+// # Safety
+// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every binding has its
+// declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work that was recorded earlier
+// with the same frame_slot is complete.
+AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
+                           const struct AtrousFrame *frame,
+                           VkCommandBuffer command_buffer,
+                           uint32_t pass,
+                           const struct AtrousBinding *bindings,
+                           uint32_t binding_count);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* ATROUS_H */

@@ -1,0 +1,237 @@
+//! Between the structs of the ABI and those of the crate.
+
+use super::status::Failure;
+use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
+use crate::config::{
+    Conventions, DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, PostProcess,
+    Preset, Signals, ViewForward,
+};
+use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
+use crate::{Config, FrameParams, ResetReason};
+use ash::vk;
+use std::ffi::c_char;
+
+/// The value that a number of the ABI stands for: its place in `values`.
+fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
+    let most = values.len() - 1;
+    values.get(given as usize).copied().ok_or_else(|| Failure::argument(format!("{name} is {given}; allowed is 0 to {most}")))
+}
+
+/// In the order of their numbers.
+const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize];
+
+const GRADIENT_SOURCES: &[GradientSource] =
+    &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
+
+impl AtrousConfig {
+    pub(super) fn to_config(self) -> Result<Config, Failure> {
+        let flag = |name, given| pick(name, given, &[false, true]);
+        let conventions = Conventions {
+            depth: pick("depth", self.depth, &[DepthEncoding::Linear, DepthEncoding::Device, DepthEncoding::RayLength])?,
+            background_depth: self.background_depth,
+            normal: pick(
+                "normal",
+                self.normal,
+                &[NormalEncoding::Xyz, NormalEncoding::XyzUnorm, NormalEncoding::Octahedral, NormalEncoding::OctahedralUnorm],
+            )?,
+            normal_space: pick("normal_space", self.normal_space, &[NormalSpace::World, NormalSpace::View])?,
+            motion_unit: pick("motion_unit", self.motion_unit, &[MotionUnit::Pixels, MotionUnit::Uv, MotionUnit::Ndc])?,
+            motion_direction: pick(
+                "motion_direction",
+                self.motion_direction,
+                &[MotionDirection::PreviousMinusCurrent, MotionDirection::CurrentMinusPrevious],
+            )?,
+            motion_y_up: flag("motion_y_up", self.motion_y_up)?,
+            motion_jittered: flag("motion_jittered", self.motion_jittered)?,
+            motion_depth: pick(
+                "motion_depth",
+                self.motion_depth,
+                &[MotionDepth::None, MotionDepth::Difference, MotionDepth::Absolute],
+            )?,
+            view_forward: pick("view_forward", self.view_forward, &[ViewForward::NegativeZ, ViewForward::PositiveZ])?,
+        };
+        let post_processes = [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa];
+        let config = Config {
+            frames_in_flight: self.frames_in_flight,
+            preset: pick("preset", self.preset, PRESETS)?,
+            signals: pick("signals", self.signals, &[Signals::Together, Signals::Apart])?,
+            levels: self.levels,
+            stratum_size: self.stratum_size,
+            gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
+            forward_motion: flag("forward_motion", self.forward_motion)?,
+            surface_id: flag("surface_id", self.surface_id)?,
+            object_normal: flag("object_normal", self.object_normal)?,
+            post_process: pick("post_process", self.post_process, &post_processes)?,
+            conventions,
+            ..Config::new([self.width, self.height])
+        };
+        config.validate()?;
+        Ok(config)
+    }
+
+    pub(super) fn default_for(extent: [u32; 2]) -> Self {
+        let config = Config::new(extent);
+        let c = config.conventions;
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            width: extent[0],
+            height: extent[1],
+            frames_in_flight: config.frames_in_flight,
+            preset: config.preset as u32,
+            signals: config.signals as u32,
+            levels: config.levels,
+            stratum_size: config.stratum_size,
+            gradient_source: config.gradient_source as u32,
+            forward_motion: config.forward_motion.into(),
+            surface_id: config.surface_id.into(),
+            object_normal: config.object_normal.into(),
+            post_process: config.post_process as u32,
+            depth: c.depth as u32,
+            normal: c.normal as u32,
+            normal_space: c.normal_space as u32,
+            motion_unit: c.motion_unit as u32,
+            motion_direction: c.motion_direction as u32,
+            motion_y_up: c.motion_y_up.into(),
+            motion_jittered: c.motion_jittered.into(),
+            motion_depth: c.motion_depth as u32,
+            view_forward: c.view_forward as u32,
+            background_depth: c.background_depth,
+        }
+    }
+}
+
+fn matrix(m: [f32; 16]) -> [[f32; 4]; 4] {
+    std::array::from_fn(|column| std::array::from_fn(|row| m[column * 4 + row]))
+}
+
+impl AtrousFrameParams {
+    pub(super) fn to_params(self) -> Result<FrameParams, Failure> {
+        use ResetReason as R;
+        let reasons = [
+            None,
+            R::Created.into(),
+            R::CameraCut.into(),
+            R::Resize.into(),
+            R::SceneLoad.into(),
+            R::OriginShift.into(),
+            R::ExposureJump.into(),
+        ];
+        Ok(FrameParams {
+            frame_slot: self.frame_slot,
+            reset: pick("reset", self.reset, &reasons)?,
+            view_from_world: matrix(self.view_from_world),
+            clip_from_view: matrix(self.clip_from_view),
+            jitter: self.jitter,
+            exposure_ratio: self.exposure_ratio,
+            reshaded: pick("reshaded", self.reshaded, &[false, true])?,
+            ..FrameParams::new([self.render_width, self.render_height])
+        })
+    }
+
+    pub(super) fn default_for([render_width, render_height]: [u32; 2]) -> Self {
+        let mut identity = [0.0; 16];
+        identity.iter_mut().step_by(5).for_each(|v| *v = 1.0);
+        Self {
+            struct_size: size_of::<Self>() as u32,
+            frame_slot: 0,
+            reset: 0,
+            render_width,
+            render_height,
+            view_from_world: identity,
+            clip_from_view: identity,
+            jitter: [0.0; 2],
+            exposure_ratio: 1.0,
+            reshaded: 0,
+        }
+    }
+}
+
+/// The name with a null behind it; what is too long is cut, and a test checks that none is.
+pub(super) fn name(text: &str) -> AtrousName {
+    let mut name = [0; ATROUS_NAME_SIZE];
+    for (to, from) in name.iter_mut().zip(text.bytes()).take(ATROUS_NAME_SIZE - 1) {
+        *to = from as c_char;
+    }
+    name
+}
+
+pub(super) fn resource(declaration: &Declaration, id: ResourceId) -> AtrousResource {
+    let decl = declaration.resource(id);
+    let allocated = declaration.allocated_extent();
+    let (kind, format_class, format) = match decl.shape {
+        Shape::Image { format: ImageFormat::Exactly(format), .. } => (0, 0, format),
+        Shape::Image { format: ImageFormat::Any(Component::Float, format), .. } => (0, 1, format),
+        Shape::Image { format: ImageFormat::Any(Component::Uint, format), .. } => (0, 2, format),
+        Shape::Buffer { .. } => (1, 0, vk::Format::UNDEFINED),
+    };
+    let [width, height] = decl.extent(allocated).unwrap_or_default();
+    let (lifetime, optional) = match decl.lifetime {
+        Lifetime::Input { optional } => (0, optional),
+        Lifetime::Output => (1, false),
+        Lifetime::Transient => (2, false),
+        Lifetime::History => (3, false),
+        Lifetime::HistoryInPlace => (4, false),
+    };
+    let (first, last) = declaration.life(id).unwrap_or_default();
+    AtrousResource {
+        struct_size: size_of::<AtrousResource>() as u32,
+        kind,
+        lifetime,
+        copies: decl.lifetime.copies() as u32,
+        optional: optional.into(),
+        format_class,
+        format,
+        width,
+        height,
+        image_usage: decl.image_usage,
+        buffer_usage: decl.buffer_usage,
+        first_pass: first as u32,
+        last_pass: last as u32,
+        bytes: decl.bytes(allocated),
+        name: name(decl.name),
+    }
+}
+
+fn one_use(u: &Use) -> AtrousUse {
+    let (image, (legacy_stage, legacy_access_mask)) = (u.access.image(), u.access.legacy_scope());
+    AtrousUse {
+        resource: u.resource.0,
+        previous: (u.frame == UseFrame::Previous).into(),
+        access: u.access as u32,
+        reads: u.access.reads().into(),
+        writes: u.access.writes().into(),
+        layout: image.layout,
+        stage: image.stage,
+        access_mask: image.access,
+        legacy_stage,
+        legacy_access_mask,
+    }
+}
+
+const NO_USE: AtrousUse = AtrousUse {
+    resource: u32::MAX,
+    previous: 0,
+    access: 0,
+    reads: 0,
+    writes: 0,
+    layout: vk::ImageLayout::UNDEFINED,
+    stage: vk::PipelineStageFlags2::NONE,
+    access_mask: vk::AccessFlags2::NONE,
+    legacy_stage: vk::PipelineStageFlags::empty(),
+    legacy_access_mask: vk::AccessFlags::empty(),
+};
+
+pub(super) fn pass(declaration: &Declaration, index: usize) -> Option<AtrousPass> {
+    let decl = declaration.passes().get(index)?;
+    let mut pass = AtrousPass {
+        struct_size: size_of::<AtrousPass>() as u32,
+        phase: decl.phase as u32,
+        use_count: decl.uses.len() as u32,
+        uses: [NO_USE; super::ATROUS_MAX_USES],
+        name: name(decl.name),
+    };
+    for (to, from) in pass.uses.iter_mut().zip(&decl.uses) {
+        *to = one_use(from);
+    }
+    Some(pass)
+}

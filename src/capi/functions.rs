@@ -1,0 +1,309 @@
+//! Everything but recording: creation, declarations, tuning, frames.
+
+use super::handle::{self, AtrousDenoiser, State};
+use super::status::{guard, AtrousStatus, Failure};
+use super::structs::*;
+use super::{convert, GetInstanceProcAddr};
+use crate::contract::ResourceId;
+use crate::{Config, Denoiser, Tuning};
+use ash::vk::Handle;
+use std::ffi::{c_char, CStr};
+
+/// A struct of the host, after its size was checked.
+///
+/// # Safety
+/// `pointer` is null, or points to a u32, and, where that is the size of `T`, to a `T`.
+pub(super) unsafe fn read<T: Copy>(what: &str, pointer: *const T) -> Result<T, Failure> {
+    // SAFETY: the caller's.
+    unsafe {
+        check_size(what, pointer)?;
+        Ok(pointer.read_unaligned())
+    }
+}
+
+/// # Safety
+/// As [`read`].
+unsafe fn check_size<T>(what: &str, pointer: *const T) -> Result<(), Failure> {
+    if pointer.is_null() {
+        return Err(Failure::argument(format!("{what} is NULL; give a pointer to a struct")));
+    }
+    // SAFETY: struct_size stands first in every struct of the ABI.
+    let given = unsafe { pointer.cast::<u32>().read_unaligned() };
+    if given as usize != size_of::<T>() {
+        let message = format!(
+            "{what}: struct_size is {given}, this library has {}; set it to sizeof, and compile against the atrous.h of the library",
+            size_of::<T>()
+        );
+        return Err(Failure::argument(message));
+    }
+    Ok(())
+}
+
+/// Writes `value` to a struct of the host, after its size was checked.
+///
+/// # Safety
+/// As [`read`], and writable.
+unsafe fn write<T: Copy>(what: &str, pointer: *mut T, value: impl FnOnce() -> Result<T, Failure>) -> Result<(), Failure> {
+    // SAFETY: the caller's.
+    unsafe {
+        check_size(what, pointer)?;
+        pointer.write_unaligned(value()?);
+    }
+    Ok(())
+}
+
+/// Fills a configuration with defaults for an extent.
+///
+/// # Safety
+/// `config` is null or points to an AtrousConfig with its struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_config_default(config: *mut AtrousConfig, width: u32, height: u32) -> AtrousStatus {
+    // SAFETY: the caller's.
+    guard(|| unsafe { write("config", config, || Ok(AtrousConfig::default_for([width, height]))) })
+}
+
+/// Fills the parameters of a frame with defaults: identity matrices, no jitter, no reset.
+///
+/// # Safety
+/// `params` is null or points to an AtrousFrameParams with its struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_frame_params_default(params: *mut AtrousFrameParams, width: u32, height: u32) -> AtrousStatus {
+    // SAFETY: the caller's.
+    guard(|| unsafe { write("params", params, || Ok(AtrousFrameParams::default_for([width, height]))) })
+}
+
+/// Creates a denoiser: pipelines and descriptor pools, no memory.
+///
+/// # Safety
+/// Pointers are null or valid with their struct_size set; handles are live, belong together and outlive the denoiser.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: *mut *mut AtrousDenoiser) -> AtrousStatus {
+    guard(|| {
+        if denoiser.is_null() {
+            return Err(Failure::argument("denoiser is NULL; give a pointer to where the handle goes"));
+        }
+        // SAFETY: the caller's.
+        unsafe {
+            denoiser.write_unaligned(std::ptr::null_mut());
+            let info = read("info", info)?;
+            let config = read("info->config", info.config)?.to_config()?;
+            denoiser.write_unaligned(handle::insert(create(&info, &config)?));
+        }
+        Ok(())
+    })
+}
+
+/// # Safety
+/// As [`atrous_create`].
+unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Failure> {
+    let nulls = [
+        ("instance", info.instance.is_null()),
+        ("physical_device", info.physical_device.is_null()),
+        ("device", info.device.is_null()),
+        ("get_instance_proc_addr", info.get_instance_proc_addr.is_none()),
+    ];
+    if let Some((name, _)) = nulls.iter().find(|(_, null)| *null) {
+        return Err(Failure::argument(format!("info->{name} is NULL; give the host's own")));
+    }
+    let GetInstanceProcAddr::Some(get_instance_proc_addr) = info.get_instance_proc_addr else {
+        return Err(Failure::argument("info->get_instance_proc_addr is NULL"));
+    };
+    // SAFETY: the caller's.
+    unsafe {
+        let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
+        let device = ash::Device::load(instance.fp_v1_0(), info.device);
+        let physical_device = info.physical_device;
+        let denoiser = Denoiser::new(crate::Device { instance: &instance, physical_device, device: &device }, config)?;
+        let frames = vec![None; config.frames_in_flight as usize];
+        Ok(State { instance, device, physical_device, denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })
+    }
+}
+
+/// Destroys a denoiser. The handle is invalid from then on, and stays so.
+///
+/// # Safety
+/// GPU work that was recorded with it is complete; the device is live.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_destroy(denoiser: *mut AtrousDenoiser) -> AtrousStatus {
+    guard(|| handle::remove(denoiser))
+}
+
+/// Declares everything anew for other extents; history starts anew, and frames that were begun before are refused.
+///
+/// # Safety
+/// GPU work that was recorded with it is complete; the device is live.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32, height: u32) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            let config = Config { allocated_extent: [width, height], ..*state.denoiser.config() };
+            // SAFETY: the caller's.
+            unsafe { state.recreate(&config) }
+        })
+    })
+}
+
+/// How many resources and passes there are. Either pointer may be null.
+///
+/// # Safety
+/// Pointers are null or valid.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_counts(denoiser: *const AtrousDenoiser, resources: *mut u32, passes: *mut u32) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            let declaration = state.denoiser.declaration();
+            for (to, count) in [(resources, declaration.resources().len()), (passes, declaration.passes().len())] {
+                if !to.is_null() {
+                    // SAFETY: the caller's.
+                    unsafe { to.write_unaligned(count as u32) };
+                }
+            }
+            Ok(())
+        })
+    })
+}
+
+/// Declares a resource.
+///
+/// # Safety
+/// `resource` is null or points to an AtrousResource with its struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_resource(
+    denoiser: *const AtrousDenoiser,
+    index: u32,
+    resource: *mut AtrousResource,
+) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            let declaration = state.denoiser.declaration();
+            let count = declaration.resources().len();
+            let value = || match (index as usize) < count {
+                true => Ok(convert::resource(declaration, ResourceId(index))),
+                false => Err(Failure::argument(format!("resource {index} does not exist; there are {count}"))),
+            };
+            // SAFETY: the caller's.
+            unsafe { write("resource", resource, value) }
+        })
+    })
+}
+
+/// Declares a pass. Passes run in the order of their indices.
+///
+/// # Safety
+/// `pass` is null or points to an AtrousPass with its struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_pass(denoiser: *const AtrousDenoiser, index: u32, pass: *mut AtrousPass) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            let declaration = state.denoiser.declaration();
+            let missing = || Failure::argument(format!("pass {index} does not exist; there are {}", declaration.passes().len()));
+            // SAFETY: the caller's.
+            unsafe { write("pass", pass, || convert::pass(declaration, index as usize).ok_or_else(missing)) }
+        })
+    })
+}
+
+/// Bytes that the declared resources take.
+///
+/// # Safety
+/// `memory` is null or points to an AtrousMemory with its struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_memory(denoiser: *const AtrousDenoiser, memory: *mut AtrousMemory) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            let m = state.denoiser.declaration().memory();
+            let value = AtrousMemory {
+                struct_size: size_of::<AtrousMemory>() as u32,
+                history: m.history,
+                transient: m.transient,
+                transient_unaliased: m.transient_unaliased,
+                output: m.output,
+            };
+            // SAFETY: the caller's.
+            unsafe { write("memory", memory, || Ok(value)) }
+        })
+    })
+}
+
+/// A number of the tuning by its index; invalid argument beyond the last.
+///
+/// # Safety
+/// `field` is null or points to an AtrousTuningField with its struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_tuning_field(index: u32, field: *mut AtrousTuningField) -> AtrousStatus {
+    guard(|| {
+        let value = || {
+            let missing = || Failure::argument(format!("tuning {index} does not exist; there are {}", Tuning::FIELDS.len()));
+            let f = Tuning::FIELDS.get(index as usize).ok_or_else(missing)?;
+            let struct_size = size_of::<AtrousTuningField>() as u32;
+            Ok(AtrousTuningField { struct_size, min: f.min, max: f.max, default_value: f.default, name: convert::name(f.name) })
+        };
+        // SAFETY: the caller's.
+        unsafe { write("field", field, value) }
+    })
+}
+
+/// Sets a number of the tuning from the next frame on; it never drops the history.
+///
+/// # Safety
+/// `name` is null or a null-terminated string.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_set_tuning(denoiser: *mut AtrousDenoiser, name: *const c_char, value: f32) -> AtrousStatus {
+    guard(|| {
+        if name.is_null() {
+            return Err(Failure::argument("name is NULL; atrous_tuning_field lists the names"));
+        }
+        // SAFETY: the caller's.
+        let name = unsafe { CStr::from_ptr(name) }.to_string_lossy();
+        handle::with(denoiser, |state| Ok(state.tuning.set(&name, value)?))
+    })
+}
+
+/// The next frame drops all history: after the host re-created images.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_invalidate(denoiser: *mut AtrousDenoiser) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            state.denoiser.invalidate();
+            Ok(())
+        })
+    })
+}
+
+/// Starts a frame. `frame` goes to every atrous_record of it.
+///
+/// # Safety
+/// Pointers are null or valid with their struct_size set.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_begin_frame(
+    denoiser: *mut AtrousDenoiser,
+    params: *const AtrousFrameParams,
+    frame: *mut AtrousFrame,
+) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            // SAFETY: the caller's.
+            let params = unsafe {
+                check_size("frame", frame)?;
+                read("params", params)?.to_params()?
+            };
+            let context = state.denoiser.begin_frame(&params, &state.tuning)?;
+            if let Some(slot) = state.frames.get_mut(context.slot as usize) {
+                *slot = Some(context);
+            }
+            let value = AtrousFrame {
+                struct_size: size_of::<AtrousFrame>() as u32,
+                frame_slot: context.slot,
+                index: context.index,
+                generation: state.generation,
+                current_copy: context.history_copy(crate::UseFrame::Current) as u32,
+                reset: context.reset.map_or(0, |reason| reason as u32),
+            };
+            // SAFETY: the caller's.
+            unsafe { write("frame", frame, || Ok(value)) }
+        })
+    })
+}

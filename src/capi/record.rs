@@ -1,0 +1,96 @@
+//! Recording a pass.
+
+use super::functions::read;
+use super::handle::{self, AtrousDenoiser, State};
+use super::status::{guard, AtrousStatus, Failure};
+use super::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
+use crate::denoiser::Binding;
+use crate::{Access, FrameContext, Use};
+use ash::vk::{CommandBuffer, Handle};
+
+/// Records one pass: no barrier, no allocation, no submission. `bindings` stand in the order of the pass's uses.
+///
+/// Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
+///
+/// # Safety
+/// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every binding has its
+/// declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work that was recorded earlier
+/// with the same frame_slot is complete.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_record(
+    denoiser: *mut AtrousDenoiser,
+    frame: *const AtrousFrame,
+    command_buffer: CommandBuffer,
+    pass: u32,
+    bindings: *const AtrousBinding,
+    binding_count: u32,
+) -> AtrousStatus {
+    guard(|| {
+        handle::with(denoiser, |state| {
+            // SAFETY: the caller's.
+            let context = frame_of(state, &unsafe { read("frame", frame)? })?;
+            if command_buffer.is_null() {
+                return Err(Failure::argument("command_buffer is NULL; give one that is recording"));
+            }
+            if bindings.is_null() && binding_count > 0 {
+                return Err(Failure::argument(format!("bindings is NULL, but binding_count is {binding_count}")));
+            }
+            // Checked before anything is read, since a wrong count may reach beyond what the host has.
+            let count = binding_count as usize;
+            let uses = uses_of(state, pass, count)?;
+            let mut bound = [Binding::Absent; ATROUS_MAX_USES];
+            for (i, (to, u)) in bound.iter_mut().zip(uses).enumerate() {
+                // SAFETY: the caller's; i is below the count.
+                *to = binding(i, u.access, &unsafe { bindings.add(i).read_unaligned() })?;
+            }
+            let bound = bound.get(..count).unwrap_or_default();
+            // SAFETY: the caller's.
+            unsafe { state.denoiser.record(command_buffer, &context, pass as usize, bound)? };
+            Ok(())
+        })
+    })
+}
+
+fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure> {
+    let stale = |message: String| Failure { status: AtrousStatus::StaleFrame, message };
+    if given.generation != state.generation {
+        return Err(stale(format!(
+            "frame {} was begun before atrous_resize; begin another one, and bind images of the new extent",
+            given.index
+        )));
+    }
+    let begun = state.frames.get(given.frame_slot as usize).copied().flatten();
+    begun.filter(|context| context.index == given.index).ok_or_else(|| {
+        stale(format!(
+            "frame {} is not the one that was begun last in slot {}; call atrous_begin_frame",
+            given.index, given.frame_slot
+        ))
+    })
+}
+
+/// The uses of a pass, which are as many as there are bindings.
+fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
+    let passes = state.denoiser.declaration().passes();
+    let Some(decl) = passes.get(pass as usize) else {
+        return Err(Failure::argument(format!("pass {pass} does not exist; there are {}", passes.len())));
+    };
+    if decl.uses.len() != count {
+        return Err(crate::Error::Bindings { pass: decl.name.to_owned(), given: count, needed: decl.uses.len() }.into());
+    }
+    Ok(&decl.uses)
+}
+
+fn binding(index: usize, access: Access, given: &AtrousBinding) -> Result<Binding, Failure> {
+    if access == Access::Clear && !given.image.is_null() && given.buffer.is_null() {
+        return Ok(Binding::ClearedImage { image: given.image, layout: given.layout });
+    }
+    match (given.view.is_null(), given.buffer.is_null()) {
+        (false, false) => Err(Failure {
+            status: AtrousStatus::BadBindings,
+            message: format!("binding {index} has both a view and a buffer; leave one of them VK_NULL_HANDLE"),
+        }),
+        (false, true) => Ok(Binding::Image { view: given.view, layout: given.layout }),
+        (true, false) => Ok(Binding::Buffer { buffer: given.buffer, offset: given.offset, range: given.range }),
+        (true, true) => Ok(Binding::Absent),
+    }
+}

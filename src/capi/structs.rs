@@ -1,0 +1,259 @@
+//! What crosses the boundary: plain structs. `struct_size` stands first, so that a host that was compiled against another header is told so.
+
+use super::GetInstanceProcAddr;
+use ash::vk::{
+    AccessFlags, AccessFlags2, Buffer, BufferUsageFlags, Device, Format, Image, ImageLayout, ImageUsageFlags, ImageView, Instance,
+    PhysicalDevice, PipelineStageFlags, PipelineStageFlags2,
+};
+use std::ffi::c_char;
+
+/// Bytes of a name, with its null.
+pub const ATROUS_NAME_SIZE: usize = 64;
+/// Most uses that a pass has.
+pub const ATROUS_MAX_USES: usize = 32;
+
+/// A small buffer of bytes that a name is copied into.
+pub type AtrousName = [c_char; ATROUS_NAME_SIZE];
+
+/// What is decided once; `atrous_config_default` fills it. The numbers are those of the enums of `atrous::config`.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousConfig {
+    /// sizeof(AtrousConfig).
+    pub struct_size: u32,
+    /// Width that images are allocated with, pixels.
+    pub width: u32,
+    /// Height that images are allocated with, pixels.
+    pub height: u32,
+    /// Frames that the host records before it waits for the oldest, 1 to 8.
+    pub frames_in_flight: u32,
+    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser.
+    pub preset: u32,
+    /// 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
+    pub signals: u32,
+    /// À-trous levels, 1 to 10.
+    pub levels: u32,
+    /// Side of the strata of temporal gradients, 2 to 4 pixels.
+    pub stratum_size: u32,
+    /// Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
+    pub gradient_source: u32,
+    /// 1: the host has an image of forward motion.
+    pub forward_motion: u32,
+    /// 1: the host has an image of surface ids.
+    pub surface_id: u32,
+    /// 1: the host has object-space normals.
+    pub object_normal: u32,
+    /// 0: nothing; 1: tone map; 2: tone map and temporal anti-aliasing.
+    pub post_process: u32,
+    /// 0: linear; 1: what a depth buffer holds; 2: length of the ray.
+    pub depth: u32,
+    /// 0: xyz; 1: xyz·0.5 + 0.5; 2: octahedral; 3: octahedral·0.5 + 0.5.
+    pub normal: u32,
+    /// 0: world space; 1: view space.
+    pub normal_space: u32,
+    /// 0: pixels; 1: uv; 2: ndc.
+    pub motion_unit: u32,
+    /// 0: previous − current; 1: current − previous.
+    pub motion_direction: u32,
+    /// 1: y of the motion points up.
+    pub motion_y_up: u32,
+    /// 1: the motion includes the change of jitter.
+    pub motion_jittered: u32,
+    /// z of the motion. 0: nothing; 1: previous depth − depth; 2: previous depth.
+    pub motion_depth: u32,
+    /// 0: the camera looks along −z of view space; 1: along +z.
+    pub view_forward: u32,
+    /// Linear depths from here on are background.
+    pub background_depth: f32,
+}
+
+/// Where the passes run. Handles stay the host's.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct AtrousCreateInfo {
+    /// sizeof(AtrousCreateInfo).
+    pub struct_size: u32,
+    /// Instance of the device.
+    pub instance: Instance,
+    /// Physical device of the device.
+    pub physical_device: PhysicalDevice,
+    /// Device.
+    pub device: Device,
+    /// `vkGetInstanceProcAddr` of the loader that made the instance.
+    pub get_instance_proc_addr: GetInstanceProcAddr,
+    /// Configuration; read during the call alone.
+    pub config: *const AtrousConfig,
+}
+
+/// Once per frame; `atrous_frame_params_default` fills it.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousFrameParams {
+    /// sizeof(AtrousFrameParams).
+    pub struct_size: u32,
+    /// Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
+    pub frame_slot: u32,
+    /// 0: keep the history. Else drop it: 2 camera cut, 3 resize, 4 scene load, 5 origin shift, 6 exposure jump.
+    pub reset: u32,
+    /// Width rendered this frame, anchored top left.
+    pub render_width: u32,
+    /// Height rendered this frame.
+    pub render_height: u32,
+    /// World to view, column-major.
+    pub view_from_world: [f32; 16],
+    /// View to Vulkan clip space, unjittered, column-major.
+    pub clip_from_view: [f32; 16],
+    /// Offset of the samples from the pixel centres, pixels.
+    pub jitter: [f32; 2],
+    /// This frame's exposure divided by the previous one's.
+    pub exposure_ratio: f32,
+    /// 1: the host re-shades this frame's `gradient_samples`.
+    pub reshaded: u32,
+}
+
+/// A frame that was begun. Plain data: copy it as you like.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousFrame {
+    /// sizeof(AtrousFrame), set by the host before `atrous_begin_frame`.
+    pub struct_size: u32,
+    /// As in AtrousFrameParams.
+    pub frame_slot: u32,
+    /// Counts frames from 0.
+    pub index: u64,
+    /// Counts resizes.
+    pub generation: u64,
+    /// Which copy of a resource with two copies is the current one: 0 or 1. The other one is the previous.
+    pub current_copy: u32,
+    /// Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
+    pub reset: u32,
+}
+
+/// A resource that the host allocates or gives.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousResource {
+    /// sizeof(AtrousResource), set by the host.
+    pub struct_size: u32,
+    /// 0: image; 1: buffer.
+    pub kind: u32,
+    /// 0: input; 1: output; 2: transient; 3: history of two copies; 4: history in place.
+    pub lifetime: u32,
+    /// Copies that the host allocates: 2 of a history, 0 of an input.
+    pub copies: u32,
+    /// 1: an input that may be left out.
+    pub optional: u32,
+    /// 0: exactly `format`; 1: any floating-point or normalised format; 2: any unsigned integer format.
+    pub format_class: u32,
+    /// Format to create the image with.
+    pub format: Format,
+    /// Width of the image.
+    pub width: u32,
+    /// Height of the image.
+    pub height: u32,
+    /// Usage that passes need of the image; OR in your own.
+    pub image_usage: ImageUsageFlags,
+    /// Usage that passes need of the buffer; OR in your own.
+    pub buffer_usage: BufferUsageFlags,
+    /// Index of the first pass that touches it.
+    pub first_pass: u32,
+    /// Index of the last pass that touches it: transients may share memory where these ranges do not overlap.
+    pub last_pass: u32,
+    /// Bytes of one copy, texels alone.
+    pub bytes: u64,
+    /// Stable key.
+    pub name: AtrousName,
+}
+
+/// How a pass uses a resource.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousUse {
+    /// Index of the resource.
+    pub resource: u32,
+    /// 1: the copy of the previous frame.
+    pub previous: u32,
+    /// 0: sampled; 1: storage read; 2: storage write of every texel; 3: storage read and write; 4: uniform; 5: transfer write.
+    pub access: u32,
+    /// 1: old contents matter; 0: the host may discard them.
+    pub reads: u32,
+    /// 1: contents change.
+    pub writes: u32,
+    /// Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal in its place.
+    pub layout: ImageLayout,
+    /// Stage of synchronization2.
+    pub stage: PipelineStageFlags2,
+    /// Access mask of synchronization2.
+    pub access_mask: AccessFlags2,
+    /// Stage for vkCmdPipelineBarrier.
+    pub legacy_stage: PipelineStageFlags,
+    /// Access mask for vkCmdPipelineBarrier.
+    pub legacy_access_mask: AccessFlags,
+}
+
+/// A pass: the smallest thing to schedule. Every barrier belongs between passes.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousPass {
+    /// sizeof(AtrousPass), set by the host.
+    pub struct_size: u32,
+    /// 0: before lighting; 1: after lighting; 2: post-process.
+    pub phase: u32,
+    /// Uses, and thereby bindings.
+    pub use_count: u32,
+    /// The first `use_count` are set.
+    pub uses: [AtrousUse; ATROUS_MAX_USES],
+    /// For labels and profiles.
+    pub name: AtrousName,
+}
+
+/// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is
+/// absent.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousBinding {
+    /// The image of the view: a transfer write has no use for a view.
+    pub image: Image,
+    /// 2D view of mip 0, layer 0.
+    pub view: ImageView,
+    /// Layout that the image is in when the pass runs.
+    pub layout: ImageLayout,
+    /// Buffer.
+    pub buffer: Buffer,
+    /// Offset in bytes.
+    pub offset: u64,
+    /// Bytes, or VK_WHOLE_SIZE.
+    pub range: u64,
+}
+
+/// Bytes, known before any is spent; before a device's own alignment.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousMemory {
+    /// sizeof(AtrousMemory), set by the host.
+    pub struct_size: u32,
+    /// Survives the frame.
+    pub history: u64,
+    /// Transients, aliased by lifetime.
+    pub transient: u64,
+    /// Transients if none is aliased.
+    pub transient_unaliased: u64,
+    /// Outputs.
+    pub output: u64,
+}
+
+/// A number of the tuning, for user interfaces.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousTuningField {
+    /// sizeof(AtrousTuningField), set by the host.
+    pub struct_size: u32,
+    /// Smallest legal value.
+    pub min: f32,
+    /// Largest legal value.
+    pub max: f32,
+    /// Default.
+    pub default_value: f32,
+    /// For atrous_set_tuning.
+    pub name: AtrousName,
+}

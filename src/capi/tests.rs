@@ -1,0 +1,72 @@
+//! What needs no device; `tests/hosts/` and `examples/host_cpp/` do the rest.
+
+use super::status::guard;
+use super::*;
+use crate::{Config, Tuning};
+use std::ffi::CStr;
+use std::ptr::{null, null_mut};
+
+fn last_error() -> String {
+    // SAFETY: the pointer is valid until the next failure on this thread.
+    unsafe { CStr::from_ptr(atrous_last_error()) }.to_string_lossy().into_owned()
+}
+
+#[test]
+fn a_panic_is_a_status() {
+    assert_eq!(guard(|| panic!("on purpose")), AtrousStatus::Panicked);
+    assert!(last_error().contains("on purpose"), "{}", last_error());
+}
+
+#[test]
+fn defaults_are_those_of_the_crate() {
+    let config = AtrousConfig::default_for([64, 36]).to_config().expect("valid");
+    assert_eq!(config, Config::new([64, 36]));
+    let params = AtrousFrameParams::default_for([64, 36]).to_params().expect("valid");
+    assert_eq!(params, crate::FrameParams::new([64, 36]));
+}
+
+#[test]
+fn numbers_out_of_range_are_named() {
+    let cases: [fn(&mut AtrousConfig); 4] = [|c| c.preset = 77, |c| c.depth = 77, |c| c.motion_y_up = 77, |c| c.levels = 77];
+    for (spoil, name) in cases.into_iter().zip(["preset", "depth", "motion_y_up", "levels"]) {
+        let mut config = AtrousConfig::default_for([64, 36]);
+        spoil(&mut config);
+        let failure = config.to_config().expect_err(name);
+        assert!(failure.message.contains(name) && failure.message.contains("77"), "{}", failure.message);
+    }
+}
+
+#[test]
+fn null_and_wrong_sizes_are_told() {
+    let mut config = AtrousConfig::default_for([8, 8]);
+    let mut handle = null_mut();
+    // SAFETY: pointers are null or to live structs.
+    unsafe {
+        assert_eq!(atrous_config_default(null_mut(), 8, 8), AtrousStatus::InvalidArgument);
+        config.struct_size = 12;
+        assert_eq!(atrous_config_default(&mut config, 8, 8), AtrousStatus::InvalidArgument);
+        assert!(last_error().contains("struct_size is 12"), "{}", last_error());
+        assert_eq!(atrous_create(null(), &mut handle), AtrousStatus::InvalidArgument);
+        assert_eq!(atrous_create(null(), null_mut()), AtrousStatus::InvalidArgument);
+        for dead in [null_mut(), std::ptr::without_provenance_mut(64), std::ptr::without_provenance_mut(usize::MAX)] {
+            assert_eq!(atrous_destroy(dead), AtrousStatus::InvalidHandle);
+            assert_eq!(atrous_resize(dead, 8, 8), AtrousStatus::InvalidHandle);
+            assert_eq!(atrous_counts(dead, null_mut(), null_mut()), AtrousStatus::InvalidHandle);
+        }
+        assert_eq!(atrous_set_tuning(null_mut(), null(), 0.0), AtrousStatus::InvalidArgument);
+        assert_eq!(CStr::from_ptr(atrous_status_name(AtrousStatus::StaleFrame as u32)), c"stale frame");
+        assert_eq!(CStr::from_ptr(atrous_status_name(99)), c"unknown status");
+    }
+}
+
+#[test]
+fn names_and_uses_fit() {
+    for preset in 0..3 {
+        let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
+        assert_eq!(config.preset as u32, preset);
+        let declaration = config.declare().expect("valid");
+        let names = declaration.resources().iter().map(|r| r.name).chain(declaration.passes().iter().map(|p| p.name));
+        assert!(names.chain(Tuning::FIELDS.iter().map(|f| f.name)).all(|n| n.len() < ATROUS_NAME_SIZE));
+    }
+    const { assert!(crate::pipeline::MAX_BINDINGS <= ATROUS_MAX_USES) };
+}
