@@ -62,8 +62,8 @@ pub(crate) fn write(path: &Path, extent: [u32; 2], layers: Vec<Layer>) -> Result
         }
     }
     let encoding = Encoding { compression: Compression::ZIP16, blocks: Blocks::ScanLines, line_order: LineOrder::Increasing };
-    let mut attributes = LayerAttributes::default();
-    attributes.software_name = Text::new_or_none(concat!("atrous ", env!("CARGO_PKG_VERSION")));
+    let software_name = Text::new_or_none(concat!("atrous ", env!("CARGO_PKG_VERSION")));
+    let attributes = LayerAttributes { software_name, ..LayerAttributes::default() };
     let layer = exr::image::Layer::new(size, attributes, encoding, AnyChannels::sort(list));
     let image = Image::new(ImageAttributes::new(IntegerBounds::from_dimensions(size)), layer);
     let mut bytes = Cursor::new(Vec::new());
