@@ -158,10 +158,10 @@ fn executor(config: &Config) -> Executor {
     unsafe { Executor::new(gpu().host(), config, ExecutorOptions::default()) }.expect("an executor")
 }
 
-/// Input, format, and its colour in a frame: values that each format holds exactly.
-/// Name, format, and the texel for a value.
+/// Name, format, and colour in a frame.
 type Input = (&'static str, vk::Format, fn(f32) -> [f32; 4]);
 
+/// Values that each format holds exactly.
 fn inputs() -> [Input; 7] {
     [
         ("depth", vk::Format::D32_SFLOAT, |i| [0.1 + i * 0.1, 0.0, 0.0, 0.0]),
