@@ -6,6 +6,7 @@
 mod bad_input;
 mod contract;
 mod declarations;
+mod eaw;
 mod gradients;
 mod parity;
 mod pattern;
@@ -30,10 +31,11 @@ fn main() {
         eprintln!("GPU tests are ignored: {error}");
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
-    let groups: [(&str, &[GpuTest], bool); 10] = [
+    let groups: [(&str, &[GpuTest], bool); 11] = [
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("bad_input", bad_input::TESTS, true),
+        ("eaw", eaw::TESTS, true),
         ("properties", properties::TESTS, true),
         ("gradients", gradients::TESTS, true),
         ("parity", parity::TESTS, true),

@@ -114,6 +114,8 @@ pub enum Preset {
     Asvgf,
     /// Percentile-based adaptive SVGF: reacts to changed light from the noisy image alone
     Percentile,
+    /// Edge-avoiding wavelets: every frame by itself
+    Eaw,
 }
 
 impl Preset {
@@ -122,6 +124,7 @@ impl Preset {
             Self::Svgf => atrous::config::Preset::Svgf,
             Self::Asvgf => atrous::config::Preset::Asvgf,
             Self::Percentile => atrous::config::Preset::Percentile,
+            Self::Eaw => atrous::config::Preset::Eaw,
         }
     }
 }
@@ -194,6 +197,7 @@ impl Cli {
             Preset::Svgf => "SVGF",
             Preset::Asvgf => "A-SVGF",
             Preset::Percentile => "percentile",
+            Preset::Eaw => "EAW",
         }
     }
 }
