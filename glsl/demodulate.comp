@@ -1,7 +1,7 @@
 #version 450
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
-// In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Out: filter_ping per signal: irradiance, 0.
+// In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Out: filter_ping per signal: irradiance, 0 (-1 in holes).
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -31,8 +31,12 @@ vec3 divisor_at(ivec2 p) {
     return a;
 }
 
+// Alpha of a pixel without a sample, where the input is sub-sampled [EAW 3.2]: what is not finite is one.
+const float HOLE = -1.0;
+
 vec4 demodulated(vec3 radiance, vec3 divisor) {
     if (!is_finite(radiance)) {
+        if (painting_levels() > 0u) return vec4(vec3(0.0), HOLE);
         count_bad(BAD_RADIANCE);
         return vec4(0.0);
     }

@@ -162,6 +162,45 @@ pub enum Preset {
     Stabilize,
     /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the host that SVGF does not.
     Percentile,
+    /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame. Has holes painted in where [`Config::sampling`] says so.
+    Eaw,
+}
+
+/// The edge-stopping functions of [`Preset::Eaw`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EawWeights {
+    /// By radiance.
+    pub radiance: bool,
+    /// By normal.
+    pub normal: bool,
+    /// By position.
+    pub position: bool,
+}
+
+impl EawWeights {
+    /// The first `count` of radiance, normal and position, as in Figure 4 and Table 2 of the paper; 0 is the plain wavelet.
+    pub const fn first(count: u32) -> Self {
+        Self { radiance: count >= 1, normal: count >= 2, position: count >= 3 }
+    }
+}
+
+impl Default for EawWeights {
+    fn default() -> Self {
+        Self::first(3)
+    }
+}
+
+/// How many pixels have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Sampling {
+    /// Every one. What is not finite is counted and black.
+    #[default]
+    Full = 0,
+    /// One of 2×2; the first level paints in the others.
+    OneOf2x2 = 1,
+    /// One of 4×4; the first two levels paint in the others.
+    OneOf4x4 = 2,
 }
 
 /// How [`Preset::Percentile`] finds out that light has changed.
@@ -231,6 +270,10 @@ pub struct Config {
     /// Whether the host has an image `forward_motion`, for surfaces that deform: at every pixel of the previous frame its motion to this frame.
     /// Only for forward-projected gradients. Default: false.
     pub forward_motion: bool,
+    /// Edge-stopping functions of the preset `Eaw`. Default: all three.
+    pub eaw_weights: EawWeights,
+    /// Whether the input of the preset `Eaw` has holes.
+    pub sampling: Sampling,
     /// Whether the host has an image of surface ids. Default: true.
     pub surface_id: bool,
     /// Whether the host has object-space normals, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
@@ -256,6 +299,8 @@ impl Config {
             firefly_filter: false,
             adaptive_rule: AdaptiveRule::default(),
             block_sort: BlockSort::default(),
+            eaw_weights: EawWeights::default(),
+            sampling: Sampling::default(),
             stratum_size: 3,
             gradient_source: GradientSource::default(),
             forward_motion: false,

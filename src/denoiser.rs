@@ -18,6 +18,7 @@ impl Config {
         Ok(match self.preset {
             Preset::Svgf => crate::presets::svgf(self),
             Preset::Percentile => crate::presets::percentile(self),
+            Preset::Eaw => crate::presets::eaw(self),
             Preset::Asvgf => crate::presets::asvgf(self),
             Preset::Stabilize => crate::presets::stabilize(self),
         })

@@ -1,6 +1,6 @@
 //! The uniform block that every pass reads, and the bits of its flags.
 
-use crate::config::{Config, MotionDirection, NormalSpace, ViewForward};
+use crate::config::{Config, MotionDirection, NormalSpace, Preset, ViewForward};
 
 /// The uniform block that every pass reads: the Rust twin of `FrameConstants` in `glsl/include/frame.glsl`.
 /// The build asserts that the offsets are equal.
@@ -42,8 +42,8 @@ pub struct FrameConstants {
     pub sigma_rt: f32,
     pub sigma_rt_n: f32,
     pub sigma_rt_x: f32,
-    pub volume_depth_influence: f32,
-    pub reserved: f32,
+    pub reserved_0: u32,
+    pub reserved_1: u32,
     pub exposure: f32,
     pub taa_alpha: f32,
     pub taa_gamma: f32,
@@ -83,10 +83,32 @@ impl Flags {
     /// The host re-shades the gradient samples of this frame.
     pub const RESHADED: u32 = 1 << 16;
 
+    /// The weight by radiance of \[EAW\].
+    pub const EAW_RADIANCE: u32 = 1 << 17;
+    /// The weight by normal.
+    pub const EAW_NORMAL: u32 = 1 << 18;
+    /// The weight by position.
+    pub const EAW_POSITION: u32 = 1 << 19;
+    /// Two bits: levels that paint in holes; 0 where the input has none.
+    pub const PAINTING_SHIFT: u32 = 20;
+
+    fn of_eaw(config: &Config) -> u32 {
+        if config.preset != Preset::Eaw {
+            return 0;
+        }
+        let bit = |on: bool, flag: u32| if on { flag } else { 0 };
+        let weights = config.eaw_weights;
+        bit(weights.radiance, Self::EAW_RADIANCE)
+            | bit(weights.normal, Self::EAW_NORMAL)
+            | bit(weights.position, Self::EAW_POSITION)
+            | (config.sampling as u32) << Self::PAINTING_SHIFT
+    }
+
     pub(crate) fn of(config: &Config, reset: bool) -> u32 {
         let c = &config.conventions;
         let bit = |on: bool, flag: u32| if on { flag } else { 0 };
         bit(reset, Self::RESET)
+            | Self::of_eaw(config)
             | (c.depth as u32) << Self::DEPTH_SHIFT
             | (c.normal as u32) << Self::NORMAL_SHIFT
             | bit(c.normal_space == NormalSpace::View, Self::NORMAL_VIEW)

@@ -133,6 +133,7 @@ mod tests {
                         all.push(config.declare().expect("valid"));
                     }
                     let config = Config { signals, surface_id, object_normal, post_process, ..Config::new([64, 36]) };
+                    all.push(Config { preset: Preset::Eaw, object_normal: false, ..config }.declare().expect("valid"));
                     all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
                     for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                         all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));

@@ -7,6 +7,7 @@ mod bad_input;
 mod contract;
 mod declarations;
 mod documents;
+mod eaw;
 mod gradients;
 mod hosts;
 mod parity;
@@ -41,6 +42,7 @@ fn main() {
         ("documents", documents::TESTS, false),
         ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
+        ("eaw", eaw::TESTS, true),
         ("properties", properties::TESTS, true),
         ("gradients", gradients::TESTS, true),
         ("parity", parity::TESTS, true),

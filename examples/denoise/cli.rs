@@ -114,14 +114,20 @@ pub enum Preset {
     Asvgf,
     /// Percentile-based adaptive SVGF: reacts to changed light from the noisy image alone
     Percentile,
+    /// The best of these for what the frames have: asvgf with re-shaded layers, else percentile
+    Best,
+    /// Edge-avoiding wavelets: every frame by itself
+    Eaw,
 }
 
 impl Preset {
     fn of_library(self) -> atrous::config::Preset {
         match self {
             Self::Svgf => atrous::config::Preset::Svgf,
-            Self::Asvgf => atrous::config::Preset::Asvgf,
+            // Chosen once the layers are known.
+            Self::Asvgf | Self::Best => atrous::config::Preset::Asvgf,
             Self::Percentile => atrous::config::Preset::Percentile,
+            Self::Eaw => atrous::config::Preset::Eaw,
         }
     }
 }
@@ -183,6 +189,7 @@ impl Cli {
             }),
             levels: self.levels,
             preset: self.preset.of_library(),
+            best: self.preset == Preset::Best,
             stratum_size: self.stratum_size,
         }
     }
@@ -193,6 +200,8 @@ impl Cli {
             Preset::Svgf => "SVGF",
             Preset::Asvgf => "A-SVGF",
             Preset::Percentile => "percentile",
+            Preset::Eaw => "EAW",
+            Preset::Best => "best",
         }
     }
 }

@@ -29,6 +29,8 @@ pub struct Wishes {
     pub levels: Option<u32>,
     /// Filter.
     pub preset: Preset,
+    /// Rather the filter that suits the frames best.
+    pub best: bool,
     /// Side of the strata, where not the default.
     pub stratum_size: Option<u32>,
 }
@@ -44,6 +46,15 @@ pub struct Setup {
     pub sequence: Option<SequenceFile>,
     /// Lines to print.
     pub report: Vec<String>,
+}
+
+/// Measured gradients beat everything; without them the noisy image itself must tell that the light changed.
+fn best(mapping: &Mapping) -> Preset {
+    if mapping.has(Role::ReshadeDirect) || mapping.has(Role::ReshadeIndirect) {
+        Preset::Asvgf
+    } else {
+        Preset::Percentile
+    }
 }
 
 impl Setup {
@@ -70,11 +81,14 @@ impl Setup {
         let captured = sequence.as_ref().and_then(|(_, file)| file.levels);
         config.levels = wishes.levels.or(captured).unwrap_or(config.levels);
         config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
-        config.preset = wishes.preset;
+        config.preset = if wishes.best { best(&mapping) } else { wishes.preset };
         config.gradient_source = GradientSource::Reshaded;
         config.signals = signals(&mapping, wishes.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);
+        if wishes.best {
+            report.push(format!("  {:<16} {:?}", "preset", config.preset));
+        }
         if let Some((path, file)) = &sequence {
             check_cameras(path, file, frames)?;
             apply(&mut config, &file.conventions, |what| ToolError::Json { path: path.clone(), problem: what })?;

@@ -37,8 +37,8 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     float sigma_rt;                 // irradiance
     float sigma_rt_n;               // length of the difference of normals
     float sigma_rt_x;               // relative to the depth
-    float volume_depth_influence;   // 0..1
-    float reserved;
+    uint reserved_0;
+    uint reserved_1;
     float exposure;
     float taa_alpha;
     float taa_gamma;                // standard deviations
@@ -61,7 +61,15 @@ const uint FLAG_MOTION_DEPTH_SHIFT = 11u;
 const uint FLAG_VIEW_POSITIVE_Z = 1u << 13;
 const uint FLAG_RESHADED = 1u << 16;
 
+const uint FLAG_EAW_RADIANCE = 1u << 17;
+const uint FLAG_EAW_NORMAL = 1u << 18;
+const uint FLAG_EAW_POSITION = 1u << 19;
+const uint FLAG_PAINTING_SHIFT = 20u;
+
 bool has_flag(uint flag) { return (frame.flags & flag) != 0u; }
+
+// Levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
+uint painting_levels() { return frame.flags >> FLAG_PAINTING_SHIFT & 3u; }
 
 bool is_inside(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, ivec2(frame.render_extent))); }
 

@@ -113,7 +113,7 @@ tuning! {
     /// Normal edge stopping of (EAW). Raising it blurs over edges and relief.
     sigma_rt_n: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
     /// Position edge stopping of (EAW), as a share of the depth. Raising it blurs over gaps.
-    sigma_rt_x: "depths", 0.001 ..= 64.0, 0.1;
+    sigma_rt_x: "depths", 0.001 ..= 64.0, 0.05;
     /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
     gradient_scale: "1", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
@@ -128,7 +128,7 @@ impl Tuning {
     /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF).
     pub fn for_preset(preset: Preset) -> Self {
         match preset {
-            Preset::Svgf => Self::default(),
+            Preset::Svgf | Preset::Eaw => Self::default(),
             Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, ..Self::default() },
             Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
         }

@@ -6,6 +6,7 @@ mod atrous;
 mod block_difference;
 mod block_percentiles;
 mod demodulate;
+mod eaw;
 mod firefly;
 mod forward_project;
 mod gradient;
@@ -24,6 +25,7 @@ pub(crate) use atrous::{atrous, Filtered, Kernel};
 pub(crate) use block_difference::block_difference;
 pub(crate) use block_percentiles::{block_percentiles, BLOCK_SIZE};
 pub(crate) use demodulate::demodulate;
+pub(crate) use eaw::eaw;
 pub(crate) use firefly::firefly;
 pub(crate) use forward_project::forward_project;
 pub(crate) use gradient::{gradient, Gradients, Strata};
@@ -218,6 +220,25 @@ impl Signal {
             pong: b.image(pong, HDR, Lifetime::Transient),
             history: b.image(history, HDR, Lifetime::HistoryInPlace),
             moments: b.image(moments, PACKED_64, Lifetime::History),
+        };
+        names.iter().map(declare).collect()
+    }
+
+    /// The same for a filter without history.
+    pub fn declare_without_history(b: &mut Builder, signals: Signals) -> Vec<Self> {
+        const TOGETHER: [[&str; 3]; 1] = [["noisy_radiance", "filter_ping", "filter_pong"]];
+        const APART: [[&str; 3]; 2] = [
+            ["noisy_direct", "filter_ping_direct", "filter_pong_direct"],
+            ["noisy_indirect", "filter_ping_indirect", "filter_pong_indirect"],
+        ];
+        let names: &[[&'static str; 3]] = match signals {
+            Signals::Together => &TOGETHER,
+            Signals::Apart => &APART,
+        };
+        let declare = |&[noisy, ping, pong]: &[&'static str; 3]| {
+            let noisy = b.input(noisy, HOST_COLOUR, false);
+            let (ping, pong) = (b.image(ping, HDR, Lifetime::Transient), b.image(pong, HDR, Lifetime::Transient));
+            Self { noisy, ping, pong, history: pong, moments: pong }
         };
         names.iter().map(declare).collect()
     }

@@ -1,12 +1,14 @@
 //! Presets: each a short list of nodes.
 
 mod asvgf;
+mod eaw;
 mod gradients;
 mod percentile;
 mod stabilize;
 mod svgf;
 
 pub(crate) use asvgf::asvgf;
+pub(crate) use eaw::eaw;
 pub(crate) use percentile::percentile;
 pub(crate) use stabilize::stabilize;
 pub(crate) use svgf::svgf;

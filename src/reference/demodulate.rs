@@ -3,8 +3,8 @@
 use super::binary16::store;
 use super::guide::unpack_guide;
 use super::statistics::{count, Counter, Statistics};
-use super::Image;
-use crate::FrameConstants;
+use super::{Image, HOLE};
+use crate::{Flags, FrameConstants};
 
 #[cfg(test)]
 mod tests;
@@ -26,7 +26,7 @@ pub struct DemodulateInputs<'a> {
 /// Outputs of [`demodulate`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DemodulateOutputs {
-    /// rgb: irradiance of every signal, half precision; alpha 0.
+    /// rgb: irradiance of every signal, half precision; alpha 0, or [`HOLE`] where the input is sub-sampled and not finite.
     pub irradiance: Vec<Image<[f32; 4]>>,
     /// Bad radiances (once a signal) and albedos (once a pixel).
     pub statistics: Statistics,
@@ -48,6 +48,7 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Albedo as usize] = count(divisors.texels().iter().map(|d| d.1));
+    let has_holes = frame.flags >> Flags::PAINTING_SHIFT & 3 != 0;
     let mut irradiance = Vec::with_capacity(inputs.noisy.len());
     for noisy in inputs.noisy {
         let texels = Image::compute(extent, frame.render_extent, |p| {
@@ -55,7 +56,7 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
             if [r, g, b].iter().all(|c| c.is_finite()) {
                 ([store(r / dr), store(g / dg), store(b / db), 0.0], false)
             } else {
-                ([0.0; 4], true)
+                ([0.0, 0.0, 0.0, if has_holes { HOLE } else { 0.0 }], !has_holes)
             }
         });
         statistics[Counter::Radiance as usize] += count(texels.texels().iter().map(|t| t.1));

@@ -23,6 +23,7 @@ mod block_percentiles;
 mod blocks;
 mod conventions;
 mod demodulate;
+mod eaw;
 mod firefly;
 mod forward_project;
 mod forward_projection;
@@ -59,6 +60,7 @@ pub use block_difference::{block_difference, pack_difference, unpack_difference,
 pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
 pub use blocks::BLOCK_SIZE;
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use eaw::{eaw, EawInputs, HOLE};
 pub use firefly::{firefly, FireflyInputs};
 pub use forward_project::{forward_project, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates};
 pub use geometry_weights::DEPTH_EPSILON;

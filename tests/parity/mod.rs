@@ -7,6 +7,7 @@ mod block_difference;
 mod block_percentiles;
 mod compare;
 mod demodulate;
+mod eaw;
 mod firefly;
 mod forward_project;
 mod gradient;
@@ -17,9 +18,13 @@ mod temporal_accumulation;
 mod tone_map;
 mod variance;
 
-use super::support::{assert_valid, scene::Scene, session_with, upload};
+use super::support::{
+    assert_valid,
+    scene::{Guides, Scene},
+    session_with, upload,
+};
 use super::GpuTest;
-use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Signals};
+use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
 use ::atrous::reference::{Image, BLOCK_SIZE};
 use ::atrous::{Access, Config, Error, FrameContext, FrameParams, ResetReason, Shape, Tuning, UseFrame};
@@ -42,6 +47,13 @@ pub const TESTS: &[GpuTest] = &[
     }),
     ("percentile_object_normals", || sequence(&Config { object_normal: true, signals: Signals::Apart, ..percentile([40, 23]) })),
     ("percentile_in_a_larger_image", || sequence_of(&percentile([64, 40]), [37, 21])),
+    ("eaw", || sequence(&Config { preset: Preset::Eaw, ..Config::new([61, 35]) })),
+    ("eaw_two_signals", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Apart, levels: 10, ..Config::new([40, 23]) })),
+    ("eaw_one_of_2x2", || sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf2x2, ..Config::new([61, 35]) })),
+    ("eaw_one_of_4x4", || {
+        sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf4x4, signals: Signals::Apart, ..Config::new([40, 23]) })
+    }),
+    ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: 2, ..Config::new([64, 40]) }, [37, 21])),
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
     ("tone_map_curves", tone_map::curves),
@@ -173,7 +185,9 @@ fn sequence_of(config: &Config, extent: [u32; 2]) {
     let emission = vec![[0.25, 0.5, 0.125, 0.0]; (config.allocated_extent[0] * config.allocated_extent[1]) as usize];
     s.upload("emission", &emission).expect("emission");
     for i in 0..6 {
-        upload(&mut s, &scene.frame(i, i));
+        let mut guides = scene.frame(i, i);
+        leave_holes(&config, &mut guides);
+        upload(&mut s, &guides);
         let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
@@ -186,6 +200,19 @@ fn sequence_of(config: &Config, extent: [u32; 2]) {
 #[derive(Clone, Copy, Default)]
 pub struct Claims {
     claimed: usize,
+}
+
+/// Where the input is sub-sampled, the pixels without a sample.
+fn leave_holes(config: &Config, guides: &mut Guides) {
+    let side = 1 << config.sampling as u32;
+    let stride = config.allocated_extent[0];
+    for images in [&mut guides.noisy_radiance, &mut guides.noisy_direct, &mut guides.noisy_indirect] {
+        for (i, texel) in (0..).zip(images.iter_mut()) {
+            if (i % stride) % side != 0 || (i / stride) % side != 0 {
+                *texel = [f32::NAN; 4];
+            }
+        }
+    }
 }
 
 /// One frame, every pass against its twin.
@@ -242,6 +269,7 @@ fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
         name if name.starts_with("block_difference") => block_difference::check(captured, &name["block_difference".len()..]),
         name if name.starts_with("firefly") => firefly::check(captured, &name["firefly".len()..]),
         name => match name.rsplit_once('_').and_then(|(stage, level)| Some((stage, level.parse().ok()?))) {
+            Some(("eaw", level)) => eaw::check(captured, level),
             Some(("atrous", level)) => atrous::check(captured, level),
             Some(("gradient_atrous", level)) => gradient::check_atrous(captured, level),
             _ => panic!("no twin is compared with {name}"),

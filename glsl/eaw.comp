@@ -1,0 +1,117 @@
+#version 450
+// One level of the edge-avoiding à-trous wavelet transform by radiance, normal and position: one frame is enough.
+// Source: [EAW] eq. 2 to 5 and the listing, 3.2 for holes. Deviations: sigma of the position is relative to the depth; equal kernel
+// weights where no valid tap passes the edge functions, so that no hole is left.
+// In:  guide, irradiance per signal, alpha -1 in holes. Out: the same after this level.
+// variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "guide.glsl"
+#include "luminance.glsl"
+#include "view_position.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform texture2D input_0;
+layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D output_0;
+#if SIGNALS == 2
+layout(set = 0, binding = 4) uniform texture2D input_1;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D output_1;
+#endif
+
+const float KERNEL[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
+
+struct Sum {
+    vec3 irradiance;
+    float weight;
+    vec3 plain;  // without edge functions, for holes that see nothing of their kind
+    float plain_weight;
+};
+
+struct Level {
+    float inverse_sigma_rt;  // squared; 0 while there are holes
+    float inverse_sigma_n;   // squared
+    float inverse_sigma_x;
+};
+
+Level level_of(float z) {
+    float step_squared = exp2(2.0 * float(push.level));
+    Level level;
+    bool holes_left = push.level < painting_levels();
+    level.inverse_sigma_rt = has_flag(FLAG_EAW_RADIANCE) && !holes_left ? step_squared / (frame.sigma_rt * frame.sigma_rt) : 0.0;
+    level.inverse_sigma_n = has_flag(FLAG_EAW_NORMAL) ? 1.0 / (step_squared * frame.sigma_rt_n * frame.sigma_rt_n) : 0.0;
+    level.inverse_sigma_x = has_flag(FLAG_EAW_POSITION) ? 1.0 / (frame.sigma_rt_x * max(z, 1e-15)) : 0.0;
+    return level;
+}
+
+float squared(vec3 v) { return dot(v, v); }
+
+void add_tap(inout Sum sum, vec4 value, vec4 centre, float exponent, float kernel, float inverse_sigma_rt) {
+    if (value.a < 0.0) return;
+    // A hole has no radiance to compare with.
+    float radiance = centre.a < 0.0 ? 0.0 : squared(value.rgb - centre.rgb) * inverse_sigma_rt;
+    float weight = kernel * exp(-exponent - radiance);
+    sum.irradiance += weight * value.rgb;
+    sum.weight += weight;
+    if (centre.a < 0.0) {
+        sum.plain += kernel * value.rgb;
+        sum.plain_weight += kernel;
+    }
+}
+
+// The background passes, but for its holes.
+vec4 result(Sum sum, vec4 centre, bool background) {
+    if (background && centre.a >= 0.0) return centre;
+    if (sum.weight >= 1e-6) return vec4(storable(sum.irradiance / sum.weight), 0.0);
+    return sum.plain_weight > 0.0 ? vec4(storable(sum.plain / sum.plain_weight), 0.0) : centre;
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    vec4 centre_0 = texelFetch(input_0, p, 0);
+    bool hole = centre_0.a < 0.0;
+#if SIGNALS == 2
+    vec4 centre_1 = texelFetch(input_1, p, 0);
+    hole = hole || centre_1.a < 0.0;
+#endif
+    uvec4 packed = texelFetch(guide, p, 0);
+    float z = unpack_depth(packed);
+    bool background = z == 0.0;
+    if (background && !hole) {
+        imageStore(output_0, p, centre_0);
+#if SIGNALS == 2
+        imageStore(output_1, p, centre_1);
+#endif
+        return;
+    }
+    vec3 n = unpack_normal(packed), x = view_position(p, z);
+    Level level = level_of(z);
+    Sum sum_0 = Sum(vec3(0.0), 0.0, vec3(0.0), 0.0), sum_1 = sum_0;
+    int step_size = 1 << push.level;
+    for (int j = -2; j <= 2; ++j)
+        for (int i = -2; i <= 2; ++i) {
+            ivec2 q = p + ivec2(i, j) * step_size;
+            if (!is_inside(q)) continue;
+            uvec4 packed_q = texelFetch(guide, q, 0);
+            float z_q = unpack_depth(packed_q);
+            if ((z_q == 0.0) != background) continue;
+            float exponent = 0.0;
+            if (!background) {
+                exponent = squared(n - unpack_normal(packed_q)) * level.inverse_sigma_n;
+                exponent += squared((x - view_position(q, z_q)) * level.inverse_sigma_x);
+            }
+            float kernel = KERNEL[abs(i)] * KERNEL[abs(j)];
+            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
+#if SIGNALS == 2
+            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
+#endif
+        }
+    imageStore(output_0, p, result(sum_0, centre_0, background));
+#if SIGNALS == 2
+    imageStore(output_1, p, result(sum_1, centre_1, background));
+#endif
+}

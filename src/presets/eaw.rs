@@ -1,0 +1,21 @@
+//! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
+
+use super::{firefly_filter, post_process};
+use crate::config::Config;
+use crate::contract::Declaration;
+use crate::nodes::{self, Builder, Signal};
+
+pub(crate) fn eaw(config: &Config) -> Declaration {
+    // Object-space normals serve the history alone.
+    let config = &Config { object_normal: false, ..*config };
+    let mut b = Builder::new(config.allocated_extent);
+    let frame = nodes::start_frame(&mut b);
+    let guides = nodes::import(&mut b, frame, config);
+    let signals = Signal::declare_without_history(&mut b, config.signals);
+    nodes::demodulate(&mut b, frame, guides, &signals);
+    firefly_filter(&mut b, frame, guides, config, &signals);
+    let filtered = nodes::eaw(&mut b, frame, guides, &signals, config.levels);
+    let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
+    post_process(&mut b, frame, guides, config, denoised);
+    b.finish()
+}
