@@ -3,7 +3,7 @@
 //! Times are GPU timestamps; the median of the frames, since other work on the machine only ever adds. Bytes are each declared image once,
 //! read or written: what a perfect cache would move, so that `GB/s` against the device's bandwidth is a roofline.
 
-use atrous::config::{PostProcess, Signals};
+use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::{Config, Error, FrameParams, Shape, Tuning};
 use clap::{Parser, ValueEnum};
@@ -21,6 +21,9 @@ struct Options {
     /// Index or a part of the name of the device
     #[arg(long)]
     device: Option<String>,
+    /// Filter
+    #[arg(long, value_enum, default_value_t = PresetName::Svgf)]
+    preset: PresetName,
     /// Signals that are filtered apart: 1 or 2
     #[arg(long, value_enum, default_value_t = SignalsName::Together)]
     signals: SignalsName,
@@ -36,6 +39,13 @@ struct Options {
 enum SignalsName {
     Together,
     Apart,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum PresetName {
+    Svgf,
+    /// With forward-projected gradients
+    Asvgf,
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
@@ -58,6 +68,10 @@ fn bench(options: &Options) -> Result<(), Error> {
             SignalsName::Together => Signals::Together,
             SignalsName::Apart => Signals::Apart,
         },
+        preset: match options.preset {
+            PresetName::Svgf => Preset::Svgf,
+            PresetName::Asvgf => Preset::Asvgf,
+        },
         levels: options.levels,
         post_process: if options.post_process { PostProcess::ToneMapTaa } else { PostProcess::None },
         ..Config::new(options.size)
@@ -68,8 +82,8 @@ fn bench(options: &Options) -> Result<(), Error> {
     upload(&mut session, options.size)?;
     let mut samples: Vec<Vec<f64>> = Vec::new();
     for i in 0..UNTIMED + options.frames {
-        session
-            .run(&FrameParams { frame_slot: i % config.frames_in_flight, ..FrameParams::new(options.size) }, &Tuning::default())?;
+        let params = FrameParams { frame_slot: i % config.frames_in_flight, reshaded: true, ..FrameParams::new(options.size) };
+        session.run(&params, &Tuning::for_preset(config.preset))?;
         if i >= UNTIMED {
             samples.resize(session.times().len(), Vec::new());
             samples.iter_mut().zip(session.times()).for_each(|(s, t)| s.push(t.milliseconds));

@@ -117,7 +117,7 @@ void main() {
             float z_q = unpack_depth(packed_q);
             if (z_q == 0.0) continue;
             float kernel = KERNEL[abs(x)] * KERNEL[abs(y)];
-            float geometry = normal_weight(n, unpack_normal(packed_q));
+            float geometry = normal_weight(n, unpack_normal(packed_q), z);
             float depth_exponent = depth_weight_exponent(z, z_q, gradient, vec2(offset));
             add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, geometry, depth_exponent, kernel);
 #if SIGNALS == 2

@@ -40,7 +40,8 @@ const uint MOTION_PIXELS = 0u;
 const uint MOTION_UV = 1u;
 const uint NO_PIXEL = 0xffffu;
 
-uint frame_hash(uint salt) { return pcg(frame.frame_index + salt); }
+// Candidates and keys are drawn apart: what is picked in one frame must not rank it in the next.
+const uint CANDIDATE_SALT = 0x9e3779b9u;
 
 // Low bits of a key: 1 + number of the stratum in the previous frame. The bits above are a hash, so that no direction is preferred.
 uint key_mask() {
@@ -50,7 +51,7 @@ uint key_mask() {
 
 uint key_of(uint index) {
     uint mask = key_mask();
-    return (pcg(index + frame_hash(0u)) & ~mask) | (index + 1u);
+    return (pcg(index + pcg(frame.frame_index)) & ~mask) | (index + 1u);
 }
 
 // The host's forward motion of a pixel. 0: there is none; 1: used; 2: not finite.
@@ -134,7 +135,7 @@ uvec4 next_candidate(ivec2 s, uint taken) {
     uint skipped = is_taken ? taken % frame.stratum_size + taken / frame.stratum_size * extent.x : NO_PIXEL;
     uint count = extent.x * extent.y - (is_taken ? 1u : 0u);
     if (count == 0u) return uvec4(NO_PIXEL, NO_PIXEL, 0u, 0u);
-    uint chosen = pcg(uint(s.x) + uint(s.y) * width + frame_hash(1u)) % count;
+    uint chosen = pcg(uint(s.x) + uint(s.y) * width + pcg(frame.frame_index + CANDIDATE_SALT)) % count;
     if (chosen >= skipped) ++chosen;
     ivec2 pixel = first_pixel(s) + ivec2(chosen % extent.x, chosen / extent.x);
 #if SURFACE_ID

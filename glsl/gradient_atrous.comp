@@ -47,7 +47,7 @@ void main() {
             vec4 value = texelFetch(gradient_in, t, 0);
             vec2 offset = vec2(pixel_of(t, packed_t) - p);
             float exponent = depth_weight_exponent(z, z_t, slope, offset) + abs(value.z - centre.z) / tolerance;
-            float weight = normal_weight(n, unpack_normal(packed_t)) * exp(-exponent);
+            float weight = normal_weight(n, unpack_normal(packed_t), z) * exp(-exponent);
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;

@@ -2,9 +2,9 @@
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation. ADAPTIVE: [ASVGF] 3.5, alpha by pixel.
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame.
-// ADAPTIVE: history_confidence.
+// ADAPTIVE: history_confidence. REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
 // In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
-// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1
+// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -43,6 +43,7 @@ const float MIN_TAP_WEIGHT = 0.01;
 struct Expected {
     float depth;
     float depth_tolerance;
+    vec2 gradient;  // of depth, scene units per pixel
     vec3 normal;
     uint id8;
 };
@@ -59,12 +60,13 @@ struct Gathered {
     History signals[SIGNALS];
 };
 
-uint refusal(ivec2 tap, Expected expected) {
+// `slack`: depth that the surface may have gained on the way to a tap that lies aside.
+uint refusal(ivec2 tap, Expected expected, float slack) {
     if (!is_inside_previous(tap)) return REASON_OFF_SCREEN;
     uvec4 packed = texelFetch(previous_guide, tap, 0);
     float z = unpack_depth(packed);
     if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
-    if (!(abs(z - expected.depth) <= expected.depth_tolerance)) return REASON_DEPTH;
+    if (!(abs(z - expected.depth) <= expected.depth_tolerance + slack)) return REASON_DEPTH;
 #if OBJECT_NORMAL
     vec3 n = unpack_octahedral(texelFetch(previous_object_normal, tap, 0).x, 511.0, 10u);
 #else
@@ -98,6 +100,36 @@ Gathered nothing() {
     return sum;
 }
 
+#ifdef REPAIR
+// A motion that leaves the image ends where it crosses the border: at the last place of the surface that was seen.
+vec2 cut_at_border(vec2 start, vec2 position) {
+    vec2 last = vec2(frame.previous_render_extent) - 1.0;
+    vec2 way = position - start, border = clamp(position, vec2(0.0), last), part = vec2(1.0);
+    start = clamp(start, vec2(0.0), last);
+    if (border.x != position.x) part.x = way.x == 0.0 ? 0.0 : (border.x - start.x) / way.x;
+    if (border.y != position.y) part.y = way.y == 0.0 ? 0.0 : (border.y - start.y) / way.y;
+    return start + clamp(min(part.x, part.y), 0.0, 1.0) * way;
+}
+
+// Frames that the history of a neighbour is worth: it soon gives way to what the pixel sees itself.
+const float REPAIRED_HISTORY_LENGTH = 4.0;
+
+// Around the end of the motion 3x3 pixels, then rings of eight, 2 and 4 pixels away, until one has a pixel that may be the same surface.
+Gathered repair(vec2 start, vec2 position, Expected expected) {
+    ivec2 nearest = ivec2(floor(cut_at_border(start, position) + 0.5));
+    Gathered sum = nothing();
+    for (int ring = 1; ring <= 4 && sum.weight == 0.0; ring *= 2)
+        for (int i = 0; i < 9; ++i) {
+            if (i == 4 && ring > 1) continue;
+            ivec2 tap = nearest + ivec2(i % 3 - 1, i / 3 - 1) * ring;
+            float slack = dot(abs(expected.gradient), abs(vec2(tap) - position));
+            if (refusal(tap, expected, slack) == REASON_NONE) add_tap(sum, tap, 1.0);
+        }
+    sum.history_length = min(sum.history_length, REPAIRED_HISTORY_LENGTH * sum.weight);
+    return sum;
+}
+#endif
+
 // The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
 Gathered gather(vec2 position, Expected expected) {
     Gathered sum = nothing();
@@ -107,7 +139,7 @@ Gathered gather(vec2 position, Expected expected) {
         ivec2 offset = ivec2(i & 1, i >> 1);
         ivec2 tap = ivec2(corner) + offset;
         float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        if (weight > 0.0 && refusal(tap, expected) == REASON_NONE) add_tap(sum, tap, weight);
+        if (weight > 0.0 && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, weight);
     }
     if (sum.weight >= MIN_TAP_WEIGHT) return sum;
     sum = nothing();
@@ -115,7 +147,7 @@ Gathered gather(vec2 position, Expected expected) {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 tap = nearest + ivec2(x, y);
-            if (refusal(tap, expected) == REASON_NONE) add_tap(sum, tap, 1.0);
+            if (refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, 1.0);
         }
     return sum;
 }
@@ -129,7 +161,8 @@ Expected expectation(ivec2 p, uvec4 packed, SurfaceMotion m) {
 #else
     vec3 n = m.previous_normal;
 #endif
-    return Expected(previous_z, frame.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y), n, unpack_id(packed));
+    float tolerance = frame.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
+    return Expected(previous_z, tolerance, gradient, n, unpack_id(packed));
 }
 
 // How far light changed at a pixel: 0, not at all, to 1.
@@ -170,12 +203,19 @@ void main() {
         Expected expected = expectation(p, packed, m);
         vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
         sum = gather(position, expected);
-        reason = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected);
+#ifdef REPAIR
+        vec2 start = previous_position(p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
+        if (sum.weight == 0.0) sum = repair(start, position, expected);
+#endif
+        reason = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected, 0.0);
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, frame.max_history_length) : 1.0;
     float change = change_at(p);
-#ifdef ADAPTIVE
+#ifdef REPAIR
+    // [PSVGF]: as long as the weight of this frame says, so that later frames react, too.
+    history_length = min(history_length, 1.0 / max(change, 1e-6));
+#elif defined(ADAPTIVE)
     // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
     history_length = min(history_length, 1.0 / max(adapted(frame.alpha, change), 1e-6));
 #endif

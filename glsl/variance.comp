@@ -1,8 +1,9 @@
 #version 450
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
+// FADE: [PSVGF] variance: 5x5 pixels always take part, with a share that shrinks as the past grows.
 // In:  guide, depth_gradient, accumulated irradiance (filter_ping), moments. Out: filter_pong: irradiance, deviation.
-// variants: SIGNALS=1 SIGNALS=2
+// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,FADE=1 SIGNALS=2,FADE=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -23,7 +24,11 @@ layout(set = 0, binding = 7) uniform utexture2D moments_1;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
 #endif
 
+#ifdef FADE
+const int RADIUS = 2;
+#else
 const int RADIUS = 3;
+#endif
 
 void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
     Moments m = unpack_moments(texelFetch(moments, q, 0));
@@ -46,7 +51,7 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
             if (z_q == 0.0) continue;
             float weight = 1.0;
             if (x != 0 || y != 0)
-                weight = exp(-depth_weight_exponent(z, z_q, gradient, vec2(x, y))) * normal_weight(n, unpack_normal(packed_q));
+                weight = exp(-depth_weight_exponent(z, z_q, gradient, vec2(x, y))) * normal_weight(n, unpack_normal(packed_q), z);
             weight_sum += weight;
             add_moments(sums[0], moments_0, q, weight);
 #if SIGNALS == 2
@@ -62,6 +67,25 @@ float deviation_of(vec2 moments, float history_length) {
     return sqrt(variance * frame.spatial_variance_frames / history_length);
 }
 
+// The spatial estimate where the past is short; with FADE both, so that no estimate jumps and none is 0 among neighbours that are not.
+float combined(float temporal, vec2 sums, float history_length) {
+    float spatial = deviation_of(sums, history_length);
+#ifdef FADE
+    float share = min(frame.spatial_variance_frames / history_length, 1.0);
+    return sqrt(mix(temporal * temporal, spatial * spatial, share));
+#else
+    return spatial;
+#endif
+}
+
+bool needs_neighbours(float history_length) {
+#ifdef FADE
+    return true;
+#else
+    return history_length < frame.spatial_variance_frames;
+#endif
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
@@ -74,10 +98,10 @@ void main() {
 #endif
     if (background) {
         deviations = vec2(0.0);
-    } else if (m.history_length < frame.spatial_variance_frames) {
+    } else if (needs_neighbours(m.history_length)) {
         vec2 sums[2];
         spatial_moments(p, packed, sums);
-        deviations = vec2(deviation_of(sums[0], m.history_length), deviation_of(sums[1], m.history_length));
+        deviations = vec2(combined(deviations.x, sums[0], m.history_length), combined(deviations.y, sums[1], m.history_length));
     }
     deviations = min(deviations, 65504.0);
     imageStore(estimated_0, p, vec4(texelFetch(accumulated_0, p, 0).rgb, deviations.x));

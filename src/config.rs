@@ -160,6 +160,31 @@ pub enum Preset {
     Asvgf,
     /// The same gradients drive a temporal accumulation over the output of any other denoiser \[ASVGF 4\]. One signal.
     Stabilize,
+    /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the host that SVGF does not.
+    Percentile,
+}
+
+/// How [`Preset::Percentile`] finds out that light has changed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AdaptiveRule {
+    /// The mean difference between a frame and its history over 24×24 pixels, against its standard error. Sees a light that comes on as well as one
+    /// that goes out.
+    #[default]
+    ChangeTest,
+    /// As published: history outside of the percentiles of the noisy frame is dropped. At one sample a pixel the low percentile is next to 0, so
+    /// that a light that comes on is not seen.
+    Percentiles,
+}
+
+/// How the percentiles of a block are found. The result is the same to the bit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum BlockSort {
+    /// Every pixel counts those before it: one barrier.
+    #[default]
+    Counting = 0,
+    /// Odd-even transposition as published \[PSVGF\]: 64 rounds with a barrier each. For comparison.
+    OddEven = 1,
 }
 
 /// Where the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`] come from.
@@ -192,6 +217,13 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
+    /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\]. [`Preset::Percentile`] always does.
+    /// Default: false.
+    pub firefly_filter: bool,
+    /// How the preset `Percentile` sees changed light.
+    pub adaptive_rule: AdaptiveRule,
+    /// How percentiles are found.
+    pub block_sort: BlockSort,
     /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
     pub stratum_size: u32,
     /// Where the temporal gradients come from. Only for presets with gradients.
@@ -221,6 +253,9 @@ impl Config {
             preset: Preset::default(),
             signals: Signals::default(),
             levels: 5,
+            firefly_filter: false,
+            adaptive_rule: AdaptiveRule::default(),
+            block_sort: BlockSort::default(),
             stratum_size: 3,
             gradient_source: GradientSource::default(),
             forward_motion: false,

@@ -17,6 +17,7 @@ impl Config {
         self.validate()?;
         Ok(match self.preset {
             Preset::Svgf => crate::presets::svgf(self),
+            Preset::Percentile => crate::presets::percentile(self),
             Preset::Asvgf => crate::presets::asvgf(self),
             Preset::Stabilize => crate::presets::stabilize(self),
         })

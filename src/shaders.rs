@@ -109,7 +109,7 @@ include!(env!("ATROUS_SHADERS"));
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::{Config, GradientSource, PostProcess, Preset, Signals};
+    use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, Signals};
     use crate::contract::{ImageFormat, PassDecl, Shape, Work};
     use crate::{Declaration, UseFrame};
     use std::collections::BTreeSet;
@@ -133,6 +133,10 @@ mod tests {
                         all.push(config.declare().expect("valid"));
                     }
                     let config = Config { signals, surface_id, object_normal, post_process, ..Config::new([64, 36]) };
+                    all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
+                    for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
+                        all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
+                    }
                     for preset in [Preset::Asvgf, Preset::Stabilize] {
                         for (gradient_source, forward_motion) in GRADIENT_SOURCES {
                             all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));

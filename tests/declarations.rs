@@ -17,6 +17,7 @@ fn uses_equal_the_spirv_by_a_second_reader() {
         (Preset::Asvgf, GradientSource::Sparse),
         (Preset::Asvgf, GradientSource::Confidence),
         (Preset::Stabilize, GradientSource::ForwardProjected),
+        (Preset::Percentile, GradientSource::default()),
     ];
     for (signals, (preset, gradient_source)) in
         [Signals::Together, Signals::Apart].into_iter().flat_map(|s| presets.map(|p| (s, p)))

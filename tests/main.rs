@@ -11,6 +11,7 @@ mod gradients;
 mod hosts;
 mod parity;
 mod pattern;
+mod percentile;
 mod properties;
 mod sequences;
 mod support;
@@ -44,6 +45,7 @@ fn main() {
         ("gradients", gradients::TESTS, true),
         ("parity", parity::TESTS, true),
         ("pattern", pattern::TESTS, true),
+        ("percentile", percentile::TESTS, true),
         ("sequences", sequences::TESTS, true),
         ("sync_validation", sync_validation::TESTS, true),
     ];

@@ -112,6 +112,8 @@ pub enum Preset {
     Svgf,
     /// Adaptive temporal filtering, by layers with the previous frame's samples re-shaded in this frame's scene (reshade_direct, reshade_indirect)
     Asvgf,
+    /// Percentile-based adaptive SVGF: reacts to changed light from the noisy image alone
+    Percentile,
 }
 
 impl Preset {
@@ -119,6 +121,7 @@ impl Preset {
         match self {
             Self::Svgf => atrous::config::Preset::Svgf,
             Self::Asvgf => atrous::config::Preset::Asvgf,
+            Self::Percentile => atrous::config::Preset::Percentile,
         }
     }
 }
@@ -190,6 +193,7 @@ impl Cli {
         match self.preset {
             Preset::Svgf => "SVGF",
             Preset::Asvgf => "A-SVGF",
+            Preset::Percentile => "percentile",
         }
     }
 }

@@ -72,6 +72,11 @@ pub fn run(cli: &Cli) -> Result<()> {
 
 fn open(cli: &Cli, setup: &Setup, tuning: atrous::Tuning) -> Result<Box<dyn Backend>> {
     if cli.device.as_deref() == Some("reference") {
+        if setup.config.preset != atrous::config::Preset::Svgf {
+            return Err(ToolError::Usage(
+                "--device reference runs the preset svgf alone; take a Vulkan device for the others".into(),
+            ));
+        }
         return Ok(Box::new(ReferenceBackend::new(&setup.config, tuning)?));
     }
     Ok(Box::new(GpuBackend::new(cli.device.clone(), &setup.config, tuning)?))

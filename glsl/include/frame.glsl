@@ -27,6 +27,18 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     float sigma_z;
     float depth_tolerance;          // relative
     float normal_tolerance;         // cosine
+    float edge_falloff;             // 1 / scene unit
+    float percentile_low;           // 0..1
+    float percentile_up;            // 0..1
+    float percentile_range;         // interpercentile ranges
+    float adaptivity;               // 0..1
+    float change_threshold;         // standard errors
+    float firefly_bias;             // luminance of irradiance
+    float sigma_rt;                 // irradiance
+    float sigma_rt_n;               // length of the difference of normals
+    float sigma_rt_x;               // relative to the depth
+    float volume_depth_influence;   // 0..1
+    float reserved;
     float exposure;
     float taa_alpha;
     float taa_gamma;                // standard deviations

@@ -22,14 +22,26 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_n) == 516);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_z) == 520);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, depth_tolerance) == 524);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, normal_tolerance) == 528);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 532);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 536);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 540);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 544);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 548);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 552);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 556);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 560);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, edge_falloff) == 532);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, percentile_low) == 536);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, percentile_up) == 540);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, percentile_range) == 544);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, adaptivity) == 548);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, change_threshold) == 552);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, firefly_bias) == 556);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt) == 560);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt_n) == 564);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt_x) == 568);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_depth_influence) == 572);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, reserved) == 576);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 580);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 584);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 588);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 592);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 596);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 600);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 604);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 608);
 pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader { name: "adaptive_alpha_source_0", spirv: include_bytes!("adaptive_alpha_source_0.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
@@ -41,6 +53,43 @@ pub(crate) static ADAPTIVE_ALPHA_SOURCE_1: Shader = Shader { name: "adaptive_alp
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "confidence", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static ADAPTIVE_HISTORY_SIGNALS_1_RULE_0: Shader = Shader { name: "adaptive_history_signals_1_rule_0", spirv: include_bytes!("adaptive_history_signals_1_rule_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "block_percentiles_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static ADAPTIVE_HISTORY_SIGNALS_2_RULE_0: Shader = Shader { name: "adaptive_history_signals_2_rule_0", spirv: include_bytes!("adaptive_history_signals_2_rule_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "block_percentiles_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "block_percentiles_1", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static ADAPTIVE_HISTORY_SIGNALS_1_RULE_1: Shader = Shader { name: "adaptive_history_signals_1_rule_1", spirv: include_bytes!("adaptive_history_signals_1_rule_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "block_difference_0", kind: BindingKind::SampledImage(Component::Uint) },
+    ] };
+pub(crate) static ADAPTIVE_HISTORY_SIGNALS_2_RULE_1: Shader = Shader { name: "adaptive_history_signals_2_rule_1", spirv: include_bytes!("adaptive_history_signals_2_rule_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "block_difference_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "block_difference_1", kind: BindingKind::SampledImage(Component::Uint) },
     ] };
 const _: () = assert!(std::mem::offset_of!(PushConstants, level) == 0);
 const _: () = assert!(std::mem::offset_of!(PushConstants, present) == 4);
@@ -80,6 +129,25 @@ pub(crate) static ATROUS_SIGNALS_2_BOX_1: Shader = Shader { name: "atrous_signal
         ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
+pub(crate) static BLOCK_DIFFERENCE: Shader = Shader { name: "block_difference", spirv: include_bytes!("block_difference.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "history", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "block_difference", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static BLOCK_PERCENTILES: Shader = Shader { name: "block_percentiles", spirv: include_bytes!("block_percentiles.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "block_percentiles", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+    ] };
 pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader { name: "demodulate_signals_1", spirv: include_bytes!("demodulate_signals_1.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
@@ -99,6 +167,13 @@ pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader { name: "demodulate_sign
         ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
         ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static FIREFLY: Shader = Shader { name: "firefly", spirv: include_bytes!("firefly.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "block_percentiles", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
     ] };
 pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader { name: "forward_project_resolve_0_forward_motion_0", spirv: include_bytes!("forward_project_resolve_0_forward_motion_0.spv"),
     bindings: &[
@@ -477,6 +552,70 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1: Sh
         ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
     ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0_adaptive_1_repair_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_1_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_1_adaptive_1_repair_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_0_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_0_adaptive_1_repair_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_1_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_1_adaptive_1_repair_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
+    ] };
 pub(crate) static TONE_MAP: Shader = Shader { name: "tone_map", spirv: include_bytes!("tone_map.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
@@ -504,5 +643,26 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader { name: "variance_signals_
         ShaderBinding { name: "moments_1", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "estimated_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
+pub(crate) static VARIANCE_SIGNALS_1_FADE_1: Shader = Shader { name: "variance_signals_1_fade_1", spirv: include_bytes!("variance_signals_1_fade_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static VARIANCE_SIGNALS_2_FADE_1: Shader = Shader { name: "variance_signals_2_fade_1", spirv: include_bytes!("variance_signals_2_fade_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "accumulated_1", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "moments_1", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "estimated_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_BOX_1, &ATROUS_SIGNALS_2_BOX_1, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1, &GRADIENT_SIGNALS_1_SOURCE_0, &GRADIENT_SIGNALS_2_SOURCE_0, &GRADIENT_SIGNALS_1_SOURCE_1, &GRADIENT_SIGNALS_2_SOURCE_1, &GRADIENT_SIGNALS_1_SOURCE_2, &GRADIENT_SIGNALS_2_SOURCE_2, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_1, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_BOX_1, &ATROUS_SIGNALS_2_BOX_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1, &GRADIENT_SIGNALS_1_SOURCE_0, &GRADIENT_SIGNALS_2_SOURCE_0, &GRADIENT_SIGNALS_1_SOURCE_1, &GRADIENT_SIGNALS_2_SOURCE_1, &GRADIENT_SIGNALS_1_SOURCE_2, &GRADIENT_SIGNALS_2_SOURCE_2, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VARIANCE_SIGNALS_1_FADE_1, &VARIANCE_SIGNALS_2_FADE_1, ];

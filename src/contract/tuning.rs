@@ -94,7 +94,27 @@ tuning! {
     depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
-    /// Scale of the relative change of light λ by which history is dropped [ASVGF eq. 14]. At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
+    /// How the edge functions lose influence with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising it blurs more far away.
+    edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
+    /// Lower percentile of the luminance of 8×8 pixels (PSVGF). At one sample a pixel next to 0, whatever it is.
+    percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;
+    /// Upper percentile (PSVGF). Raising it lets the firefly filter pass more, and the published rule keep more history.
+    percentile_up: "share of the pixels", 0.0 ..= 1.0, 0.95;
+    /// Scale of the range between the percentiles, by which a luminance may leave them (PSVGF). Raising it passes more outliers and keeps more history.
+    percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 2.0;
+    /// How much of the history a change of the light costs; 0: the adaptive rules are off (PSVGF).
+    adaptivity: "1", 0.0 ..= 1.0, 1.0;
+    /// From how large a change, in standard errors of its mean, history gives way; at twice as many it is gone. Raising it reacts to larger changes alone.
+    change_threshold: "standard errors", 0.5 ..= 64.0, 2.5;
+    /// Luminance that the firefly filter always lets pass on top of the percentiles (PSVGF). Raising it passes more outliers.
+    firefly_bias: "luminance of irradiance", 0.0 ..= 65504.0, 0.0;
+    /// Radiance edge stopping of the first level of (EAW); halved from level to level. Of the size of the brightest light, so that geometry alone leads the first level. Raising it blurs more.
+    sigma_rt: "irradiance", 0.0001 ..= 65504.0, 4.0;
+    /// Normal edge stopping of (EAW). Raising it blurs over edges and relief.
+    sigma_rt_n: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
+    /// Position edge stopping of (EAW), as a share of the depth. Raising it blurs over gaps.
+    sigma_rt_x: "depths", 0.001 ..= 64.0, 0.1;
+    /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
     gradient_scale: "1", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
@@ -105,11 +125,12 @@ tuning! {
 }
 
 impl Tuning {
-    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 [ASVGF].
+    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF).
     pub fn for_preset(preset: Preset) -> Self {
         match preset {
             Preset::Svgf => Self::default(),
             Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, ..Self::default() },
+            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
         }
     }
 

@@ -1,8 +1,12 @@
 //! The stages as nodes: which shader, which resources, how each is touched. A node adds its passes to a [`Builder`]; nothing is allocated.
 
 mod adaptive_alpha;
+mod adaptive_history;
 mod atrous;
+mod block_difference;
+mod block_percentiles;
 mod demodulate;
+mod firefly;
 mod forward_project;
 mod gradient;
 mod gradient_atrous;
@@ -15,8 +19,12 @@ mod tone_map;
 mod variance;
 
 pub(crate) use adaptive_alpha::{adaptive_alpha, host_confidence};
+pub(crate) use adaptive_history::{change_test, percentile_rule};
 pub(crate) use atrous::{atrous, Filtered, Kernel};
+pub(crate) use block_difference::block_difference;
+pub(crate) use block_percentiles::{block_percentiles, BLOCK_SIZE};
 pub(crate) use demodulate::demodulate;
+pub(crate) use firefly::firefly;
 pub(crate) use forward_project::forward_project;
 pub(crate) use gradient::{gradient, Gradients, Strata};
 pub(crate) use gradient_atrous::gradient_atrous;
@@ -24,9 +32,9 @@ pub(crate) use import::{import, Guides};
 pub(crate) use modulate::modulate;
 pub(crate) use start_frame::{start_frame, Frame, STATISTICS_COUNT};
 pub(crate) use taa::taa;
-pub(crate) use temporal_accumulation::temporal_accumulation;
+pub(crate) use temporal_accumulation::{temporal_accumulation, Adaptation};
 pub(crate) use tone_map::tone_map;
-pub(crate) use variance::variance;
+pub(crate) use variance::{variance, Estimate};
 
 use crate::config::Signals;
 use crate::contract::{
@@ -64,6 +72,11 @@ impl Builder {
     /// An image with one texel per pixel.
     pub fn image(&mut self, name: &'static str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Image { format, divisor: 1 }, lifetime)
+    }
+
+    /// An image with one texel per block of pixels.
+    pub fn block_image(&mut self, name: &'static str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
+        self.resource(name, Shape::Image { format, divisor: BLOCK_SIZE }, lifetime)
     }
 
     /// An image with one texel a stratum.

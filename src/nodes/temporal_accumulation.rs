@@ -2,16 +2,21 @@
 
 use super::{Builder, Frame, Guides, Signal};
 use crate::contract::{Phase, ResourceId};
-use crate::shaders;
+use crate::shaders::{self, Shader};
 
-/// `history_confidence`: by how much each pixel's alpha rises \[ASVGF\]. Reads and writes `filter_ping*` in place: an invocation touches its own texel alone.
-pub(crate) fn temporal_accumulation(
-    b: &mut Builder,
-    frame: Frame,
-    guides: Guides,
-    signals: &[Signal],
-    history_confidence: Option<ResourceId>,
-) {
+/// What may shorten the history of a pixel.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Adaptation {
+    /// Nothing [SVGF].
+    None,
+    /// `history_confidence`, by which each pixel's alpha rises [ASVGF].
+    Alpha(ResourceId),
+    /// The same, with the repair of disocclusions [PSVGF].
+    Repaired(ResourceId),
+}
+
+/// Reads and writes `filter_ping*` in place: an invocation touches its own texel alone.
+pub(crate) fn temporal_accumulation(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], adaptation: Adaptation) {
     let mut uses = vec![
         frame.constants.uniform(),
         guides.guide.sampled(),
@@ -25,16 +30,29 @@ pub(crate) fn temporal_accumulation(
     if let Some(packed) = guides.object_normal {
         uses.extend([packed.sampled(), packed.previous()]);
     }
-    uses.extend(history_confidence.map(ResourceId::sampled));
-    let shader = match (signals.len(), guides.object_normal.is_some(), history_confidence.is_some()) {
-        (1, false, false) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0,
-        (1, true, false) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1,
-        (_, false, false) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0,
-        (_, true, false) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1,
-        (1, false, true) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1,
-        (1, true, true) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1,
-        (_, false, true) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1,
-        (_, true, true) => &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1,
+    let variants: [&'static Shader; 4] = match adaptation {
+        Adaptation::None => [
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1,
+        ],
+        Adaptation::Alpha(_) => [
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1,
+        ],
+        Adaptation::Repaired(_) => [
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1,
+            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1,
+        ],
     };
+    if let Adaptation::Alpha(confidence) | Adaptation::Repaired(confidence) = adaptation {
+        uses.push(confidence.sampled());
+    }
+    let shader = variants[2 * usize::from(signals.len() == 2) + usize::from(guides.object_normal.is_some())];
     b.dispatch("temporal_accumulation", Phase::AfterLighting, shader, 0, uses);
 }

@@ -4,11 +4,23 @@ use super::{by_signals, Builder, Frame, Guides, Signal};
 use crate::contract::Phase;
 use crate::shaders;
 
-pub(crate) fn variance(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal]) {
+/// Which estimate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Estimate {
+    /// 7×7 pixels while the past is short [SVGF].
+    Switched,
+    /// 5×5 pixels, fading [PSVGF].
+    Fading,
+}
+
+pub(crate) fn variance(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], estimate: Estimate) {
     let mut uses = vec![frame.constants.uniform(), guides.guide.sampled(), guides.depth_gradient.sampled()];
     for signal in signals {
         uses.extend([signal.ping.sampled(), signal.moments.sampled(), signal.pong.written()]);
     }
-    let shader = by_signals(signals, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2);
+    let shader = match estimate {
+        Estimate::Switched => by_signals(signals, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2),
+        Estimate::Fading => by_signals(signals, &shaders::VARIANCE_SIGNALS_1_FADE_1, &shaders::VARIANCE_SIGNALS_2_FADE_1),
+    };
     b.dispatch("variance", Phase::AfterLighting, shader, 0, uses);
 }

@@ -1,9 +1,9 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
-use super::{gradients, post_process};
+use super::{firefly_filter, gradients, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
 
 pub(crate) fn asvgf(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -13,8 +13,9 @@ pub(crate) fn asvgf(config: &Config) -> Declaration {
     let signals = Signal::declare(&mut b, config.signals);
     let confidence = gradients::after_lighting(&mut b, frame, guides, config, source, &signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Some(confidence));
-    nodes::variance(&mut b, frame, guides, &signals);
+    firefly_filter(&mut b, frame, guides, config, &signals);
+    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::Alpha(confidence));
+    nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
     post_process(&mut b, frame, guides, config, denoised);

@@ -2,16 +2,18 @@
 
 mod asvgf;
 mod gradients;
+mod percentile;
 mod stabilize;
 mod svgf;
 
 pub(crate) use asvgf::asvgf;
+pub(crate) use percentile::percentile;
 pub(crate) use stabilize::stabilize;
 pub(crate) use svgf::svgf;
 
 use crate::config::{Config, PostProcess};
 use crate::contract::{Lifetime, ResourceId};
-use crate::nodes::{self, Builder, Frame, Guides, HDR};
+use crate::nodes::{self, Builder, Frame, Guides, Signal, HDR};
 
 /// What every preset ends with.
 fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: ResourceId) {
@@ -25,5 +27,13 @@ fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, 
         nodes::taa(b, frame, guides, tone_mapped, display);
     } else {
         nodes::tone_map(b, frame, denoised, display);
+    }
+}
+
+/// Outliers leave before the history, where the configuration wants it.
+fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) {
+    if config.firefly_filter {
+        let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
+        nodes::firefly(b, frame, guides, signals, &percentiles);
     }
 }

@@ -3,7 +3,7 @@
 use super::{gradients, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Signal, HOST_COLOUR};
+use crate::nodes::{self, Adaptation, Builder, Signal, HOST_COLOUR};
 
 /// `noisy_radiance` is compared, `other_denoised_radiance` is accumulated: divided by the albedo like every signal, so that textures stay.
 pub(crate) fn stabilize(config: &Config) -> Declaration {
@@ -15,7 +15,7 @@ pub(crate) fn stabilize(config: &Config) -> Declaration {
     let compared = source.map(|_| Signal { noisy: b.input("noisy_radiance", HOST_COLOUR, false), ..stabilized[0] });
     let confidence = gradients::after_lighting(&mut b, frame, guides, config, source, compared.as_slice());
     nodes::demodulate(&mut b, frame, guides, &stabilized);
-    nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Some(confidence));
+    nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Adaptation::Alpha(confidence));
     let accumulated = vec![stabilized[0].history];
     let denoised = nodes::modulate(&mut b, frame, guides, &stabilized, &accumulated);
     post_process(&mut b, frame, guides, config, denoised);

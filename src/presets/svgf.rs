@@ -1,9 +1,9 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
-use super::post_process;
+use super::{firefly_filter, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
 
 pub(crate) fn svgf(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -11,8 +11,9 @@ pub(crate) fn svgf(config: &Config) -> Declaration {
     let guides = nodes::import(&mut b, frame, config);
     let signals = Signal::declare(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, None);
-    nodes::variance(&mut b, frame, guides, &signals);
+    firefly_filter(&mut b, frame, guides, config, &signals);
+    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::None);
+    nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
     post_process(&mut b, frame, guides, config, denoised);

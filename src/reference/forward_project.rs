@@ -12,6 +12,12 @@ use crate::config::MotionUnit;
 use crate::FrameConstants;
 use glam::{IVec2, UVec2, Vec4};
 
+#[cfg(test)]
+mod tests;
+
+/// Candidates and keys are drawn apart: what is picked in one frame must not rank it in the next.
+const CANDIDATE_SALT: u32 = 0x9e37_79b9;
+
 /// Inputs of [`forward_project`]; guides have the allocated extent, candidates one texel a stratum of it.
 #[derive(Clone, Copy, Debug)]
 pub struct ForwardProjectInputs<'a> {
@@ -90,7 +96,7 @@ fn next_candidate(frame: &FrameConstants, ids: Option<&Image<u32>>, s: IVec2, sa
         return [NO_PIXEL, NO_PIXEL, 0, 0];
     }
     let index = s.x as u32 + s.y as u32 * strata.count().x;
-    let chosen = pcg(index.wrapping_add(pcg(frame.frame_index.wrapping_add(1)))) % others.len() as u32;
+    let chosen = pcg(index.wrapping_add(pcg(frame.frame_index.wrapping_add(CANDIDATE_SALT)))) % others.len() as u32;
     let pixel = others[chosen as usize];
     let id = ids.map_or(u32::MAX, |ids| ids.at(pixel));
     [pixel.x as u16, pixel.y as u16, id as u16, (id >> 16) as u16]

@@ -15,6 +15,7 @@ pub(crate) struct Geometry {
     gradients: Image<Vec2>,
     sigma_z: f32,
     sigma_n: f32,
+    edge_falloff: f32,
 }
 
 impl Geometry {
@@ -24,6 +25,7 @@ impl Geometry {
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
             sigma_z: frame.sigma_z,
             sigma_n: frame.sigma_n,
+            edge_falloff: frame.edge_falloff,
         }
     }
 
@@ -44,16 +46,24 @@ impl Geometry {
         if at_q.is_background() {
             return 0.0;
         }
-        depth_and_normal_weight([self.sigma_z, self.sigma_n], &at_p, &at_q, self.gradients.at(p), (q - p).as_vec2())
+        let sigmas = [self.sigma_z, self.sigma_n];
+        depth_and_normal_weight(sigmas, self.edge_falloff, &at_p, &at_q, self.gradients.at(p), (q - p).as_vec2())
     }
 }
 
-/// The same for two surfaces that lie `offset` pixels apart.
-pub(crate) fn depth_and_normal_weight([sigma_z, sigma_n]: [f32; 2], p: &Surface, q: &Surface, gradient: Vec2, offset: Vec2) -> f32 {
+/// The same for two surfaces that lie `offset` pixels apart. With `edge_falloff` the influence of both falls with the depth of the centre \[PSVGF\].
+pub(crate) fn depth_and_normal_weight(
+    [sigma_z, sigma_n]: [f32; 2],
+    edge_falloff: f32,
+    p: &Surface,
+    q: &Surface,
+    gradient: Vec2,
+    offset: Vec2,
+) -> f32 {
     let tolerance = sigma_z * gradient.dot(offset).abs() + DEPTH_EPSILON * p.linear_depth;
     let difference = (p.linear_depth - q.linear_depth).abs();
     let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
     // 0⁰ = 1: a sigma of 0 switches normals off. A cosine of 0 is an exponent of −∞, a weight of 0.
     let exponent_n = if sigma_n == 0.0 { 0.0 } else { sigma_n * p.cosine(q).max(0.0).ln() };
-    (exponent_z + exponent_n).exp()
+    ((exponent_z + exponent_n) / (1.0 + edge_falloff * p.linear_depth)).exp()
 }

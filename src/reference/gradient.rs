@@ -12,6 +12,9 @@ use super::{render_rect::RenderRect, Image};
 use crate::FrameConstants;
 use glam::{IVec2, UVec2, Vec2};
 
+#[cfg(test)]
+mod tests;
+
 /// Where the second luminance of a sample comes from.
 #[derive(Clone, Copy, Debug)]
 pub enum GradientInput<'a> {

@@ -10,6 +10,9 @@ use super::Image;
 use crate::FrameConstants;
 use glam::{IVec2, Vec2};
 
+#[cfg(test)]
+mod tests;
+
 /// Iterations of the presets.
 pub const GRADIENT_ITERATIONS: u32 = 5;
 
@@ -52,7 +55,8 @@ pub fn gradient_atrous(frame: &FrameConstants, level: u32, inputs: &GradientAtro
             } else {
                 let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
                 let weight_l = (-(value[2] - centre[2]).abs() / tolerance).exp();
-                depth_and_normal_weight([frame.sigma_z, frame.sigma_n], &surface, &tap, slope, offset) * weight_l
+                depth_and_normal_weight([frame.sigma_z, frame.sigma_n], frame.edge_falloff, &surface, &tap, slope, offset)
+                    * weight_l
             };
             (0..3).for_each(|i| sum[i] += weight * value[i]);
             variance += weight * weight * value[3] * value[3];

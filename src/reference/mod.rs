@@ -10,14 +10,20 @@
 //! | \[EAW\] | Dammertz et al.: Edge-Avoiding À-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010 |
 //! | \[SVGF\] | Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017 |
 //! | \[ASVGF\] | Schied, Peters, Dachsbacher: Gradient Estimation for Real-Time Adaptive Temporal Filtering, PACMCGIT 1(2) art. 24, 2018 |
+//! | \[PSVGF\] | Alber: Percentile-based Adaptive Spatiotemporal Variance-Guided Filtering for GI and Volumes, KIT |
 //! | \[Karis 2014\] | High-Quality Temporal Supersampling, SIGGRAPH courses 2014 |
 //! | \[Narkowicz 2015\] | ACES Filmic Tone Mapping Curve |
 
 mod adaptive_alpha;
+mod adaptive_history;
 mod atrous;
 mod binary16;
+mod block_difference;
+mod block_percentiles;
+mod blocks;
 mod conventions;
 mod demodulate;
+mod firefly;
 mod forward_project;
 mod forward_projection;
 mod geometry_weights;
@@ -29,6 +35,7 @@ mod import;
 mod luminance;
 mod modulate;
 mod moments;
+mod nearest_history;
 mod octahedral;
 mod projection;
 mod render_rect;
@@ -45,9 +52,14 @@ mod tone_map;
 mod variance;
 
 pub use adaptive_alpha::{adaptive_alpha, AdaptiveAlphaInput};
+pub use adaptive_history::{change_test, percentile_rule, PercentileRuleInputs, CHANGE_EPSILON, RANGE_EPSILON};
 pub use atrous::{atrous, box_atrous, AtrousInputs, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
+pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
+pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
+pub use blocks::BLOCK_SIZE;
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use firefly::{firefly, FireflyInputs};
 pub use forward_project::{forward_project, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates};
 pub use geometry_weights::DEPTH_EPSILON;
 pub use gradient::{gradient, GradientInput, GradientInputs, GradientOutputs};
@@ -58,6 +70,7 @@ pub use import::{import, ImportInputs, ImportOutputs};
 pub use luminance::luminance;
 pub use modulate::{modulate, ModulateInputs, ModulateOutputs};
 pub use moments::{pack_moments, unpack_moments, Moments, Reason};
+pub use nearest_history::HistoryGuides;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
 pub use reprojection::InstanceTransform;
 pub use statistics::{Counter, Statistics};
@@ -71,4 +84,4 @@ pub use temporal_accumulation::{
     temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
 };
 pub use tone_map::tone_map;
-pub use variance::{variance, VarianceInputs};
+pub use variance::{fading_variance, variance, VarianceInputs};

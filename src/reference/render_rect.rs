@@ -22,6 +22,11 @@ impl RenderRect {
         s.cmpge(Vec2::ZERO).all() && s.cmplt(self.extent.as_vec2()).all()
     }
 
+    /// The pixel at the lower right.
+    pub fn last(&self) -> IVec2 {
+        self.extent - 1
+    }
+
     pub fn clamp(&self, p: IVec2) -> IVec2 {
         p.clamp(IVec2::ZERO, self.extent - 1)
     }

@@ -145,6 +145,7 @@ impl Svgf {
             depth_gradient: &imported.depth_gradient,
             irradiance: &each(irradiance),
             history_confidence: None,
+            repair: false,
             object_normals: imported
                 .object_normal_guide
                 .as_ref()

@@ -60,8 +60,10 @@ pub struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// As written by `adaptive_alpha`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    /// As written by `adaptive_alpha` or `adaptive_history`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
+    /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
+    pub repair: bool,
     /// Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
 }
@@ -83,7 +85,12 @@ enum History {
     Disoccluded(Reason),
     /// Pixels with weights that sum to 1; those beyond the valid ones have weight 0.
     Taps([(IVec2, f32); 9]),
+    /// The same, of pixels that may show the same surface \[PSVGF\].
+    Repaired([(IVec2, f32); 9]),
 }
+
+/// Frames that the history of a neighbour is worth: it soon gives way to what the pixel sees itself.
+const REPAIRED_HISTORY_LENGTH: f32 = 4.0;
 
 /// Accumulates every signal; they share taps and history length.
 pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulationInputs) -> TemporalAccumulationOutputs {
@@ -99,7 +106,7 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
         let surface = unpack_guide(inputs.guide.at(p));
         match &surfaces {
             _ if surface.is_background() => History::Background,
-            Some(surfaces) => Reprojected::new(frame, inputs, surface, p).history(surfaces),
+            Some(surfaces) => Reprojected::new(frame, inputs, surface, p).history(surfaces, inputs.repair),
             None => History::Disoccluded(Reason::Reset),
         }
     });
@@ -108,7 +115,7 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-            let bounds = AlphaBounds::new(frame, inputs.history_confidence.is_some(), change);
+            let bounds = AlphaBounds::new(frame, inputs.history_confidence.is_some(), inputs.repair, change);
             let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal);
             (c, pack_moments(&moments))
         });
@@ -122,8 +129,12 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
 struct Reprojected {
     /// Position in the previous image; pixel centres are whole numbers.
     s: Vec2,
+    /// Where it would be without motion.
+    start: Vec2,
     linear_depth: f32,
     depth_tolerance: f32,
+    /// Scene units per pixel.
+    depth_gradient: Vec2,
     normal: Vec3,
     normal_tolerance: f32,
     id: u8,
@@ -135,10 +146,13 @@ impl Reprojected {
         let motion = unpack_surface_motion(inputs.surface_motion.at(p));
         let [dx, dy] = unpack_depth_gradient(inputs.depth_gradient.at(p));
         let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
+        let start = (p.as_vec2() + 0.5) * extent_ratio(frame) - 0.5;
         Self {
             s: (p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion) - 0.5,
+            start,
             linear_depth,
             depth_tolerance: frame.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
+            depth_gradient: Vec2::new(dx, dy),
             normal: inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p))).into(),
             normal_tolerance: frame.normal_tolerance,
             id: surface.id,
@@ -148,10 +162,15 @@ impl Reprojected {
 
     /// Why the pixel `q` of the previous frame is not this surface.
     fn refusal(&self, surfaces: &Image<Surface>, q: IVec2) -> Reason {
+        self.refusal_aside(surfaces, q, 0.0)
+    }
+
+    /// The same for a pixel that lies aside, where the depth may have changed by `slack`.
+    fn refusal_aside(&self, surfaces: &Image<Surface>, q: IVec2, slack: f32) -> Reason {
         let Some(tap) = surfaces.get(q.x, q.y).filter(|_| self.rect.contains(q)) else { return Reason::OffScreen };
         if tap.is_background() || tap.id != self.id {
             Reason::Id
-        } else if (tap.linear_depth - self.linear_depth).abs() > self.depth_tolerance {
+        } else if (tap.linear_depth - self.linear_depth).abs() > self.depth_tolerance + slack {
             Reason::Depth
         } else if Vec3::from(tap.normal).dot(self.normal) < self.normal_tolerance {
             Reason::Normal
@@ -160,7 +179,7 @@ impl Reprojected {
         }
     }
 
-    fn history(&self, surfaces: &Image<Surface>) -> History {
+    fn history(&self, surfaces: &Image<Surface>, repair: bool) -> History {
         let corner = self.s.floor();
         let f = self.s - corner;
         let corner = corner.as_ivec2();
@@ -172,7 +191,38 @@ impl Reprojected {
         let around = std::array::from_fn::<_, 9, _>(|i| (nearest + IVec2::new(i as i32 % 3 - 1, i as i32 / 3 - 1), 1.0));
         self.taps(surfaces, &bilinear)
             .or_else(|| self.taps(surfaces, &around))
+            .or_else(|| if repair { self.repaired(surfaces) } else { None })
             .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, nearest)))
+    }
+
+    /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one has a pixel that
+    /// may be the same surface.
+    fn repaired(&self, surfaces: &Image<Surface>) -> Option<History> {
+        let nearest = (self.cut_at_border() + 0.5).floor().as_ivec2();
+        [1, 2, 4].into_iter().find_map(|ring| {
+            let mut taps = [(IVec2::ZERO, 0.0); 9];
+            for (i, tap) in taps.iter_mut().enumerate().filter(|(i, _)| ring == 1 || *i != 4) {
+                let q = nearest + IVec2::new(i as i32 % 3 - 1, i as i32 / 3 - 1) * ring;
+                let slack = self.depth_gradient.abs().dot((q.as_vec2() - self.s).abs());
+                *tap = (q, f32::from(self.refusal_aside(surfaces, q, slack) == Reason::None));
+            }
+            let sum: f32 = taps.iter().map(|tap| tap.1).sum();
+            taps.iter_mut().for_each(|tap| tap.1 /= sum);
+            (sum > 0.0).then_some(History::Repaired(taps))
+        })
+    }
+
+    /// Where the way from `start` to `s` leaves the image; `s` itself where it does not.
+    fn cut_at_border(&self) -> Vec2 {
+        let last = self.rect.last().as_vec2();
+        let (start, way) = (self.start.clamp(Vec2::ZERO, last), self.s - self.start);
+        let border = self.s.clamp(Vec2::ZERO, last);
+        let part = |i: usize| match way[i] {
+            _ if border[i] == self.s[i] => 1.0,
+            0.0 => 0.0,
+            way => (border[i] - start[i]) / way,
+        };
+        start + part(0).min(part(1)).clamp(0.0, 1.0) * way
     }
 
     /// The valid ones of some taps, weights normalised; `None` where they weigh too little.
@@ -200,11 +250,15 @@ struct AlphaBounds {
 
 impl AlphaBounds {
     /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
-    fn new(frame: &FrameConstants, is_adaptive: bool, change: f32) -> Self {
+    fn new(frame: &FrameConstants, is_adaptive: bool, repair: bool, change: f32) -> Self {
         let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
         let alpha = adapted(frame.alpha);
         // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
-        let longest = if is_adaptive { 1.0 / alpha.max(1e-6) } else { f32::INFINITY };
+        let longest = match (is_adaptive, repair) {
+            (_, true) => 1.0 / change.max(1e-6),
+            (true, false) => 1.0 / alpha.max(1e-6),
+            (false, false) => f32::INFINITY,
+        };
         Self { alpha, alpha_moments: adapted(frame.alpha_moments), history_length: longest.min(frame.max_history_length) }
     }
 }
@@ -222,16 +276,17 @@ fn accumulate(
         let moments = Moments { mean: l, deviation: 0.0, history_length: 1.0, reason: reason as u16 };
         ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
     };
-    let (taps, signal) = match (history, signal) {
+    let (taps, longest, signal) = match (history, signal) {
         (History::Background, _) => return fresh(Reason::None),
         (History::Disoccluded(reason), _) => return fresh(reason),
-        (History::Taps(_), None) => return fresh(Reason::Reset),
-        (History::Taps(taps), Some(signal)) => (taps, signal),
+        (_, None) => return fresh(Reason::Reset),
+        (History::Taps(taps), Some(signal)) => (taps, f32::INFINITY, signal),
+        (History::Repaired(taps), Some(signal)) => (taps, REPAIRED_HISTORY_LENGTH, signal),
     };
     let (irradiance, before) = weighted_history(&taps, signal);
     // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
     let scaled = |x: f32| (x * frame.exposure_ratio).min(LARGEST_HALF);
-    let history_length = (before.history_length + 1.0).min(bounds.history_length);
+    let history_length = (before.history_length.min(longest) + 1.0).min(bounds.history_length);
     let alpha = bounds.alpha.max(1.0 / history_length);
     let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
     let [r, g, b] = [0, 1, 2].map(|i| {

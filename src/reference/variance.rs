@@ -10,8 +10,11 @@ use glam::IVec2;
 #[cfg(test)]
 mod tests;
 
-/// Radius of the neighbourhood, pixels: 7×7.
+/// Radius of the neighbourhood of \[SVGF\], pixels: 7×7.
 const RADIUS: i32 = 3;
+
+/// Radius of the neighbourhood of \[PSVGF\], pixels: 5×5.
+const FADING_RADIUS: i32 = 2;
 const SIDE: usize = 7;
 
 /// Inputs of [`variance`]; images have the allocated extent.
@@ -29,6 +32,30 @@ pub struct VarianceInputs<'a> {
 
 /// For every signal rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
 pub fn variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+    estimate(frame, inputs, |geometry, moments, p| {
+        let centre = moments.at(p);
+        if centre.history_length >= frame.spatial_variance_frames {
+            return centre.deviation;
+        }
+        spatial_variance(frame, geometry, moments, p, RADIUS).sqrt()
+    })
+}
+
+/// The same with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
+pub fn fading_variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+    estimate(frame, inputs, |geometry, moments, p| {
+        let centre = moments.at(p);
+        let share = (frame.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
+        let spatial = spatial_variance(frame, geometry, moments, p, FADING_RADIUS);
+        (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
+    })
+}
+
+fn estimate(
+    frame: &FrameConstants,
+    inputs: &VarianceInputs,
+    deviation: impl Fn(&Geometry, &Image<Moments>, IVec2) -> f32 + Sync,
+) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, inputs.guide, inputs.depth_gradient);
     let signals = inputs.irradiance.iter().zip(inputs.moments);
     signals
@@ -36,23 +63,18 @@ pub fn variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f
             let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
             Image::compute(geometry.extent(), frame.render_extent, |p| {
                 let [r, g, b, _] = irradiance.at(p);
-                [store(r), store(g), store(b), store(deviation(frame, &geometry, &moments, p))]
+                let deviation = if geometry.is_background(p) { 0.0 } else { deviation(&geometry, &moments, p) };
+                [store(r), store(g), store(b), store(deviation)]
             })
         })
         .collect()
 }
 
-fn deviation(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
-    let centre = moments.at(p);
-    if geometry.is_background(p) {
-        return 0.0;
-    }
-    if centre.history_length >= frame.spatial_variance_frames {
-        return centre.deviation;
-    }
+/// Of the window, scaled by how short the history is.
+fn spatial_variance(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2, radius: i32) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
     let mut window = [(0.0, Moments::default()); SIDE * SIDE];
-    for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, RADIUS, 1)) {
+    for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, radius, 1)) {
         *tap = (geometry.weight(p, q), moments.at(q));
     }
     let sum: f32 = window.iter().map(|tap| tap.0).sum();
@@ -61,5 +83,5 @@ fn deviation(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moment
     let second = |m: &Moments| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
     let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
     // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
-    (variance / sum * frame.spatial_variance_frames / centre.history_length.max(1.0)).sqrt()
+    variance / sum * frame.spatial_variance_frames / moments.at(p).history_length.max(1.0)
 }

@@ -20,7 +20,7 @@ pub fn check(c: &Captured, level: u32) {
         irradiance: &each(&irradiance),
     };
     let twin = match c.config.preset {
-        Preset::Asvgf => box_atrous(&c.frame.constants, level, &inputs),
+        Preset::Asvgf | Preset::Percentile => box_atrous(&c.frame.constants, level, &inputs),
         _ => atrous(&c.frame.constants, level, &inputs),
     };
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {

@@ -2,7 +2,7 @@
 
 use super::Captured;
 use crate::support::pixels;
-use atrous::reference::Image;
+use atrous::reference::{Image, BLOCK_SIZE};
 
 /// Half floats have 11 bits and devices round them either way: two steps, and next to nothing near zero.
 pub const HALF: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-5, outliers: 0.0 };
@@ -25,6 +25,19 @@ pub fn texels<const N: usize, T: Copy + Default + 'static>(
     values: impl Fn(T) -> [f32; N],
 ) {
     equal(what, captured, captured.frame.render_extent, gpu, twin, tolerance, values);
+}
+
+/// The same for images with one texel a block.
+pub fn blocks<const N: usize, T: Copy + Default + 'static>(
+    what: &str,
+    captured: &Captured,
+    gpu: &Image<T>,
+    twin: &Image<T>,
+    tolerance: Tolerance,
+    values: impl Fn(T) -> [f32; N],
+) {
+    let extent = captured.frame.render_extent.map(|side| side.div_ceil(BLOCK_SIZE));
+    equal(what, captured, extent, gpu, twin, tolerance, values);
 }
 
 /// The same over the top left `extent` of images that have not one texel a pixel.
@@ -51,7 +64,7 @@ pub fn equal<const N: usize, T: Copy + Default + 'static>(
         }
     }
     if let Some((x, y, gpu, twin)) = first {
-        let allowed = (tolerance.outliers * (extent[0] * extent[1]) as f32) as usize;
+        let allowed = (tolerance.outliers * (extent[0] * extent[1]) as f32).ceil() as usize;
         let (frame, reset) = (captured.frame.index, captured.frame.reset);
         assert!(
             differ <= allowed,

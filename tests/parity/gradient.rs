@@ -53,7 +53,7 @@ pub fn check(c: &Captured) {
 
 pub fn check_atrous(c: &Captured, level: u32) {
     let strata = c.strata();
-    let (from, to) = if level % 2 == 0 { ("gradient_ping", "gradient_pong") } else { ("gradient_pong", "gradient_ping") };
+    let (from, to) = if level & 1 == 0 { ("gradient_ping", "gradient_pong") } else { ("gradient_pong", "gradient_ping") };
     let inputs = GradientAtrousInputs {
         gradient_guide: &c.packed_of("gradient_guide", UseFrame::Current, strata),
         depth_gradient: &c.uints("depth_gradient", UseFrame::Current),

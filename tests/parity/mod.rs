@@ -1,9 +1,13 @@
 //! Every stage on the GPU against its CPU twin, on what the GPU itself was given: differences do not add up from stage to stage.
 
+mod adaptive_history;
 mod asvgf;
 mod atrous;
+mod block_difference;
+mod block_percentiles;
 mod compare;
 mod demodulate;
+mod firefly;
 mod forward_project;
 mod gradient;
 mod import;
@@ -15,9 +19,9 @@ mod variance;
 
 use super::support::{assert_valid, scene::Scene, session_with, upload};
 use super::GpuTest;
-use ::atrous::config::{PostProcess, Preset, Signals};
+use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Signals};
 use ::atrous::executor::{Session, SessionOptions};
-use ::atrous::reference::Image;
+use ::atrous::reference::{Image, BLOCK_SIZE};
 use ::atrous::{Access, Config, Error, FrameContext, FrameParams, ResetReason, Shape, Tuning, UseFrame};
 use half::f16;
 use std::collections::BTreeMap;
@@ -29,6 +33,15 @@ pub const TESTS: &[GpuTest] = &[
     ("without_ids", || sequence(&Config { surface_id: false, ..Config::new([40, 23]) })),
     ("one_pixel", || sequence(&Config::new([1, 1]))),
     ("a_rect_in_a_larger_image", || sequence_of(&Config::new([64, 40]), [37, 21])),
+    ("firefly_filter", || sequence(&Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..Config::new([61, 35]) })),
+    ("percentile", || sequence(&percentile([61, 35]))),
+    ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([61, 35]) })),
+    ("percentile_published", || sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile([61, 35]) })),
+    ("percentile_published_two_signals", || {
+        sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile([40, 23]) })
+    }),
+    ("percentile_object_normals", || sequence(&Config { object_normal: true, signals: Signals::Apart, ..percentile([40, 23]) })),
+    ("percentile_in_a_larger_image", || sequence_of(&percentile([64, 40]), [37, 21])),
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
     ("tone_map_curves", tone_map::curves),
@@ -41,6 +54,10 @@ pub const TESTS: &[GpuTest] = &[
     ("asvgf_other_resolutions", asvgf::other_resolutions),
     ("stabilize", asvgf::stabilize),
 ];
+
+fn percentile(extent: [u32; 2]) -> Config {
+    Config { preset: Preset::Percentile, ..Config::new(extent) }
+}
 
 /// What one pass was given and what it wrote.
 pub struct Captured<'a> {
@@ -57,6 +74,23 @@ impl Captured<'_> {
 
     fn image<T: Clone + Default + bytemuck::Pod>(&self, bytes: &[u8]) -> Image<T> {
         image_of(bytes, self.config.allocated_extent)
+    }
+
+    fn block_image<T: Clone + Default + bytemuck::Pod>(&self, bytes: &[u8]) -> Image<T> {
+        let extent = self.config.allocated_extent.map(|side| side.div_ceil(BLOCK_SIZE));
+        Image::from_texels(extent, bytemuck::allocation::pod_collect_to_vec(bytes)).expect("extent")
+    }
+
+    pub fn block_uints(&self, name: &str) -> Image<u32> {
+        self.block_image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn block_packed(&self, name: &str) -> Image<[u16; 4]> {
+        self.block_image(self.bytes(name, UseFrame::Current))
+    }
+
+    pub fn written_blocks<T: Clone + Default + bytemuck::Pod>(&self, name: &str) -> Image<T> {
+        self.block_image(&self.outputs[name])
     }
 
     pub fn has(&self, name: &str) -> bool {
@@ -143,7 +177,7 @@ fn sequence_of(config: &Config, extent: [u32; 2]) {
         let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
-        run(&mut s, &config, &params, &Tuning::default());
+        run(&mut s, &config, &params, &Tuning::for_preset(config.preset));
     }
     assert_valid();
 }
@@ -203,6 +237,10 @@ fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
         "modulate" => modulate::check(captured),
         "tone_map" => tone_map::check(captured),
         "taa" => taa::check(captured),
+        "adaptive_history" => adaptive_history::check(captured),
+        name if name.starts_with("block_percentiles") => block_percentiles::check(captured, &name["block_percentiles".len()..]),
+        name if name.starts_with("block_difference") => block_difference::check(captured, &name["block_difference".len()..]),
+        name if name.starts_with("firefly") => firefly::check(captured, &name["firefly".len()..]),
         name => match name.rsplit_once('_').and_then(|(stage, level)| Some((stage, level.parse().ok()?))) {
             Some(("atrous", level)) => atrous::check(captured, level),
             Some(("gradient_atrous", level)) => gradient::check_atrous(captured, level),

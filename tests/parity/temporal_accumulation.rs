@@ -2,6 +2,7 @@
 
 use super::compare::{halves, texels, Tolerance, HALF};
 use super::{each, Captured};
+use atrous::config::Preset;
 use atrous::reference::{
     temporal_accumulation, unpack_moments, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
 };
@@ -30,6 +31,7 @@ pub fn check(c: &Captured) {
         irradiance: &each(&irradiance),
         object_normals,
         history_confidence: history_confidence.as_ref(),
+        repair: c.config.preset == Preset::Percentile,
         previous: Some(PreviousFrame { guide: &previous_guide, signals: &signals }),
     };
     let twin = temporal_accumulation(&c.frame.constants, &inputs);

@@ -2,7 +2,8 @@
 
 use super::compare::{halves, Tolerance, HALF};
 use super::{each, Captured};
-use atrous::reference::{variance, VarianceInputs};
+use atrous::config::Preset;
+use atrous::reference::{fading_variance, variance, VarianceInputs};
 use atrous::UseFrame;
 
 pub fn check(c: &Captured) {
@@ -13,7 +14,8 @@ pub fn check(c: &Captured) {
         irradiance: &each(&irradiance),
         moments: &each(&moments),
     };
-    let twin = variance(&c.frame.constants, &inputs);
+    let estimate = if c.config.preset == Preset::Percentile { fading_variance } else { variance };
+    let twin = estimate(&c.frame.constants, &inputs);
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {
         let name = format!("filter_pong{suffix}");
         // The root of a difference of moments: where the variance is next to 0, rounding decides it.

@@ -21,13 +21,11 @@ pub struct Host {
 
 /// What a test looks at after a frame.
 pub struct Shaded {
-    pub context: FrameContext,
     /// δ, Δ, mean and deviation as the stage `gradient` wrote them.
     pub gradient: Vec<[f32; 4]>,
     /// Texels: previous pixel, 1 + place, 0.
     pub samples: Vec<[u16; 4]>,
     pub confidence: Vec<f32>,
-    pub noisy: Vec<[f32; 4]>,
     pub denoised: Vec<[f32; 4]>,
     pub clean: Vec<[f32; 4]>,
     /// Whether a pixel is not sky.
@@ -77,16 +75,14 @@ impl Host {
             }
             Ok(())
         };
-        let context = self.session.run_traced(params, &Tuning::for_preset(config.preset), trace).expect("frame");
+        self.session.run_traced(params, &Tuning::for_preset(config.preset), trace).expect("frame");
         self.records = records;
         let s = &mut self.session;
         let confidence = |s: &mut Session| s.download("history_confidence").map(|t| t.iter().map(|t| t[0]).collect());
         Shaded {
-            context,
             gradient,
             samples: if gradient_samples(&config) { samples(s) } else { Vec::new() },
             confidence: confidence(s).unwrap_or_default(),
-            noisy,
             denoised: s.download("denoised_radiance").expect("denoised_radiance"),
             clean: guides.clean.iter().map(|c| lit(*c, light)).collect(),
             surface: guides.surface_id.iter().map(|&id| id != 0).collect(),

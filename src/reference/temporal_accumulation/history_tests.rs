@@ -53,6 +53,7 @@ impl Scene {
                 irradiance: &[&new],
                 object_normals: None,
                 history_confidence: None,
+                repair: false,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
                     signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -169,6 +170,7 @@ fn another_render_extent_is_scaled() {
             irradiance: &[&Image::new(now, [0.0; 4])],
             object_normals: None,
             history_confidence: None,
+            repair: false,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
                 signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -200,6 +202,7 @@ fn signals_are_independent_but_for_taps_and_length() {
                     irradiance: &new.iter().collect::<Vec<_>>(),
                     object_normals: None,
                     history_confidence: None,
+                    repair: false,
                     previous: output.as_ref().map(|_| PreviousFrame { guide: &guides.guide, signals: &signals }),
                 },
             );

@@ -22,6 +22,7 @@ fn step(
             irradiance: &[c],
             object_normals: None,
             history_confidence: None,
+            repair: false,
             previous: signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals }),
         },
     )

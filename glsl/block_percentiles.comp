@@ -1,0 +1,68 @@
+#version 450
+// Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
+// Source: [PSVGF], block percentiles. Deviation: ranks by counting; the published odd-even sort is there to compare, and gives the same.
+// In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block.
+// Pixels outside the render extent and background do not take part. Without any: 0, 0.
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "guide.glsl"
+#include "luminance.glsl"
+#include "blocks.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform texture2D irradiance;
+layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles;
+
+const uint SORT_ODD_EVEN = 1u;
+// Behind every luminance that a half float holds.
+const float NO_PIXEL = 1e30;
+
+shared float keys[BLOCK_PIXELS];
+shared float sorted_keys[BLOCK_PIXELS];
+
+// One barrier: each key finds its own place.
+void sort_by_counting(uint i) {
+    float key = keys[i];
+    uint rank = 0u;
+    for (uint j = 0u; j < BLOCK_PIXELS; ++j) rank += uint(keys[j] < key || (keys[j] == key && j < i));
+    sorted_keys[rank] = key;
+    barrier();
+}
+
+// As published: as many rounds as there are keys, with a barrier after each.
+void sort_odd_even(uint i) {
+    sorted_keys[i] = keys[i];
+    barrier();
+    for (uint round = 0u; round < BLOCK_PIXELS; ++round) {
+        uint left = 2u * i + (round & 1u);
+        if (left + 1u < BLOCK_PIXELS) {
+            float a = sorted_keys[left], b = sorted_keys[left + 1u];
+            sorted_keys[left] = min(a, b);
+            sorted_keys[left + 1u] = max(a, b);
+        }
+        barrier();
+    }
+}
+
+float percentile(float share, uint count) {
+    return count == 0u ? 0.0 : sorted_keys[uint(share * float(count - 1u) + 0.5)];
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    uint i = gl_LocalInvocationIndex;
+    bool surface = is_inside(p) && unpack_depth(texelFetch(guide, p, 0)) != 0.0;
+    keys[i] = surface ? luminance(texelFetch(irradiance, p, 0).rgb) : NO_PIXEL;
+    barrier();
+    if (push.level == SORT_ODD_EVEN) sort_odd_even(i);
+    else sort_by_counting(i);
+    if (i != 0u) return;
+    uint count = 0u;
+    for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
+    vec2 percentiles = vec2(percentile(frame.percentile_low, count), percentile(frame.percentile_up, count));
+    imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(packHalf2x16(min(percentiles, 65504.0))));
+}

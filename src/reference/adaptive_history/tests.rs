@@ -1,0 +1,83 @@
+//! Which changes each rule sees, on blocks of one luminance distribution before and another one now.
+
+use super::super::test_scene::*;
+use super::super::*;
+use super::*;
+
+const EXTENT: [u32; 2] = [44, 35];
+
+/// Samples of diffuse light at one sample a pixel: most are 0, few are bright; mean 1.
+fn one_sample(seed: u32) -> Image<[f32; 4]> {
+    noise(EXTENT, seed).map(|t| if t[0] < 0.7 { [0.0; 4] } else { [(t[0] - 0.7) / 0.045; 4] })
+}
+
+/// Mean confidence of both rules (published, test) where the light goes from `before` to `now`.
+fn confidence(before: f32, now: f32) -> (f32, f32) {
+    let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+    let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
+    let history = Image::new(EXTENT, [before; 4]);
+    let moments = Image::new(EXTENT, pack_moments(&Moments { mean: before, deviation: before, history_length: 8.0, reason: 0 }));
+    let guides = HistoryGuides {
+        guide: &guides.guide,
+        surface_motion: &guides.surface_motion,
+        depth_gradient: &guides.depth_gradient,
+        previous_guide: &guides.guide,
+    };
+    let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: guides.guide, irradiance: &irradiance });
+    let published = percentile_rule(&frame, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
+    let history = SignalHistory { irradiance: &history, moments: &moments };
+    let difference = block_difference(&frame, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
+    let test = change_test(&frame, EXTENT, &[&difference]);
+    let mean = |image: &Image<f32>| image.texels().iter().sum::<f32>() / image.texels().len() as f32;
+    (mean(&published), mean(&test))
+}
+
+#[test]
+fn light_that_stays_keeps_its_history() {
+    let (published, test) = confidence(1.0, 1.0);
+    assert!(published > 0.99 && test > 0.95, "{published} {test}");
+}
+
+#[test]
+fn both_rules_see_a_light_that_goes_out() {
+    let (published, test) = confidence(1.0, 0.05);
+    assert!(published < 0.05 && test < 0.05, "{published} {test}");
+}
+
+/// The published rule's low percentile is 0 at one sample a pixel: no history falls below it.
+#[test]
+fn only_the_test_sees_a_light_that_comes_on() {
+    let (published, test) = confidence(0.05, 1.0);
+    assert!(published > 0.99, "{published}");
+    assert!(test < 0.05, "{test}");
+}
+
+#[test]
+fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
+    let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+    let moments = Image::new(EXTENT, pack_moments(&Moments { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 }));
+    let history = Image::new(EXTENT, [1.0; 4]);
+    let guides = HistoryGuides {
+        guide: &guides.guide,
+        surface_motion: &guides.surface_motion,
+        depth_gradient: &guides.depth_gradient,
+        previous_guide: &guides.guide,
+    };
+    let confidence = |now: f32| {
+        let history = SignalHistory { irradiance: &history, moments: &moments };
+        let irradiance = Image::new(EXTENT, [now; 4]);
+        let difference = block_difference(&frame, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
+        change_test(&frame, EXTENT, &[&difference]).texels()[700]
+    };
+    assert_eq!(confidence(1.02), 1.0);
+    assert!(confidence(1.1) < 0.01);
+}
+
+#[test]
+fn without_adaptivity_every_history_is_kept() {
+    let frame = FrameConstants { adaptivity: 0.0, ..frame(EXTENT) };
+    let difference = Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0 }));
+    assert!(change_test(&frame, EXTENT, &[&difference]).texels().iter().all(|c| *c == 1.0));
+    let percentiles = Percentiles { low: 0.0, up: 0.1 };
+    assert_eq!(weight_of_history(&frame, &percentiles, 9.0), 1.0);
+}

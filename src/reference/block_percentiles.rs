@@ -1,0 +1,89 @@
+//! The stage `block_percentiles` \[PSVGF\]: two percentiles of luminance in every 8×8 pixels.
+
+use super::binary16::{from_half_bits, half_bits, store};
+use super::blocks::{allocated_blocks, Blocks};
+use super::guide::unpack_guide;
+use super::luminance::texel_luminance;
+use super::Image;
+use crate::FrameConstants;
+
+/// What a block holds, of the luminance of the irradiance of its surface pixels; 0, 0 without any.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Percentiles {
+    /// The lower one.
+    pub low: f32,
+    /// The upper one.
+    pub up: f32,
+}
+
+impl Percentiles {
+    /// By how much a luminance may leave the percentiles and still be usual: IPR.
+    pub(crate) fn range(&self, frame: &FrameConstants) -> f32 {
+        (self.up - self.low) * frame.percentile_range
+    }
+}
+
+/// A texel of `block_percentiles*`.
+pub fn pack_percentiles(percentiles: &Percentiles) -> u32 {
+    u32::from(half_bits(store(percentiles.low))) | u32::from(half_bits(store(percentiles.up))) << 16
+}
+
+/// The content of a texel of `block_percentiles*`.
+pub fn unpack_percentiles(texel: u32) -> Percentiles {
+    Percentiles { low: from_half_bits(texel as u16), up: from_half_bits((texel >> 16) as u16) }
+}
+
+/// Inputs of [`block_percentiles`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockPercentilesInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: irradiance of one signal, as written by `demodulate`.
+    pub irradiance: &'a Image<[f32; 4]>,
+}
+
+/// One texel a block; see [`unpack_percentiles`].
+pub fn block_percentiles(frame: &FrameConstants, inputs: &BlockPercentilesInputs) -> Image<u32> {
+    let blocks = Blocks::new(frame.render_extent);
+    Image::compute(allocated_blocks(inputs.guide), blocks.extent(), |block| {
+        let surfaces = Blocks::pixels(block, frame.render_extent).filter(|p| !unpack_guide(inputs.guide.at(*p)).is_background());
+        let mut luminances: Vec<f32> = surfaces.map(|p| texel_luminance(inputs.irradiance.at(p))).collect();
+        luminances.sort_by(f32::total_cmp);
+        let at = |share: f32| match luminances.len() {
+            0 => 0.0,
+            n => luminances[((share * (n - 1) as f32 + 0.5) as usize).min(n - 1)],
+        };
+        pack_percentiles(&Percentiles { low: at(frame.percentile_low), up: at(frame.percentile_up) })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_scene::*;
+    use super::*;
+
+    #[test]
+    fn only_real_surface_pixels_count() {
+        let extent = [11, 8];
+        let guides = guides(extent, |x, y| if x == 9 && y == 0 { Surface::default() } else { surface(2.0) });
+        use super::super::Surface;
+        // The right block has 3 columns: luminances 8 to 10, of which one pixel is background.
+        let irradiance = paint(extent, |x, y| if x == 9 && y == 0 { [1000.0; 4] } else { [x as f32; 4] });
+        let inputs = BlockPercentilesInputs { guide: &guides.guide, irradiance: &irradiance };
+        let frame = FrameConstants { percentile_low: 0.0, percentile_up: 1.0, ..frame(extent) };
+        let blocks = block_percentiles(&frame, &inputs);
+        assert_eq!(blocks.extent(), [2, 1]);
+        let of = |x| unpack_percentiles(*blocks.get(x, 0).expect("inside"));
+        assert_eq!((of(0).low, of(0).up.round()), (0.0, 7.0));
+        assert_eq!((of(1).low.round(), of(1).up.round()), (8.0, 10.0));
+    }
+
+    #[test]
+    fn a_block_of_sky_has_none() {
+        let extent = [8, 8];
+        let guides = guides(extent, |_, _| super::super::Surface::default());
+        let irradiance = noise(extent, 1);
+        let blocks = block_percentiles(&frame(extent), &BlockPercentilesInputs { guide: &guides.guide, irradiance: &irradiance });
+        assert_eq!(unpack_percentiles(blocks.texels()[0]), Percentiles::default());
+    }
+}

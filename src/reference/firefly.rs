@@ -1,0 +1,95 @@
+//! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them.
+
+use super::binary16::store;
+use super::block_percentiles::unpack_percentiles;
+use super::blocks::{block_of, Blocks};
+use super::guide::unpack_guide;
+use super::luminance::texel_luminance;
+use super::Image;
+use crate::FrameConstants;
+
+/// Inputs of [`firefly`].
+#[derive(Clone, Copy, Debug)]
+pub struct FireflyInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `block_percentiles` for this signal.
+    pub block_percentiles: &'a Image<u32>,
+    /// rgb: irradiance of one signal, as written by `demodulate`.
+    pub irradiance: &'a Image<[f32; 4]>,
+}
+
+/// rgb: irradiance without outliers, half precision; alpha as it came.
+pub fn firefly(frame: &FrameConstants, inputs: &FireflyInputs) -> Image<[f32; 4]> {
+    let rect = Blocks::new(frame.render_extent).rect();
+    let limit_of = |block| {
+        let percentiles = unpack_percentiles(inputs.block_percentiles.at(block));
+        // Next to all samples black: such a block does not say what is bright.
+        if percentiles.up > 0.0 {
+            frame.firefly_bias + percentiles.up + percentiles.range(frame)
+        } else {
+            0.0
+        }
+    };
+    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+        let texel = inputs.irradiance.at(p);
+        if unpack_guide(inputs.guide.at(p)).is_background() {
+            return texel;
+        }
+        let limit = rect.window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max);
+        let l = texel_luminance(texel);
+        if limit == 0.0 || l <= limit {
+            return texel;
+        }
+        let [r, g, b] = [0, 1, 2].map(|i| store(texel[i] * (limit / l)));
+        [r, g, b, texel[3]]
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_scene::*;
+    use super::super::{block_percentiles, BlockPercentilesInputs};
+    use super::*;
+
+    const EXTENT: [u32; 2] = [45, 30];
+
+    fn filtered(irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+        let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+        let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: &guides.guide, irradiance });
+        firefly(&frame, &FireflyInputs { guide: &guides.guide, block_percentiles: &percentiles, irradiance })
+    }
+
+    fn mean(image: &Image<[f32; 4]>) -> f64 {
+        image.texels().iter().map(|t| f64::from(texel_luminance(*t))).sum::<f64>() / image.texels().len() as f64
+    }
+
+    #[test]
+    fn energy_stays_where_there_are_no_outliers() {
+        // Uniform; exponential, as heavy a tail as diffuse light at one sample has; black and white.
+        let shapes: [fn(f32) -> f32; 3] = [|u| u, |u| -(1.0 - u).max(1e-7).ln(), |u| f32::from(u > 0.8)];
+        for (i, shape) in shapes.into_iter().enumerate() {
+            let input = noise(EXTENT, 5).map(|t| t.map(shape));
+            let change = mean(&filtered(&input)) / mean(&input) - 1.0;
+            assert!(change.abs() < 0.005, "shape {i}: {change}");
+        }
+    }
+
+    #[test]
+    fn an_outlier_is_scaled_down_and_keeps_its_hue() {
+        let mut input = noise(EXTENT, 3);
+        *input.get_mut(20, 12).expect("inside") = [5000.0, 2500.0, 0.0, 0.0];
+        let output = filtered(&input);
+        let [r, g, b, _] = *output.get(20, 12).expect("inside");
+        assert!(r < 5.0 && (r / g - 2.0).abs() < 0.01 && b == 0.0, "{r} {g} {b}");
+        assert_eq!(output.get(2, 2), input.get(2, 2));
+    }
+
+    #[test]
+    fn a_lit_corner_of_a_dark_block_and_a_rare_sample_among_black_ones_stay() {
+        let lit = paint(EXTENT, |x, y| if x >= 15 && y >= 15 { [1.0; 4] } else { [0.01; 4] });
+        assert_eq!(filtered(&lit), lit);
+        let rare = paint(EXTENT, |x, y| if (x * 7 + y * 13) % 61 == 0 { [3.0; 4] } else { [0.0; 4] });
+        assert_eq!(filtered(&rare), rare);
+    }
+}

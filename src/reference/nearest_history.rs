@@ -1,0 +1,44 @@
+//! The pixel of the previous frame nearest to where a surface was: coarser than the taps of `temporal_accumulation`, for statistics over many pixels.
+
+use super::conventions::is_reset;
+use super::guide::unpack_guide;
+use super::projection::extent_ratio;
+use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use super::{render_rect::RenderRect, Image};
+use crate::FrameConstants;
+use glam::{IVec2, Vec2};
+
+/// Guides of two frames; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct HistoryGuides<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// As written by `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// The guide of the previous frame. Not read in a reset frame.
+    pub previous_guide: &'a Image<[u16; 4]>,
+}
+
+impl HistoryGuides<'_> {
+    /// The pixel of the previous frame, where it still shows the surface of `p`: same id, expected depth.
+    pub(crate) fn nearest(&self, frame: &FrameConstants, p: IVec2) -> Option<IVec2> {
+        let surface = unpack_guide(self.guide.at(p));
+        if surface.is_background() || is_reset(frame) {
+            return None;
+        }
+        let motion = unpack_surface_motion(self.surface_motion.at(p));
+        let tap = ((p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion)).floor().as_ivec2();
+        if !RenderRect::new(frame.previous_render_extent).contains(tap) {
+            return None;
+        }
+        let previous = unpack_guide(self.previous_guide.at(tap));
+        let expected = surface.linear_depth * (1.0 + motion.depth_ratio);
+        let [dx, dy] = unpack_depth_gradient(self.depth_gradient.at(p));
+        let tolerance = frame.depth_tolerance * expected + dx.abs() + dy.abs();
+        let is_same =
+            !previous.is_background() && previous.id == surface.id && (previous.linear_depth - expected).abs() <= tolerance;
+        is_same.then_some(tap)
+    }
+}
