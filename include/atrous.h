@@ -62,12 +62,18 @@ typedef struct AtrousConfig {
   uint32_t height;
   // Frames that the host records before it waits for the oldest, 1 to 8.
   uint32_t frames_in_flight;
-  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser.
+  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile.
   uint32_t preset;
   // 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
   uint32_t signals;
   // À-trous levels, 1 to 10.
   uint32_t levels;
+  // 1: fireflies are removed before accumulation; the percentile preset always does.
+  uint32_t firefly_filter;
+  // How the percentile preset sees changed light. 0: change test; 1: percentiles.
+  uint32_t adaptive_rule;
+  // How percentiles are found. 0: counting; 1: odd-even transposition.
+  uint32_t block_sort;
   // Side of the strata of temporal gradients, 2 to 4 pixels.
   uint32_t stratum_size;
   // Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.

@@ -2,6 +2,7 @@
 
 use crate::config::Config;
 use crate::contract::{Declaration, Lifetime, Shape};
+use crate::denoiser::Device;
 use crate::error::Error;
 use crate::shaders::BindingKind;
 use ash::vk;
@@ -126,6 +127,28 @@ impl Requirements {
                 "synchronization2 (Vulkan 1.3 or VK_KHR_synchronization2); drive the passes from your own frame graph instead"
                     .into(),
             ];
+            return Err(Error::Unsupported { missing });
+        }
+        Ok(())
+    }
+
+    /// As [`Self::check_executor`], and that the host enabled it on the device that it created.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] says what to create the device with.
+    ///
+    /// # Safety
+    /// The handles are live and belong together.
+    pub unsafe fn check_executor_device(&self, host: Device<'_>) -> Result<(), Error> {
+        // SAFETY: the caller's.
+        let barrier = unsafe {
+            self.check_executor(host.instance, host.physical_device)?;
+            host.instance.get_device_proc_addr(host.device.handle(), c"vkCmdPipelineBarrier2".as_ptr())
+        };
+        if barrier.is_none() {
+            let missing = vec!["synchronization2 on this device: the physical device has it, so create instance and device for \
+                 Vulkan 1.3 with the feature enabled; or drive the passes from your own frame graph, which needs Vulkan 1.1 alone"
+                .into()];
             return Err(Error::Unsupported { missing });
         }
         Ok(())

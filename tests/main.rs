@@ -3,6 +3,7 @@
 //! One program with a harness of its own, so that a machine without a device counts these tests as ignored, and says so, instead of passing them.
 //! `ATROUS_REQUIRE_DEVICE=1` makes a missing device a failure.
 
+mod allocation;
 mod bad_input;
 mod contract;
 mod declarations;
@@ -24,6 +25,9 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 /// A test that needs a device: a name and a function that panics where something is wrong.
 pub type GpuTest = (&'static str, fn());
 
+#[global_allocator]
+static ALLOCATOR: allocation::Counting = allocation::Counting;
+
 fn main() {
     if let Some(code) = hosts::run_as_host() {
         std::process::exit(code);
@@ -37,6 +41,7 @@ fn main() {
         assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
     }
     let groups: &[(&str, &[GpuTest], bool)] = &[
+        ("allocation", allocation::TESTS, true),
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("documents", documents::TESTS, false),

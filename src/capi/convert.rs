@@ -3,8 +3,8 @@
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use crate::config::{
-    Conventions, DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, PostProcess,
-    Preset, Signals, ViewForward,
+    AdaptiveRule, BlockSort, Conventions, DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
+    NormalSpace, PostProcess, Preset, Signals, ViewForward,
 };
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
 use crate::{Config, FrameParams, ResetReason};
@@ -18,10 +18,14 @@ fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
 }
 
 /// In the order of their numbers.
-const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize];
+const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile];
 
 const GRADIENT_SOURCES: &[GradientSource] =
     &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
+
+const ADAPTIVE_RULES: &[AdaptiveRule] = &[AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles];
+
+const BLOCK_SORTS: &[BlockSort] = &[BlockSort::Counting, BlockSort::OddEven];
 
 impl AtrousConfig {
     pub(super) fn to_config(self) -> Result<Config, Failure> {
@@ -56,6 +60,9 @@ impl AtrousConfig {
             preset: pick("preset", self.preset, PRESETS)?,
             signals: pick("signals", self.signals, &[Signals::Together, Signals::Apart])?,
             levels: self.levels,
+            firefly_filter: flag("firefly_filter", self.firefly_filter)?,
+            adaptive_rule: pick("adaptive_rule", self.adaptive_rule, ADAPTIVE_RULES)?,
+            block_sort: pick("block_sort", self.block_sort, BLOCK_SORTS)?,
             stratum_size: self.stratum_size,
             gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
             forward_motion: flag("forward_motion", self.forward_motion)?,
@@ -80,6 +87,9 @@ impl AtrousConfig {
             preset: config.preset as u32,
             signals: config.signals as u32,
             levels: config.levels,
+            firefly_filter: config.firefly_filter.into(),
+            adaptive_rule: config.adaptive_rule as u32,
+            block_sort: config.block_sort as u32,
             stratum_size: config.stratum_size,
             gradient_source: config.gradient_source as u32,
             forward_motion: config.forward_motion.into(),

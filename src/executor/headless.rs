@@ -37,6 +37,7 @@ pub struct HeadlessDevice {
     queue: Mutex<vk::Queue>,
     queue_family: u32,
     timestamps: bool,
+    timeline_semaphores: bool,
     name: String,
 }
 
@@ -59,12 +60,24 @@ impl HeadlessDevice {
             this.messenger = Some(create_messenger(&entry, &instance, &errors)?);
         }
         let (physical_device, name) = choose(&instance, options.device.as_deref())?;
-        let (device, queue_family, timestamps) = create_device(&instance, physical_device)?;
+        let Opened { device, queue_family, timestamps, timeline_semaphores } = create_device(&instance, physical_device)?;
         // SAFETY: the family was asked for with one queue.
         let queue = Mutex::new(unsafe { device.get_device_queue(queue_family, 0) });
         let messenger = this.messenger.take();
         this.instance = None;
-        Ok(Self { _entry: entry, instance, messenger, errors, physical_device, device, queue, queue_family, timestamps, name })
+        Ok(Self {
+            _entry: entry,
+            instance,
+            messenger,
+            errors,
+            physical_device,
+            device,
+            queue,
+            queue_family,
+            timestamps,
+            timeline_semaphores,
+            name,
+        })
     }
 
     /// For [`crate::Denoiser`] and [`super::Executor`].
@@ -90,6 +103,11 @@ impl HeadlessDevice {
     /// The family of the queue.
     pub fn queue_family(&self) -> u32 {
         self.queue_family
+    }
+
+    /// Whether timeline semaphores are enabled: where the device has Vulkan 1.2.
+    pub fn has_timeline_semaphores(&self) -> bool {
+        self.timeline_semaphores
     }
 
     /// Whether the queue can write timestamps.
@@ -241,7 +259,14 @@ fn choose(instance: &ash::Instance, wanted: Option<&str>) -> Result<(vk::Physica
     }
 }
 
-fn create_device(instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(ash::Device, u32, bool), Error> {
+struct Opened {
+    device: ash::Device,
+    queue_family: u32,
+    timestamps: bool,
+    timeline_semaphores: bool,
+}
+
+fn create_device(instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<Opened, Error> {
     // SAFETY: the instance is live and the device was listed by it; every pointer lives until its call returns.
     unsafe {
         let families = instance.get_physical_device_queue_family_properties(physical_device);
@@ -252,12 +277,16 @@ fn create_device(instance: &ash::Instance, physical_device: vk::PhysicalDevice) 
         let extensions = if version < vk::API_VERSION_1_3 { vec![vk::KHR_SYNCHRONIZATION2_NAME.as_ptr()] } else { vec![] };
         let priorities = [1.0];
         let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(family as u32).queue_priorities(&priorities)];
+        // Mandatory from 1.2 on.
+        let timeline_semaphores = version >= vk::API_VERSION_1_2;
+        let mut timeline = vk::PhysicalDeviceTimelineSemaphoreFeatures::default().timeline_semaphore(true);
         let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default().synchronization2(true);
         let info =
             vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions).push_next(&mut sync2);
+        let info = if timeline_semaphores { info.push_next(&mut timeline) } else { info };
         let device = instance
             .create_device(physical_device, &info, None)
             .map_err(|e| Error::NoDevice(format!("vkCreateDevice failed with {e}; it needs synchronization2")))?;
-        Ok((device, family as u32, timestamps))
+        Ok(Opened { device, queue_family: family as u32, timestamps, timeline_semaphores })
     }
 }

@@ -97,14 +97,14 @@ impl Executor {
     /// Creates the denoiser, and allocates histories, transients and outputs.
     ///
     /// # Errors
-    /// As [`Denoiser::new`] and [`Requirements::check_executor`]; [`Error::OutOfMemory`].
+    /// As [`Denoiser::new`] and [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
     ///
     /// # Safety
     /// As [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is complete.
     pub unsafe fn new(host: Device<'_>, config: &Config, options: ExecutorOptions) -> Result<Self, Error> {
         // SAFETY: the caller's, for each of these.
         unsafe {
-            Requirements::new(config)?.check_executor(host.instance, host.physical_device)?;
+            Requirements::new(config)?.check_executor_device(host)?;
             let denoiser = Denoiser::new(host, config)?;
             let memory = Memory::new(host, denoiser.declaration(), &options)?;
             let passes = denoiser.declaration().passes().len();

@@ -4,13 +4,16 @@
 //! from outside, and reports on the standard output.
 
 mod cpp;
+mod fewer_features;
 #[path = "../../examples/host_ash.rs"]
 mod host_ash;
 #[path = "../../examples/host_vk_graph.rs"]
 mod host_vk_graph;
+mod submissions;
 
 use super::support::{assert_valid, session};
 use super::GpuTest;
+use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::{Config, FrameParams, Tuning};
 use atrous_synthetic as synthetic;
@@ -22,8 +25,21 @@ pub const TESTS: &[GpuTest] = &[
     ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
     ("vk_graph_gives_the_bits_of_the_executor", vk_graph_gives_the_bits_of_the_executor),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
+    ("phases_in_submissions_of_their_own_give_the_same_bits", submissions::phases_in_submissions_of_their_own_give_the_same_bits),
+    ("the_boundary_names_what_crosses_between_phases", submissions::the_boundary_names_what_crosses_between_phases),
+    (
+        "a_device_without_synchronization2_runs_the_nodes_and_not_the_executor",
+        fewer_features::a_device_without_synchronization2_runs_the_nodes_and_not_the_executor,
+    ),
+    ("a_device_with_everything_is_told_nothing", fewer_features::a_device_with_everything_is_told_nothing),
     ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
 ];
+
+/// One configuration of every preset.
+pub fn configurations() -> impl Iterator<Item = Config> {
+    let presets = [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile];
+    presets.into_iter().map(|preset| Config { preset, ..Config::new(synthetic::EXTENT) })
+}
 
 /// Names the host that a process of this program runs instead of the tests.
 const VARIABLE: &str = "ATROUS_TEST_HOST";

@@ -1,6 +1,7 @@
 //! What the tests share: the device, sessions on it, and a synthetic scene.
 
 pub mod host;
+pub mod rig;
 pub mod scene;
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};

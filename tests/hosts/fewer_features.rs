@@ -1,0 +1,50 @@
+//! A host whose device has less than the executor asks for: the nodes run (`host_ash` is such a host), and the executor says what it misses.
+
+use ash::vk;
+use atrous::{Config, Denoiser, Device, Error, Requirements};
+
+/// A device of Vulkan 1.1 without any feature, on the physical device that the tests use.
+fn with_a_plain_device(body: impl FnOnce(Device<'_>)) {
+    // SAFETY: every pointer lives until its call returns; the device goes before its instance.
+    unsafe {
+        let entry = ash::Entry::load().expect("a loader");
+        let application = vk::ApplicationInfo::default().api_version(vk::API_VERSION_1_1);
+        let instance =
+            entry.create_instance(&vk::InstanceCreateInfo::default().application_info(&application), None).expect("instance");
+        let physical_device = instance.enumerate_physical_devices().expect("devices")[0];
+        let families = instance.get_physical_device_queue_family_properties(physical_device);
+        let family = families.iter().position(|f| f.queue_flags.contains(vk::QueueFlags::COMPUTE)).expect("compute") as u32;
+        let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(family).queue_priorities(&[1.0])];
+        let info = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+        let device = instance.create_device(physical_device, &info, None).expect("device");
+        body(Device { instance: &instance, physical_device, device: &device });
+        device.destroy_device(None);
+        instance.destroy_instance(None);
+    }
+}
+
+pub fn a_device_without_synchronization2_runs_the_nodes_and_not_the_executor() {
+    with_a_plain_device(|host| {
+        for config in super::configurations() {
+            // SAFETY: the handles are live and belong together.
+            unsafe {
+                let requirements = Requirements::new(&config).expect("valid");
+                requirements.check(host.instance, host.physical_device).expect("the nodes need nothing beyond Vulkan 1.1");
+                Denoiser::new(host, &config).expect("a denoiser");
+                let error = requirements.check_executor_device(host).expect_err("the executor needs more");
+                let Error::Unsupported { missing } = &error else { panic!("{error}") };
+                assert_eq!(missing.len(), 1, "{missing:?}");
+                assert!(missing[0].contains("synchronization2"), "{error}");
+                let opened = atrous::executor::Executor::new(host, &config, Default::default());
+                assert_eq!(opened.err(), Some(error));
+            }
+        }
+    });
+}
+
+pub fn a_device_with_everything_is_told_nothing() {
+    let gpu = crate::support::gpu();
+    let requirements = Requirements::new(&Config::new([64, 36])).expect("valid");
+    // SAFETY: the handles are live and belong together.
+    unsafe { requirements.check_executor_device(gpu.host()) }.expect("the executor's own device");
+}

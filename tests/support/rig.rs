@@ -1,0 +1,134 @@
+//! An executor on command buffers of the test's own, with images for the inputs of the synthetic sequence.
+
+use ash::vk;
+use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice, HostImage};
+use atrous::{Config, Lifetime, ResourceId, Shape};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// State of an input whenever a phase is recorded: as an upload leaves it.
+pub const UPLOADED: (vk::PipelineStageFlags2, vk::AccessFlags2, vk::ImageLayout) =
+    (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE, vk::ImageLayout::TRANSFER_DST_OPTIMAL);
+
+pub struct Rig {
+    // Declared first, so that it is dropped first.
+    pub executor: Executor,
+    pub commands: Vec<vk::CommandBuffer>,
+    /// Inputs by name.
+    pub images: BTreeMap<&'static str, vk::Image>,
+    pub gpu: Arc<HeadlessDevice>,
+    pool: vk::CommandPool,
+    views: Vec<vk::ImageView>,
+    buffers: Vec<vk::Buffer>,
+    memory: Vec<vk::DeviceMemory>,
+}
+
+impl Rig {
+    /// Binds every input but `instance_transforms`, optional ones as well.
+    pub fn new(gpu: Arc<HeadlessDevice>, config: &Config, commands: u32) -> Self {
+        let options = ExecutorOptions { extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC, ..Default::default() };
+        let device = gpu.device();
+        // SAFETY: the device is live, has synchronization2, and outlives the executor and the pool.
+        let (executor, pool, commands) = unsafe {
+            let info = vk::CommandPoolCreateInfo::default()
+                .queue_family_index(gpu.queue_family())
+                .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER);
+            let pool = device.create_command_pool(&info, None).expect("pool");
+            let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(commands);
+            let commands = device.allocate_command_buffers(&info).expect("command buffers");
+            (Executor::new(gpu.host(), config, options).expect("executor"), pool, commands)
+        };
+        let (views, buffers, memory) = (Vec::new(), Vec::new(), Vec::new());
+        let mut rig = Self { executor, commands, images: BTreeMap::new(), gpu, pool, views, buffers, memory };
+        rig.bind_inputs();
+        rig
+    }
+
+    fn bind_inputs(&mut self) {
+        let declaration = self.executor.denoiser().declaration().clone();
+        for id in (0..declaration.resources().len() as u32).map(ResourceId) {
+            let decl = declaration.resource(id);
+            let (Shape::Image { format, .. }, Lifetime::Input { .. }) = (decl.shape, decl.lifetime) else { continue };
+            let extent = decl.extent(declaration.allocated_extent()).expect("an image");
+            let wide = vk::Format::R32G32B32A32_SFLOAT;
+            let format = if format.accepts(wide) { wide } else { format.preferred() };
+            let image = self.image(decl.name, format, extent, decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST);
+            self.executor.bind_image(decl.name, image).expect(decl.name);
+        }
+    }
+
+    fn image(&mut self, name: &'static str, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags) -> HostImage {
+        let gpu = self.gpu.clone();
+        let info = vk::ImageCreateInfo::default()
+            .image_type(vk::ImageType::TYPE_2D)
+            .format(format)
+            .extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
+            .mip_levels(1)
+            .array_layers(1)
+            .samples(vk::SampleCountFlags::TYPE_1)
+            .usage(usage);
+        // SAFETY: the device is live; what is made here is destroyed with the rig.
+        let (image, view) = unsafe {
+            let image = gpu.device().create_image(&info, None).expect("image");
+            let memory = self.allocate(gpu.device().get_image_memory_requirements(image), vk::MemoryPropertyFlags::empty());
+            gpu.device().bind_image_memory(image, memory, 0).expect("memory");
+            let info = vk::ImageViewCreateInfo::default().image(image).view_type(vk::ImageViewType::TYPE_2D).format(format);
+            (image, gpu.device().create_image_view(&info.subresource_range(whole()), None).expect("view"))
+        };
+        self.images.insert(name, image);
+        self.views.push(view);
+        let (stage, access, layout) = UPLOADED;
+        HostImage { image, view, format, extent, layout, stage, access }
+    }
+
+    /// A mapped buffer that copies read and write.
+    pub fn staging(&mut self, size: usize) -> (vk::Buffer, *mut u8) {
+        let gpu = self.gpu.clone();
+        let usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
+        // SAFETY: as above.
+        unsafe {
+            let info = vk::BufferCreateInfo::default().size(size as u64).usage(usage);
+            let buffer = gpu.device().create_buffer(&info, None).expect("buffer");
+            let visible = vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT;
+            let memory = self.allocate(gpu.device().get_buffer_memory_requirements(buffer), visible);
+            gpu.device().bind_buffer_memory(buffer, memory, 0).expect("memory");
+            self.buffers.push(buffer);
+            let mapped = gpu.device().map_memory(memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty()).expect("mapped");
+            (buffer, mapped.cast())
+        }
+    }
+
+    fn allocate(&mut self, needs: vk::MemoryRequirements, flags: vk::MemoryPropertyFlags) -> vk::DeviceMemory {
+        let host = self.gpu.host();
+        // SAFETY: the handles are live and belong together.
+        let types = unsafe { host.instance.get_physical_device_memory_properties(host.physical_device) };
+        let fits = |i: &u32| needs.memory_type_bits >> i & 1 == 1 && types.memory_types[*i as usize].property_flags.contains(flags);
+        let index = (0..types.memory_type_count).find(fits).expect("a type of memory");
+        let info = vk::MemoryAllocateInfo::default().allocation_size(needs.size).memory_type_index(index);
+        // SAFETY: as above.
+        let memory = unsafe { host.device.allocate_memory(&info, None) }.expect("memory");
+        self.memory.push(memory);
+        memory
+    }
+}
+
+impl Drop for Rig {
+    fn drop(&mut self) {
+        let _queue = self.gpu.queue();
+        let device = self.gpu.device();
+        // SAFETY: ours; the device is idle.
+        unsafe {
+            let _ = device.device_wait_idle();
+            self.views.iter().for_each(|&view| device.destroy_image_view(view, None));
+            self.images.values().for_each(|&image| device.destroy_image(image, None));
+            self.buffers.iter().for_each(|&buffer| device.destroy_buffer(buffer, None));
+            self.memory.iter().for_each(|&memory| device.free_memory(memory, None));
+            device.destroy_command_pool(self.pool, None);
+        }
+    }
+}
+
+/// Every image here has one mip level and one layer.
+pub fn whole() -> vk::ImageSubresourceRange {
+    vk::ImageSubresourceRange::default().aspect_mask(vk::ImageAspectFlags::COLOR).level_count(1).layer_count(1)
+}
