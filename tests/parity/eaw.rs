@@ -6,7 +6,7 @@ use atrous::reference::{eaw, EawInputs};
 use atrous::UseFrame;
 
 pub fn check(c: &Captured, level: u32) {
-    let (from, to) = if level % 2 == 0 { ("filter_ping", "filter_pong") } else { ("filter_pong", "filter_ping") };
+    let (from, to) = if level.is_multiple_of(2) { ("filter_ping", "filter_pong") } else { ("filter_pong", "filter_ping") };
     let irradiance = c.signals(from, UseFrame::Current);
     let inputs = EawInputs { guide: &c.packed("guide", UseFrame::Current), irradiance: &each(&irradiance) };
     let twin = eaw(&c.frame.constants, level, &inputs);

@@ -208,7 +208,7 @@ fn leave_holes(config: &Config, guides: &mut Guides) {
     let stride = config.allocated_extent[0];
     for images in [&mut guides.noisy_radiance, &mut guides.noisy_direct, &mut guides.noisy_indirect] {
         for (i, texel) in (0..).zip(images.iter_mut()) {
-            if (i % stride) % side != 0 || (i / stride) % side != 0 {
+            if !(i % stride).is_multiple_of(side) || !(i / stride).is_multiple_of(side) {
                 *texel = [f32::NAN; 4];
             }
         }
