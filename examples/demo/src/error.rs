@@ -26,6 +26,12 @@ pub enum Error {
     /// The Khronos validation layer was asked for and is not installed.
     #[error("validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed (Debian, Ubuntu: `apt install vulkan-validationlayers`)")]
     NoValidationLayer,
+    /// Something that a window needs is not there.
+    #[error("no Vulkan device here has the extension {name}, which a window needs: run without --window, which writes pictures to a folder")]
+    NoExtension {
+        /// Its name.
+        name: String,
+    },
     /// A Vulkan call failed.
     #[error("Vulkan failed to {doing}: {result}")]
     Vulkan {

@@ -30,7 +30,7 @@ fn demo(options: &Options) -> Result<usize> {
         return Ok(0);
     }
     options.check()?;
-    let gpu = Gpu::new(&GpuOptions { device: options.device.clone(), validation: options.validate })?;
+    let gpu = Gpu::new(&GpuOptions { device: options.device.clone(), validation: options.validate, ..GpuOptions::default() })?;
     println!("device {}", gpu.info());
     for scene in &options.scenes {
         run::run(options, &gpu, scene)?;

@@ -118,7 +118,7 @@ impl Options {
             SignalsName::Together => Signals::Together,
         };
         let PresetName::Svgf = self.preset;
-        Ok(DenoiserOptions { signals, taa: self.taa, tuning: self.tuning()? })
+        Ok(DenoiserOptions { signals, taa: self.taa, tuning: self.tuning()?, ..DenoiserOptions::default() })
     }
 
     fn tuning(&self) -> Result<Tuning> {

@@ -34,11 +34,16 @@ impl Gpu {
         unsafe { device.end_command_buffer(cmd) }.doing("end a command buffer")?;
         let commands = [cmd];
         let submits = [vk::SubmitInfo::default().command_buffers(&commands)];
-        // SAFETY: the queue belongs to the device, and the pool's lock keeps other threads from submitting.
-        unsafe {
-            device.queue_submit(self.queue(), &submits, vk::Fence::null()).doing("submit")?;
-            device.queue_wait_idle(self.queue()).doing("wait for the device")?;
-        }
+        // SAFETY: the device is alive.
+        let fence = unsafe { device.create_fence(&vk::FenceCreateInfo::default(), None) }.doing("create a fence")?;
+        // SAFETY: the queue belongs to the device and is locked; another thread may submit while this one waits.
+        let done = unsafe {
+            let submitted = device.queue_submit(*self.queue(), &submits, fence);
+            submitted.and_then(|()| device.wait_for_fences(&[fence], true, u64::MAX))
+        };
+        // SAFETY: nothing waits for it any more.
+        unsafe { device.destroy_fence(fence, None) };
+        done.doing("submit and wait for the device")?;
         Ok(value)
     }
 

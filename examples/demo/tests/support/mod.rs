@@ -13,7 +13,7 @@ pub struct Validated(pub Gpu);
 
 impl Validated {
     pub fn new() -> Self {
-        Self(Gpu::new(&GpuOptions { device: None, validation: true }).expect("a device and the validation layer"))
+        Self(Gpu::new(&GpuOptions { validation: true, ..GpuOptions::default() }).expect("a device and the validation layer"))
     }
 }
 
