@@ -6,6 +6,7 @@ mod atrous;
 mod block_difference;
 mod block_percentiles;
 mod compare;
+mod debug_view;
 mod demodulate;
 mod eaw;
 mod firefly;
@@ -68,6 +69,7 @@ pub const TESTS: &[GpuTest] = &[
     ("asvgf_one_pixel", asvgf::one_pixel),
     ("asvgf_other_resolutions", asvgf::other_resolutions),
     ("stabilize", asvgf::stabilize),
+    ("debug_views", debug_view::every_view),
 ];
 
 fn percentile(extent: [u32; 2]) -> Config {
@@ -245,7 +247,7 @@ fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result<Res
     let mut captured = BTreeMap::new();
     for u in declaration.passes()[pass].uses.iter().filter(|u| want(u.access)) {
         let resource = declaration.resource(u.resource);
-        if matches!(resource.shape, Shape::Image { .. }) || resource.name == "instance_transforms" {
+        if matches!(resource.shape, Shape::Image { .. }) || ["instance_transforms", "statistics"].contains(&resource.name) {
             // An optional input that nothing is bound to has no bytes.
             if let Ok(bytes) = s.download_bytes(resource.name, u.frame) {
                 captured.insert((resource.name.to_owned(), u.frame), bytes);
@@ -271,6 +273,7 @@ fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
         "modulate" => modulate::check(captured),
         "tone_map" => tone_map::check(captured),
         "taa" => taa::check(captured),
+        "debug_view" => debug_view::check(captured),
         "adaptive_history" => adaptive_history::check(captured),
         name if name.starts_with("block_percentiles") => block_percentiles::check(captured, &name["block_percentiles".len()..]),
         name if name.starts_with("block_difference") => block_difference::check(captured, &name["block_difference".len()..]),
