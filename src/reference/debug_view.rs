@@ -175,7 +175,7 @@ fn bad_values(frame: &FrameConstants, statistics: &Statistics, p: IVec2) -> ([f3
     if (p.x as f32 + 0.5) / (width as f32) < length {
         (from_srgb(REASON_COLOURS[5].map(f32::from)), count)
     } else {
-        ([if kind % 2 == 0 { 0.02 } else { 0.04 }; 3], count)
+        ([if kind.is_multiple_of(2) { 0.02 } else { 0.04 }; 3], count)
     }
 }
 
