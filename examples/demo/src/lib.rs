@@ -14,6 +14,8 @@ pub mod report;
 pub mod scene;
 pub mod tracer;
 pub mod view;
+#[cfg(feature = "window")]
+pub mod window;
 
 pub use denoiser::{DenoiserOptions, FrameDenoiser};
 pub use error::{Error, Result};

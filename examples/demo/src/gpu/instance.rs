@@ -76,6 +76,17 @@ impl Instance {
         }
         Ok(instance)
     }
+
+    pub fn has_extension(name: &CStr) -> Result<bool> {
+        // SAFETY: the system's Vulkan loader is trusted to initialise as specified.
+        let entry = unsafe { ash::Entry::load() }?;
+        Ok(extensions(&entry)?.iter().any(|e| e.extension_name_as_c_str() == Ok(name)))
+    }
+}
+
+fn extensions(entry: &ash::Entry) -> Result<Vec<vk::ExtensionProperties>> {
+    // SAFETY: a plain query of the loader.
+    unsafe { entry.enumerate_instance_extension_properties(None) }.doing("list the instance's extensions")
 }
 
 impl Drop for Instance {
@@ -111,8 +122,7 @@ fn require_layer(entry: &ash::Entry) -> Result<()> {
 }
 
 fn require_extensions(entry: &ash::Entry, wanted: &[&'static CStr]) -> Result<()> {
-    // SAFETY: a plain query of the loader.
-    let found = unsafe { entry.enumerate_instance_extension_properties(None) }.doing("list the instance's extensions")?;
+    let found = extensions(entry)?;
     let missing = wanted.iter().find(|&&name| !found.iter().any(|e| e.extension_name_as_c_str() == Ok(name)));
     match missing {
         Some(name) => Err(Error::NoExtension { name: name.to_string_lossy().into_owned() }),

@@ -101,6 +101,14 @@ impl Gpu {
         choice::list(&Instance::new(false, &[])?.raw)
     }
 
+    /// Whether an extension of instances is there.
+    ///
+    /// # Errors
+    /// No loader.
+    pub fn has_instance_extension(name: &CStr) -> Result<bool> {
+        Instance::has_extension(name)
+    }
+
     /// The loader's entry points.
     pub fn entry(&self) -> &ash::Entry {
         &self.shared.instance.entry

@@ -107,7 +107,9 @@ impl FromStr for Content {
         parsed.ok_or_else(|| {
             let filters = FILTERS.map(|f| f.1).join(", ");
             let views = DebugView::ALL.map(DebugView::name).join(", ");
-            format!("\"{text}\" is nothing to show: give noisy, reference, a filter ({filters}), or FILTER/VIEW with one of {views}")
+            format!(
+                "\"{text}\" is nothing to show: give noisy, reference, a filter ({filters}), or FILTER/VIEW with one of {views}"
+            )
         })
     }
 }

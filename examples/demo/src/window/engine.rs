@@ -188,14 +188,20 @@ impl Engine {
                 }
                 (Content::Filtered(_), Some(filter)) if self.taa => Source::of(&filter.display),
                 (Content::Filtered(_), Some(filter)) => Source::of(&filter.radiance),
-                _ => Source {
-                    images: [&outputs.scattered, &outputs.emission, &outputs.emission],
-                    weights: [1.0, 1.0, 0.0],
-                },
+                _ => Source { images: [&outputs.scattered, &outputs.emission, &outputs.emission], weights: [1.0, 1.0, 0.0] },
             };
             self.writer.write(&self.gpu, &self.panes, side, &source)?;
         }
         Ok(())
+    }
+
+    /// Whether what a pane shows went through a tone map already.
+    fn is_mapped(&self, content: Content) -> bool {
+        match content {
+            Content::Debug(..) => true,
+            Content::Filtered(_) => self.taa,
+            Content::Noisy | Content::Reference => false,
+        }
     }
 
     fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Instant) -> Result<()> {
@@ -212,6 +218,8 @@ impl Engine {
         let mut report = shared.report();
         report.frames = self.frames;
         report.shown = Some([settings.left, settings.right]);
+        report.display_referred =
+            [settings.left, settings.right].iter().rev().fold(0, |bits, c| bits << 1 | u32::from(self.is_mapped(*c)));
         report.milliseconds = 1e3 * start.elapsed().as_secs_f32();
         report.filters = current;
         report.view = view;

@@ -47,7 +47,14 @@ impl Filter {
     ///
     /// # Errors
     /// A lost device.
-    pub fn frame(&mut self, gpu: &Gpu, tracer: &mut PathTracer, tuning: Tuning, view: Option<DebugView>, reset: bool) -> Result<()> {
+    pub fn frame(
+        &mut self,
+        gpu: &Gpu,
+        tracer: &mut PathTracer,
+        tuning: Tuning,
+        view: Option<DebugView>,
+        reset: bool,
+    ) -> Result<()> {
         self.denoiser.set_tuning(tuning);
         self.denoiser.show(view);
         let frame = tracer.frame();

@@ -96,8 +96,7 @@ impl PaneWriter {
         gpu.submit(|cmd| {
             let everything: Scope =
                 (vk::PipelineStageFlags::ALL_COMMANDS, vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::MEMORY_READ);
-            let compute =
-                (vk::PipelineStageFlags::COMPUTE_SHADER, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
+            let compute = (vk::PipelineStageFlags::COMPUTE_SHADER, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
             memory_barrier(gpu.device(), cmd, everything, compute);
             self.pipeline.record(cmd, &[set], bytemuck::cast_slice(&[x, y, z, 0.0]), pane.extent);
             Ok(())

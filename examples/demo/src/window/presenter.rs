@@ -128,9 +128,13 @@ impl Presenter {
         self.is_stale = true;
     }
 
-    /// Whether the window is shown brighter than white.
-    pub fn is_hdr(&self) -> bool {
-        self.encoding == Encoding::Extended
+    /// Whether the oldest frame in flight is complete.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn is_ready(&self) -> Result<bool> {
+        // SAFETY: the fence is ours.
+        unsafe { self.gpu.device().get_fence_status(self.slots[self.next].complete) }.doing("ask for a frame")
     }
 
     /// Draws a frame; `false`: the device is not ready for it, or the window has no pixels. Then nothing happened, try again later.
@@ -138,14 +142,9 @@ impl Presenter {
     /// # Errors
     /// A lost device or surface.
     pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<bool> {
-        let device = self.gpu.device().clone();
         let slot = &self.slots[self.next];
         let (cmd, acquired, complete) = (slot.cmd, slot.acquired, slot.complete);
-        // SAFETY: the fence is ours.
-        if !unsafe { device.get_fence_status(complete) }.doing("ask for a frame")? {
-            return Ok(false);
-        }
-        if !self.follow(wish)? {
+        if !self.is_ready()? || !self.follow(wish)? {
             return Ok(false);
         }
         let Some(swapchain) = &self.swapchain else { return Ok(false) };

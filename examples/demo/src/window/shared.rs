@@ -53,9 +53,9 @@ pub enum Request {
 pub struct Probe {
     /// Which pixel.
     pub pixel: [u32; 2],
-    /// The filter that says so.
-    pub preset: Preset,
-    /// The number of each debug view that the filter has.
+    /// The filter that says so, where one runs.
+    pub preset: Option<Preset>,
+    /// The number of each debug view that it has.
     pub numbers: [Option<f32>; DebugView::ALL.len()],
     /// Radiance left and right of the divider.
     pub colours: [[f32; 3]; 2],
@@ -110,6 +110,10 @@ pub struct Report {
     pub scene: String,
     /// What went wrong or was written, newest last.
     pub messages: Vec<Message>,
+    /// How many there were, with those that are no longer kept.
+    pub said: usize,
+    /// Bit 0: the left half is display-referred, bit 1: the right one.
+    pub display_referred: u32,
     /// A frame sequence is being written.
     pub recording: bool,
     /// A camera path is being recorded, or flown.
@@ -144,6 +148,15 @@ impl Shared {
         self.changed.notify_one();
     }
 
+    /// The same for a change that may be none: `change` says so.
+    pub fn want_if_changed(&self, change: impl FnOnce(&mut Wanted) -> bool) {
+        let mut wanted = lock(&self.wanted);
+        if change(&mut wanted) {
+            wanted.version += 1;
+            self.changed.notify_one();
+        }
+    }
+
     /// What is wanted now; what is to be done once is taken out. Waits while `idle` says so.
     pub fn take(&self, idle: impl Fn(&Wanted) -> bool) -> Wanted {
         let mut wanted = lock(&self.wanted);
@@ -166,6 +179,7 @@ impl Shared {
     pub fn say(&self, is_error: bool, text: String) {
         let mut report = self.report();
         report.messages.push(Message { is_error, text });
+        report.said += 1;
         let surplus = report.messages.len().saturating_sub(MESSAGES_KEPT);
         report.messages.drain(..surplus);
     }

@@ -102,10 +102,9 @@ impl Swapchain {
         old: Option<Swapchain>,
     ) -> Result<Option<Self>> {
         // SAFETY: the surface is alive.
-        let capabilities = unsafe {
-            surface.functions.get_physical_device_surface_capabilities(gpu.physical_device(), surface.handle)
-        }
-        .doing("query the window")?;
+        let capabilities =
+            unsafe { surface.functions.get_physical_device_surface_capabilities(gpu.physical_device(), surface.handle) }
+                .doing("query the window")?;
         let extent = clamped(&capabilities, wish.extent);
         if extent.width == 0 || extent.height == 0 {
             return Ok(None);
