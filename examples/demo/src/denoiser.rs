@@ -22,7 +22,7 @@ pub struct DenoiserOptions {
     pub taa: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
-    /// The output `debug_view`, in frames that ask for it: see [`FrameDenoiser::show`].
+    /// The output `debug_view`: see [`FrameDenoiser::record_debug_view`].
     pub debug_view: bool,
 }
 
@@ -67,7 +67,6 @@ pub struct FrameDenoiser {
     reshading: Option<Reshading>,
     gpu: Gpu,
     tuning: Tuning,
-    shown: Option<DebugView>,
     reset: Option<ResetReason>,
     frame: Option<FrameContext>,
 }
@@ -100,7 +99,7 @@ impl FrameDenoiser {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;
         }
-        Ok(Self { executor, reshading, gpu: gpu.clone(), tuning: options.tuning, shown: None, reset: None, frame: None })
+        Ok(Self { executor, reshading, gpu: gpu.clone(), tuning: options.tuning, reset: None, frame: None })
     }
 
     /// Renders and denoises the frame that the tracer was set to, and waits for it.
@@ -128,7 +127,6 @@ impl FrameDenoiser {
             clip_from_view: camera.clip_from_view,
             jitter: camera.jitter,
             reset: self.reset,
-            debug_view: self.shown,
             reshaded: self.reshading.is_some(),
             ..FrameParams::new([extent.width, extent.height])
         };
@@ -165,12 +163,7 @@ impl FrameDenoiser {
         self.tuning = tuning;
     }
 
-    /// What the output `debug_view` shows from the next frame on, with [`DenoiserOptions::debug_view`].
-    pub fn show(&mut self, view: Option<DebugView>) {
-        self.shown = view;
-    }
-
-    /// Records the output `debug_view` of the last frame anew, with another view.
+    /// Records the output `debug_view` of the last frame, with [`DenoiserOptions::debug_view`]: as often as there are views to show.
     ///
     /// # Errors
     /// None in practice.

@@ -12,7 +12,7 @@ mod scene_buffers;
 
 pub use camera::Camera;
 pub use outputs::Outputs;
-pub use reference::Reference;
+pub use reference::{Reference, ReferenceSums};
 pub use reshading::Reshading;
 
 use std::sync::Arc;

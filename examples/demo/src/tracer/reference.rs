@@ -39,7 +39,62 @@ impl Reference {
     }
 }
 
+/// A reference that grows.
+pub struct ReferenceSums {
+    /// Sums of light that was scattered once, and twice, `R32G32B32A32_SFLOAT`.
+    pub sums: [Image; 2],
+    /// Samples for each pixel in them.
+    pub samples: u32,
+    batch: u32,
+    set: DescriptorSet,
+    pipeline: Pipeline,
+}
+
+impl ReferenceSums {
+    /// Adds samples of the tracer's frame, whose G-buffer was drawn: as many as take about `time`, at most `limit` in all. Waits for them.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn add(&mut self, tracer: &PathTracer, time: Duration, limit: u32) -> Result<()> {
+        let count = self.batch.min(limit.saturating_sub(self.samples));
+        if count == 0 {
+            return Ok(());
+        }
+        let constants = [self.samples, count, REFERENCE_SEED];
+        let (gpu, start) = (&tracer.gpu, Instant::now());
+        gpu.submit(|cmd| {
+            let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
+            let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
+            memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
+            self.pipeline.record(cmd, &[&tracer.scene_set, &self.set], bytemuck::cast_slice(&constants), tracer.extent);
+            Ok(())
+        })?;
+        self.samples += count;
+        self.batch = next_batch(count, start.elapsed(), time);
+        Ok(())
+    }
+}
+
 impl PathTracer {
+    /// Sums without a sample. They read the images of this tracer.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn reference_sums(&self) -> Result<ReferenceSums> {
+        let gpu = &self.gpu;
+        let sum = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_SFLOAT, self.extent);
+        let sums = [sum("direct_sum")?, sum("indirect_sum")?];
+        let images = [&self.outputs.visibility, &self.outputs.seed, &sums[0], &sums[1]].map(|image| image.view);
+        let layout = SetLayout::new(gpu, &storage_images(4))?;
+        let set = DescriptorSet::of_images(gpu, &layout, &images)?;
+        let pipeline = Pipeline::new(gpu, shaders::REFERENCE, &[&self.scene_layout, &layout], 12)?;
+        gpu.submit(|cmd| {
+            general_barrier(gpu.device(), cmd, &[&sums[0], &sums[1]]);
+            Ok(())
+        })?;
+        Ok(ReferenceSums { sums, samples: 0, batch: 1, set, pipeline })
+    }
+
     /// Renders `samples` paths for each pixel of the current frame, and calls `progress(done, samples)` now and then.
     /// Overwrites [`PathTracer::outputs`] with what the frame's two passes write.
     ///
@@ -50,43 +105,23 @@ impl PathTracer {
             return Err(Error::NoSamples);
         }
         let gpu = self.gpu.clone();
-        let sums = [
-            Image::new(&gpu, "direct_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?,
-            Image::new(&gpu, "indirect_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?,
-        ];
-        let images = [&self.outputs.visibility, &self.outputs.seed, &sums[0], &sums[1]].map(|image| image.view);
-        let layout = SetLayout::new(&gpu, &storage_images(4))?;
-        let set = DescriptorSet::of_images(&gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(&gpu, shaders::REFERENCE, &[&self.scene_layout, &layout], 12)?;
+        let mut sums = self.reference_sums()?;
         gpu.submit(|cmd| {
             self.record_gbuffer(cmd);
             self.record_lighting(cmd);
-            general_barrier(gpu.device(), cmd, &[&sums[0], &sums[1]]);
             Ok(())
         })?;
-        let (mut done, mut batch) = (0, 1);
-        while done < samples {
-            let count = batch.min(samples - done);
-            let constants = [done, count, REFERENCE_SEED];
-            let start = Instant::now();
-            gpu.submit(|cmd| {
-                let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
-                let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
-                memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
-                pipeline.record(cmd, &[&self.scene_set, &set], bytemuck::cast_slice(&constants), self.extent);
-                Ok(())
-            })?;
-            done += count;
-            progress(done, samples);
-            batch = next_batch(count, start.elapsed());
+        while sums.samples < samples {
+            sums.add(self, SUBMIT_TIME, samples)?;
+            progress(sums.samples, samples);
         }
         let mean = |image: &Image, count: u32| -> Result<Vec<[f32; 3]>> {
             let scale = 1.0 / count as f32;
             Ok(gpu.read_image(image)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect())
         };
         Ok(Reference {
-            direct: mean(&sums[0], samples)?,
-            indirect: mean(&sums[1], samples)?,
+            direct: mean(&sums.sums[0], samples)?,
+            indirect: mean(&sums.sums[1], samples)?,
             emission: mean(&self.outputs.emission, 1)?,
             samples,
         })
@@ -94,7 +129,7 @@ impl PathTracer {
 }
 
 /// The sums do not depend on how the samples are split, so measured time may choose the split.
-fn next_batch(count: u32, took: Duration) -> u32 {
-    let fitting = f64::from(count) * SUBMIT_TIME.as_secs_f64() / took.as_secs_f64().max(1e-4);
+fn next_batch(count: u32, took: Duration, wanted: Duration) -> u32 {
+    let fitting = f64::from(count) * wanted.as_secs_f64() / took.as_secs_f64().max(1e-4);
     (fitting as u32).clamp(1, LARGEST_BATCH.min(2 * count))
 }

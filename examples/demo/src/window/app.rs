@@ -51,6 +51,8 @@ pub struct App {
     live: Option<Live>,
     shared: Arc<Shared>,
     settings: Settings,
+    /// The scene that the camera flies in.
+    scene: String,
     panel: Panel,
     log: Log,
     help: bool,
@@ -79,6 +81,7 @@ impl App {
             proxy,
             live: None,
             shared: Arc::default(),
+            scene: settings.scene.clone(),
             settings,
             panel: Panel::default(),
             log,
@@ -220,6 +223,11 @@ impl App {
 
     /// Tells the engine what changed.
     fn tell(&mut self, over: &Over, extent: [u32; 2]) {
+        if self.scene != self.settings.scene {
+            // Another world: its own camera.
+            self.scene.clone_from(&self.settings.scene);
+            (self.fly, self.settings.animate_camera) = (None, true);
+        }
         let view = self.fly.map(|fly| fly.view());
         let probe = over.pointer.filter(|_| self.settings.magnifier).and_then(|p| over.place.pixel(p, extent));
         let settings = &self.settings;

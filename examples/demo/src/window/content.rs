@@ -38,14 +38,6 @@ impl Content {
         }
     }
 
-    /// The debug view.
-    pub fn view(self) -> Option<DebugView> {
-        match self {
-            Self::Debug(_, view) => Some(view),
-            _ => None,
-        }
-    }
-
     /// To show to people.
     pub fn title(self) -> String {
         match self {

@@ -1,22 +1,20 @@
-//! The engine's thread: animates, traces, denoises, and fills the two panes. It never waits for the window, nor the window for it.
+//! The engine's thread: frame by frame what the window wants. It never waits for the window, nor the window for it.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Instant;
 
 use ash::vk;
-use atrous::config::Preset;
 
-use super::clock::Clock;
 use super::content::Content;
-use super::filter::Filter;
-use super::panes::{PaneWriter, Panes, Source};
+use super::jobs::Jobs;
+use super::panes::{PaneWriter, Panes};
 use super::settings::Settings;
 use super::shared::{Shared, Wanted};
+use super::world::World;
 use crate::error::Result;
 use crate::gpu::Gpu;
-use crate::{PathTracer, Scene, SceneOptions, TracerOptions};
+use crate::scene::View;
 
 /// Frames from one histogram to the next.
 const HISTOGRAM_EVERY: u64 = 4;
@@ -56,7 +54,7 @@ fn run(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, wake: &dyn Fn()) -> Res
     let mut engine = Engine::new(gpu, extent, shared)?;
     let mut seen = 0;
     loop {
-        let busy = engine.is_accumulating();
+        let busy = engine.is_busy();
         let idle = |w: &Wanted| w.settings.paused && w.steps == 0 && w.version == seen && !busy;
         let wanted = shared.take(idle);
         if wanted.quit {
@@ -68,178 +66,111 @@ fn run(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, wake: &dyn Fn()) -> Res
     }
 }
 
+/// What the last picture was made for.
+#[derive(Clone, PartialEq)]
+struct Made {
+    contents: [Content; 2],
+    /// What the numbers of the filters follow from.
+    tuning: Settings,
+    view: Option<View>,
+}
+
 struct Engine {
     gpu: Gpu,
-    scene: Arc<Scene>,
-    scene_name: String,
-    // Before the tracer, whose images they read.
-    filters: BTreeMap<&'static str, Filter>,
-    tracer: PathTracer,
+    world: World,
     panes: Arc<Panes>,
     writer: PaneWriter,
-    clock: Clock,
-    taa: bool,
+    jobs: Jobs,
+    made: Option<Made>,
     frames: u64,
-    /// Frames since the tracer was made: its random numbers.
-    seed: u32,
 }
 
 impl Engine {
     fn new(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared) -> Result<Self> {
         let settings = shared.take(|_| false).settings;
-        let scene = Arc::new(Scene::load(&settings.scene, &SceneOptions::default())?);
-        let tracer = PathTracer::new(gpu, &scene, extent, TracerOptions { jitter: settings.taa, ..Default::default() })?;
+        let world = World::new(gpu, extent, &settings)?;
         let panes = Arc::new(Panes::new(gpu, extent)?);
         shared.report().panes = Some(panes.clone());
-        Ok(Self {
-            gpu: gpu.clone(),
-            scene,
-            scene_name: settings.scene,
-            filters: BTreeMap::new(),
-            tracer,
-            panes,
-            writer: PaneWriter::new(gpu)?,
-            clock: Clock::default(),
-            taa: settings.taa,
-            frames: 0,
-            seed: 0,
-        })
+        let writer = PaneWriter::new(gpu)?;
+        Ok(Self { gpu: gpu.clone(), world, panes, writer, jobs: Jobs::default(), made: None, frames: 0 })
     }
 
     /// Whether there is work while time stands still.
-    fn is_accumulating(&self) -> bool {
-        false
+    fn is_busy(&self) -> bool {
+        self.world.is_accumulating() || self.jobs.is_flying()
     }
 
     fn work(&mut self, shared: &Shared, wanted: &Wanted) -> Result<()> {
         let start = Instant::now();
-        self.follow(shared, &wanted.settings)?;
-        let advance = !wanted.settings.paused || wanted.steps > 0;
-        self.frame(wanted, advance)?;
-        self.frames += 1;
-        self.publish(shared, wanted, start)
-    }
-
-    /// Another scene, or another kind of picture.
-    fn follow(&mut self, shared: &Shared, settings: &Settings) -> Result<()> {
-        if settings.scene == self.scene_name && settings.taa == self.taa {
-            return Ok(());
-        }
-        let options = TracerOptions { jitter: settings.taa, ..Default::default() };
-        let made = match settings.scene == self.scene_name {
-            true => Ok(self.scene.clone()),
-            false => Scene::load(&settings.scene, &SceneOptions::default()).map(Arc::new),
-        };
-        let made = made.and_then(|scene| Ok((PathTracer::new(&self.gpu, &scene, self.tracer.extent(), options)?, scene)));
-        // Tried once: a scene that does not load is not tried again until another one is asked for.
-        self.scene_name.clone_from(&settings.scene);
-        self.taa = settings.taa;
-        match made {
-            Ok((tracer, scene)) => {
-                self.filters.clear();
-                (self.tracer, self.scene) = (tracer, scene);
-                (self.clock, self.seed) = (Clock::default(), 0);
-            }
-            Err(error) => shared.say(true, error.to_string()),
-        }
-        Ok(())
-    }
-
-    fn frame(&mut self, wanted: &Wanted, advance: bool) -> Result<()> {
         let settings = &wanted.settings;
-        let (now, before) = self.clock.tick(&self.scene, settings, wanted.view, advance);
-        self.tracer.begin_moment(self.seed, &now, &before)?;
-        self.seed += 1;
-        let contents = [settings.left, settings.right];
-        let gpu = self.gpu.clone();
-        gpu.submit(|cmd| {
-            self.tracer.record_gbuffer(cmd);
-            // The filters have their own.
-            if contents.iter().all(|c| c.preset().is_none()) {
-                self.tracer.record_lighting(cmd);
-            }
-            Ok(())
-        })?;
-        for preset in presets(contents) {
-            let name = super::content::name_of(preset);
-            if !self.filters.contains_key(name) {
-                self.filters.insert(name, Filter::new(&gpu, &self.tracer, preset, self.taa)?);
-            }
-            let view = contents.iter().find_map(|c| c.view().filter(|_| c.preset() == Some(preset)));
-            if let Some(filter) = self.filters.get_mut(name) {
-                filter.frame(&gpu, &mut self.tracer, settings.tuning(preset), view, wanted.reset)?;
-            }
+        let reloaded = self.world.follow(shared, settings)?;
+        self.jobs.take(shared, &wanted.requests);
+        let flown = self.jobs.next_view();
+        let made = Made {
+            contents: [settings.left, settings.right],
+            tuning: Settings { tuning: settings.tuning.clone(), exposure: settings.exposure, ..Settings::default() },
+            view: flown.or(wanted.view),
+        };
+        let advance = !settings.paused || wanted.steps > 0 || self.jobs.is_flying();
+        let stands = !advance && !reloaded && !wanted.reset && self.is_enough(&made);
+        if !stands {
+            let reset = wanted.reset || self.jobs.is_cut();
+            self.world.frame(settings, made.view, advance, reset)?;
+            self.frames += 1;
         }
-        self.fill(contents)
+        let shows_reference = made.contents.contains(&Content::Reference);
+        self.world.accumulate(shows_reference)?;
+        self.world.fill(&mut self.writer, &self.panes, made.contents)?;
+        self.made = Some(made);
+        if !stands {
+            self.jobs.after_frame(shared, &self.gpu, &self.panes, settings, self.display_referred(settings), self.world.view())?;
+        }
+        self.jobs.shoot(shared, &self.gpu, &self.panes, settings, self.display_referred(settings))?;
+        self.publish(shared, wanted, (!stands).then_some(start))
     }
 
-    /// Fills both panes from what the last frame left.
-    fn fill(&mut self, contents: [Content; 2]) -> Result<()> {
-        for (side, content) in contents.into_iter().enumerate() {
-            let filter = content.preset().and_then(|p| self.filters.get_mut(super::content::name_of(p)));
-            let outputs = self.tracer.outputs();
-            let source = match (content, filter) {
-                (Content::Debug(_, view), Some(filter)) => {
-                    // The first of two views was recorded with the frame.
-                    if side == 1 && contents[0].preset() == content.preset() && contents[0].view().is_some() {
-                        filter.show(&self.gpu, view)?;
-                    }
-                    Source::of(&filter.debug)
-                }
-                (Content::Filtered(_), Some(filter)) if self.taa => Source::of(&filter.display),
-                (Content::Filtered(_), Some(filter)) => Source::of(&filter.radiance),
-                _ => Source { images: [&outputs.scattered, &outputs.emission, &outputs.emission], weights: [1.0, 1.0, 0.0] },
-            };
-            self.writer.write(&self.gpu, &self.panes, side, &source)?;
-        }
-        Ok(())
+    /// Whether the last frame has everything for a picture: then time may stand still.
+    fn is_enough(&self, made: &Made) -> bool {
+        let Some(last) = &self.made else { return false };
+        let has = |c: &Content| c.preset().is_none_or(|preset| self.world.has(preset));
+        last.tuning == made.tuning && last.view == made.view && made.contents.iter().all(has)
     }
 
-    /// Whether what a pane shows went through a tone map already.
-    fn is_mapped(&self, content: Content) -> bool {
-        match content {
+    /// Bit 0: what is left went through a tone map already, bit 1: what is right.
+    fn display_referred(&self, settings: &Settings) -> u32 {
+        let is_mapped = |content| match content {
             Content::Debug(..) => true,
-            Content::Filtered(_) => self.taa,
+            Content::Filtered(_) => settings.taa,
             Content::Noisy | Content::Reference => false,
-        }
+        };
+        u32::from(is_mapped(settings.left)) | u32::from(is_mapped(settings.right)) << 1
     }
 
-    fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Instant) -> Result<()> {
+    fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Option<Instant>) -> Result<()> {
         let settings = &wanted.settings;
-        let histogram = match [settings.right, settings.left].into_iter().find_map(Content::preset) {
-            Some(preset) if settings.panel && self.frames % HISTOGRAM_EVERY == 1 => {
-                let filter = self.filters.get_mut(super::content::name_of(preset));
-                Some(filter.map(Filter::histogram).transpose()?.flatten())
-            }
-            _ => None,
+        let due = settings.panel && self.frames % HISTOGRAM_EVERY == 1 && start.is_some();
+        let histogram = if due { Some(self.world.histogram([settings.right, settings.left])?) } else { None };
+        let contents = [settings.left, settings.right];
+        let probe = match wanted.probe {
+            Some(pixel) => Some(self.world.probe(&self.panes, contents, pixel)?),
+            None => None,
         };
-        let current = self.filters.values().filter(|f| f.is_current(&self.tracer)).map(Filter::report).collect();
-        let view = self.clock.view();
         let mut report = shared.report();
         report.frames = self.frames;
-        report.shown = Some([settings.left, settings.right]);
-        report.display_referred =
-            [settings.left, settings.right].iter().rev().fold(0, |bits, c| bits << 1 | u32::from(self.is_mapped(*c)));
-        report.milliseconds = 1e3 * start.elapsed().as_secs_f32();
-        report.filters = current;
-        report.view = view;
-        report.scene.clone_from(&self.scene.name);
+        report.shown = Some(contents);
+        report.display_referred = self.display_referred(settings);
+        if let Some(start) = start {
+            report.milliseconds = 1e3 * start.elapsed().as_secs_f32();
+        }
+        report.filters = self.world.reports();
+        report.view = self.world.view();
+        report.scene = self.world.scene_name().to_owned();
+        report.reference_samples = self.world.reference_samples();
+        report.probe = probe;
+        (report.recording, report.path) = self.jobs.state();
         if let Some(histogram) = histogram {
             report.histogram = histogram;
         }
         Ok(())
     }
-}
-
-/// The filters that have to run, each once.
-fn presets(contents: [Content; 2]) -> Vec<Preset> {
-    let mut presets: Vec<Preset> = Vec::new();
-    for preset in contents.into_iter().filter_map(Content::preset) {
-        if !presets.contains(&preset) {
-            presets.push(preset);
-        }
-    }
-    // A-SVGF first: it has some samples shaded again, and the noisy picture is of the last one.
-    presets.sort_by_key(|preset| *preset != Preset::Asvgf);
-    presets
 }

@@ -52,11 +52,9 @@ impl Filter {
         gpu: &Gpu,
         tracer: &mut PathTracer,
         tuning: Tuning,
-        view: Option<DebugView>,
         reset: bool,
     ) -> Result<()> {
         self.denoiser.set_tuning(tuning);
-        self.denoiser.show(view);
         let frame = tracer.frame();
         // What it remembers is of another frame than the one before.
         let missed = self.last_frame.is_some_and(|last| last + 1 != frame);
@@ -67,7 +65,7 @@ impl Filter {
         gpu.submit(|cmd| self.denoiser.record(cmd, tracer))
     }
 
-    /// Shows another view of the last frame.
+    /// Shows a view of the last frame.
     ///
     /// # Errors
     /// A lost device.

@@ -5,11 +5,13 @@
 
 mod app;
 mod camera;
+mod camera_path;
 mod clock;
 mod content;
 mod engine;
 mod filter;
 mod input;
+mod jobs;
 mod layout;
 mod log;
 mod overlay;
@@ -17,9 +19,11 @@ mod pane_pipeline;
 mod panel;
 mod panes;
 mod presenter;
+mod record;
 mod settings;
 mod shared;
 mod swapchain;
+mod world;
 
 use std::ffi::CStr;
 use std::path::PathBuf;
