@@ -104,14 +104,7 @@ impl Gpu {
         Ok(half_texel(&target.bytes()[..8]))
     }
 
-    fn record_readback(
-        &self,
-        cmd: vk::CommandBuffer,
-        image: &Image,
-        offset: vk::Offset3D,
-        extent: vk::Extent3D,
-        target: &Buffer,
-    ) {
+    fn record_readback(&self, cmd: vk::CommandBuffer, image: &Image, offset: vk::Offset3D, extent: vk::Extent3D, target: &Buffer) {
         let device = self.device();
         let before = vk::MemoryBarrier::default()
             .src_access_mask(vk::AccessFlags::MEMORY_WRITE)

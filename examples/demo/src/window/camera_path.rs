@@ -53,7 +53,9 @@ impl CameraPath {
         let finite = |v: &SavedView| [v.eye, v.target, v.up].iter().flatten().all(|c| c.is_finite());
         let usable = |v: &SavedView| finite(v) && v.eye != v.target && (0.01..3.0).contains(&v.vertical_fov);
         match loaded.views.iter().position(|v| !usable(v)) {
-            Some(frame) => Err(bad(format!("the view of frame {frame} is none: eye and target have to differ, vertical_fov is 0.01 to 3"))),
+            Some(frame) => {
+                Err(bad(format!("the view of frame {frame} is none: eye and target have to differ, vertical_fov is 0.01 to 3")))
+            }
             None if loaded.views.is_empty() => Err(bad("it has no views".into())),
             None => Ok(loaded),
         }

@@ -47,13 +47,7 @@ impl Filter {
     ///
     /// # Errors
     /// A lost device.
-    pub fn frame(
-        &mut self,
-        gpu: &Gpu,
-        tracer: &mut PathTracer,
-        tuning: Tuning,
-        reset: bool,
-    ) -> Result<()> {
+    pub fn frame(&mut self, gpu: &Gpu, tracer: &mut PathTracer, tuning: Tuning, reset: bool) -> Result<()> {
         self.denoiser.set_tuning(tuning);
         let frame = tracer.frame();
         // What it remembers is of another frame than the one before.

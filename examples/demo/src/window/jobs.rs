@@ -120,14 +120,7 @@ impl Jobs {
     ///
     /// # Errors
     /// A lost device.
-    pub fn shoot(
-        &mut self,
-        shared: &Shared,
-        gpu: &Gpu,
-        panes: &Panes,
-        settings: &Settings,
-        display_referred: u32,
-    ) -> Result<()> {
+    pub fn shoot(&mut self, shared: &Shared, gpu: &Gpu, panes: &Panes, settings: &Settings, display_referred: u32) -> Result<()> {
         for folder in self.shots.drain(..) {
             match Shot::take(gpu, panes, settings, display_referred)?.write_all(&folder) {
                 Ok(path) => shared.say(false, format!("picture {}", path.display())),

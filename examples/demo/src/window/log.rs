@@ -14,6 +14,7 @@ use crate::error::{Error, Result};
 pub struct Log {
     file: Option<File>,
     frames: u64,
+    drawn: u64,
     said: usize,
     place: Place,
     state: String,
@@ -43,6 +44,7 @@ impl Log {
         if self.file.is_none() {
             return;
         }
+        self.drawn += 1;
         if place != self.place {
             self.place = place;
             let Place { x, y, width, height } = place;
@@ -67,8 +69,8 @@ impl Log {
             let [left, right] = report.shown.map_or([String::new(), String::new()], |shown| shown.map(|c| c.to_string()));
             let (ms, samples) = (report.milliseconds, report.reference_samples);
             self.line(&format!(
-                "frame {} left={left} right={right} ms={ms:.1} reference={samples} scene={}",
-                report.frames, report.scene
+                "frame {} left={left} right={right} ms={ms:.1} reference={samples} scene={} drawn={}",
+                report.frames, report.scene, self.drawn
             ));
         }
     }
