@@ -112,7 +112,7 @@ fn sizes(demo: &mut Demo) {
     }
     demo.hide_and_show();
     demo.wait("a frame", |line| line.starts_with("frame"));
-    demo.key("Tab");
+    demo.key("p");
     demo.wait("no panel", |line| line.starts_with("state") && line.contains("panel=false"));
 }
 
