@@ -79,6 +79,9 @@ pub struct Options {
     /// File that the window writes what it does into, line by line, for tests
     #[arg(long, requires = "window")]
     pub window_log: Option<PathBuf>,
+    /// Folder that every frame of the window is written into as PNG, from the first one on
+    #[arg(long, requires = "window")]
+    pub record: Option<PathBuf>,
     /// Another seed gives other noise
     #[arg(long, default_value_t = 0)]
     pub seed: u32,
@@ -149,6 +152,7 @@ impl Options {
             shown: self.preset.map(PresetName::preset),
             out: self.out.clone(),
             log: self.window_log.clone(),
+            record: self.record.clone(),
         }
     }
 

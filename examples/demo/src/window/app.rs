@@ -125,7 +125,11 @@ impl App {
         let side = gpu.limits().max_image_dimension2_d as usize;
         let egui = egui_winit::State::new(context, viewport, &window, Some(window.scale_factor() as f32), theme, Some(side));
         let settings = self.settings.clone();
-        self.shared.want(|wanted| wanted.settings = settings);
+        let record = self.options.record.clone();
+        self.shared.want(|wanted| {
+            wanted.settings = settings;
+            wanted.requests.extend(record.map(|folder| Request::Record(Some(folder))));
+        });
         let proxy = self.proxy.clone();
         // The loop may be gone already when the last frame is done.
         let wake = move || drop(proxy.send_event(Woken));

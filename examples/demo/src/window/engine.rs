@@ -87,7 +87,7 @@ struct Engine {
 
 impl Engine {
     fn new(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared) -> Result<Self> {
-        let settings = shared.take(|_| false).settings;
+        let settings = shared.settings();
         let world = World::new(gpu, extent, &settings)?;
         let panes = Arc::new(Panes::new(gpu, extent)?);
         shared.report().panes = Some(panes.clone());

@@ -63,6 +63,8 @@ pub struct WindowOptions {
     pub out: PathBuf,
     /// What the window did, line by line.
     pub log: Option<PathBuf>,
+    /// Folder that every frame is written into, from the first one on.
+    pub record: Option<PathBuf>,
 }
 
 impl WindowOptions {

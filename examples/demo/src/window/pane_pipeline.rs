@@ -26,6 +26,23 @@ pub struct Presented {
     pub peak: f32,
 }
 
+impl Presented {
+    /// What there is to draw: the picture alone, unless the magnifier may lie over its border. The rest is cleared to the same colour.
+    fn reach(&self, window: vk::Extent2D) -> vk::Rect2D {
+        let whole = vk::Rect2D { extent: window, ..Default::default() };
+        if self.lens[0] >= 0.0 {
+            return whole;
+        }
+        let [x, y, width, height] = self.rect;
+        let within = |from: f32, size: f32, limit: u32| {
+            let (start, end) = (from.clamp(0.0, limit as f32) as u32, (from + size).clamp(0.0, limit as f32).ceil() as u32);
+            (start as i32, end.saturating_sub(start))
+        };
+        let ((x, width), (y, height)) = (within(x, width, window.width), within(y, height, window.height));
+        vk::Rect2D { offset: vk::Offset2D { x, y }, extent: vk::Extent2D { width, height } }
+    }
+}
+
 /// The pipeline, with one descriptor set for each frame in flight.
 pub struct PanePipeline {
     set_layout: vk::DescriptorSetLayout,
@@ -129,7 +146,7 @@ impl PanePipeline {
         }
         let viewport =
             vk::Viewport { width: extent.width as f32, height: extent.height as f32, max_depth: 1.0, ..Default::default() };
-        let scissor = vk::Rect2D { extent, ..Default::default() };
+        let scissor = presented.reach(extent);
         // SAFETY: `cmd` is recording inside a render pass; pipeline, layout and set belong together.
         unsafe {
             device.cmd_bind_pipeline(cmd, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
@@ -187,4 +204,19 @@ fn create_pipeline(
     // SAFETY: modules, layout and render pass are alive and fit each other.
     let made = unsafe { device.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) };
     made.map_err(|(_, result)| result).doing("create a graphics pipeline").map(|pipelines| pipelines[0])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_drawn_outside_of_the_window() {
+        let window = vk::Extent2D { width: 100, height: 50 };
+        let presented = Presented { rect: [10.0, -5.0, 300.0, 20.0], lens: [-1.0; 2], ..Presented::zeroed() };
+        let reach = presented.reach(window);
+        assert_eq!((reach.offset.x, reach.offset.y, reach.extent.width, reach.extent.height), (10, 0, 90, 15));
+        assert_eq!(Presented { lens: [3.0; 2], ..presented }.reach(window).extent, window);
+        assert_eq!(Presented { rect: [200.0, 0.0, 5.0, 5.0], ..presented }.reach(window).extent.width, 0);
+    }
 }

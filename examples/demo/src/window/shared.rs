@@ -157,6 +157,11 @@ impl Shared {
         }
     }
 
+    /// The settings now.
+    pub fn settings(&self) -> Settings {
+        lock(&self.wanted).settings.clone()
+    }
+
     /// What is wanted now; what is to be done once is taken out. Waits while `idle` says so.
     pub fn take(&self, idle: impl Fn(&Wanted) -> bool) -> Wanted {
         let mut wanted = lock(&self.wanted);

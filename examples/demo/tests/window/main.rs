@@ -44,6 +44,7 @@ fn a_session_with_keys_mouse_and_another_size() {
     let Some(display) = Display::open() else { return };
     let out = folder("window-session");
     let mut demo = Demo::start(&display, &out);
+
     demo.wait("frames", |line| line.starts_with("frame 3 left=noisy right=asvgf"));
     demo.focus();
     filters_and_pictures(&mut demo);
