@@ -8,6 +8,7 @@ pub mod capi;
 pub mod capture;
 pub mod config;
 pub mod contract;
+pub mod conventions;
 mod denoiser;
 mod error;
 #[cfg(feature = "executor")]
