@@ -4,6 +4,7 @@ use super::contest::{Residuals, MOTION};
 use super::geometry::Geometry;
 use super::readings::{MotionReading, NormalReading};
 use super::Guides;
+use crate::config::{NormalEncoding, NormalSpace};
 use crate::error::Error;
 use crate::frame_constants::Flags;
 use crate::reference::{decode_normal, motion_in_pixels, Projections};
@@ -18,16 +19,37 @@ const LEAST_GRADIENT: f32 = 2e-3;
 const EDGE: f32 = 0.25;
 
 /// Every n-th pixel in both directions.
-pub(super) fn sample([width, height]: [u32; 2]) -> Vec<IVec2> {
+fn sample([width, height]: [u32; 2]) -> Vec<IVec2> {
     let step = ((width as f32 * height as f32 / MOST_PIXELS).sqrt().ceil() as usize).max(1);
     let rows = (step / 2..height as usize).step_by(step);
     rows.flat_map(|y| (step / 2..width as usize).step_by(step).map(move |x| IVec2::new(x as i32, y as i32))).collect()
 }
 
-/// Two frames under one geometry.
+/// Two frames as they are given, and the pixels that are looked at.
+pub(super) struct Pair<'a> {
+    pub previous: &'a Guides<'a>,
+    pub current: &'a Guides<'a>,
+    pub pixels: Vec<IVec2>,
+    /// Unit normals of the pixels by every encoding, in the order of the enum; `None` where there is none.
+    normals: Vec<[Option<Vec3>; 4]>,
+}
+
+impl<'a> Pair<'a> {
+    pub fn new(previous: &'a Guides<'a>, current: &'a Guides<'a>) -> Self {
+        use NormalEncoding as E;
+        let pixels = sample(current.params.render_extent);
+        let decode = |p: &IVec2| {
+            let texel = current.normal.at(*p);
+            [E::Xyz, E::XyzUnorm, E::Octahedral, E::OctahedralUnorm].map(|e| decode_normal(e, texel).try_normalize())
+        };
+        let normals = pixels.iter().map(decode).collect();
+        Self { previous, current, pixels, normals }
+    }
+}
+
+/// A pair under one geometry.
 pub(super) struct Scene<'a> {
-    previous: &'a Guides<'a>,
-    current: &'a Guides<'a>,
+    pair: &'a Pair<'a>,
     constants: [FrameConstants; 2],
     projections: [Projections; 2],
     config: Config,
@@ -67,19 +89,19 @@ impl Affine {
 impl<'a> Scene<'a> {
     /// # Errors
     /// Names the field of the parameters that is unusable.
-    pub fn new(geometry: &Geometry, previous: &'a Guides<'a>, current: &'a Guides<'a>) -> Result<Self, Error> {
+    pub fn new(geometry: &Geometry, pair: &'a Pair<'a>) -> Result<Self, Error> {
         let config = |guides: &Guides| Config { conventions: geometry.conventions, ..Config::new(guides.depth.extent()) };
         let frame = |params: &crate::FrameParams| crate::FrameParams { frame_slot: 0, ..*params };
         let mut state = FrameState::default();
-        let first = state.begin(&config(previous), &frame(&geometry.previous), &Tuning::default())?.constants;
-        let second = state.begin(&config(current), &frame(&geometry.current), &Tuning::default())?.constants;
+        let first = state.begin(&config(pair.previous), &frame(&geometry.previous), &Tuning::default())?.constants;
+        let second = state.begin(&config(pair.current), &frame(&geometry.current), &Tuning::default())?.constants;
         let projections = [Projections::new(&first), Projections::new(&second)];
-        Ok(Self { previous, current, constants: [first, second], projections, config: config(current) })
+        Ok(Self { pair, constants: [first, second], projections, config: config(pair.current) })
     }
 
     /// Linear depth; 0 where there is no surface.
     fn depth(&self, frame: usize, p: IVec2) -> f32 {
-        let guides = [self.previous, self.current][frame];
+        let guides = [self.pair.previous, self.pair.current][frame];
         let background = self.config.conventions.background_depth;
         if guides.surface_id.is_some_and(|ids| ids.at(p) == 0) {
             return 0.0;
@@ -101,7 +123,7 @@ impl<'a> Scene<'a> {
                 let [width, height] = self.constants[0].render_extent.map(|side| side as f32);
                 let ratio = Vec2::new(width, height) / Vec2::from(self.constants[1].render_extent.map(|side| side as f32));
                 Point {
-                    depth: self.depth_residual(position, expected, self.current.id(p)),
+                    depth: self.depth_residual(position, expected, self.pair.current.id(p)),
                     motion: position - now.sample_position(p) * ratio,
                     normal,
                 }
@@ -122,7 +144,7 @@ impl<'a> Scene<'a> {
         let corners = [IVec2::ZERO, IVec2::X, IVec2::Y, IVec2::ONE].map(|o| cell + o);
         let z = corners.map(|q| self.depth(0, q));
         let (least, most) = (z.iter().copied().fold(f32::INFINITY, f32::min), z.iter().copied().fold(0.0, f32::max));
-        if least <= 0.0 || most - least > EDGE * least || corners.iter().any(|q| self.previous.id(*q) != id) {
+        if least <= 0.0 || most - least > EDGE * least || corners.iter().any(|q| self.pair.previous.id(*q) != id) {
             return f32::NAN;
         }
         let [top, bottom] = [z[0] + (z[1] - z[0]) * part.x, z[2] + (z[3] - z[2]) * part.x];
@@ -138,7 +160,7 @@ impl<'a> Scene<'a> {
             let neighbours = [axis, -axis].into_iter().filter_map(|step| {
                 let q = p + step;
                 let inside = q.x >= 0 && q.y >= 0 && q.x < width && q.y < height;
-                let z_q = if inside && self.current.id(q) == self.current.id(p) { self.depth(1, q) } else { 0.0 };
+                let z_q = if inside && self.pair.current.id(q) == self.pair.current.id(p) { self.depth(1, q) } else { 0.0 };
                 ((z_q - z).abs() <= EDGE * z).then_some((step, q, z_q))
             });
             let nearest = neighbours.min_by(|a, b| (a.2 - z).abs().total_cmp(&(b.2 - z).abs()));
@@ -159,47 +181,47 @@ impl<'a> Scene<'a> {
     }
 
     pub fn has_motion(&self) -> bool {
-        self.current.motion.is_some()
+        self.pair.current.motion.is_some()
     }
 
     /// The host's motion of a pixel, as it is stored.
     pub fn motion_texel(&self, p: IVec2) -> Option<Vec2> {
-        let [x, y, ..] = self.current.motion?.at(p);
+        let [x, y, ..] = self.pair.current.motion?.at(p);
         Some(Vec2::new(x, y)).filter(|v| v.is_finite())
     }
 
     /// Degrees between the host's normals and those of the depth.
-    pub fn normal_residuals(&self, reading: NormalReading, pixels: &[IVec2], points: &[Point]) -> Residuals {
-        let residual = |(p, point): (&IVec2, &Point)| {
-            let host = decode_normal(reading.encoding, self.current.normal.at(*p)) * Vec3::from(reading.signs);
-            let host = match reading.space {
-                crate::config::NormalSpace::World => host,
-                crate::config::NormalSpace::View => self.projections[1].world_direction(host),
-            };
-            match (host.try_normalize(), point.normal) {
-                (Some(host), Some(normal)) => host.dot(normal).clamp(-1.0, 1.0).acos().to_degrees(),
-                _ => f32::NAN,
+    pub fn normal_residuals(&self, reading: NormalReading, points: &[Point]) -> Residuals {
+        let (signs, encoding) = (Vec3::from(reading.signs), reading.encoding as usize);
+        let residual = |(decoded, point): (&[Option<Vec3>; 4], &Point)| match (decoded[encoding], point.normal) {
+            (Some(host), Some(normal)) => {
+                let host = match reading.space {
+                    NormalSpace::World => host * signs,
+                    NormalSpace::View => self.projections[1].world_direction(host * signs).normalize_or_zero(),
+                };
+                host.dot(normal).clamp(-1.0, 1.0).acos().to_degrees()
             }
+            _ => f32::NAN,
         };
-        pixels.iter().zip(points).map(residual).collect()
+        self.pair.normals.iter().zip(points).map(residual).collect()
     }
 
     /// Pixels between the host's motion and that of what stands still.
-    pub fn motion_residuals(&self, reading: MotionReading, pixels: &[IVec2], points: &[Point]) -> Residuals {
+    pub fn motion_residuals(&self, reading: MotionReading, points: &[Point]) -> Residuals {
         let affine = self.affine(reading);
         let residual = |(p, point): (&IVec2, &Point)| match self.motion_texel(*p) {
             Some(_) if point.motion.x.is_nan() => f32::NAN,
             Some(texel) => forgiven((affine.read(texel) - point.motion).length(), point.motion),
             None => f32::NAN,
         };
-        pixels.iter().zip(points).map(residual).collect()
+        self.pair.pixels.iter().zip(points).map(residual).collect()
     }
 }
 
 /// A residual of motion, where it is no more than what half precision makes of long motion.
 fn forgiven(residual: f32, motion: Vec2) -> f32 {
     let slack = 0.003 * motion.length();
-    if residual <= MOTION.explains + slack {
+    if motion.is_finite() && residual <= MOTION.explains + slack {
         residual.min(MOTION.explains)
     } else {
         residual

@@ -60,6 +60,7 @@ use crate::config::Conventions;
 use crate::error::Error;
 use crate::reference::Image;
 use crate::FrameParams;
+use evidence::Pair;
 use geometry::Geometry;
 use glam::IVec2;
 use trial::Trial;
@@ -117,8 +118,8 @@ pub fn check(conventions: &Conventions, previous: &Guides, current: &Guides) -> 
         let problem = "drops the history in the current frame; give two frames of one shot";
         return Err(Error::FrameParams { name: "reset", problem });
     }
-    let pixels = evidence::sample(current.params.render_extent);
-    let trial = |geometry| Trial::new(geometry, previous, current, &pixels);
+    let pair = Pair::new(previous, current);
+    let trial = |geometry| Trial::new(geometry, &pair);
     let declared = trial(Geometry::declared(conventions, &previous.params, &current.params))?;
     // An alternative whose matrices have no inverse is none.
     let alternatives: Vec<_> = declared.geometry.alternatives().into_iter().filter_map(|g| trial(g).ok()).collect();

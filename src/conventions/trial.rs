@@ -1,14 +1,12 @@
 //! One geometry held against two frames, and what follows from that for motion and normals.
 
 use super::contest::{self, explained, judge, median, Outcome, Residuals, Rule, Votes, DEPTH, MOTION, NORMALS};
-use super::evidence::{Affine, Point, Scene};
+use super::evidence::{Affine, Pair, Point, Scene};
 use super::geometry::Geometry;
 use super::readings::{MotionReading, NormalReading};
 use super::report::{Evidence, Finding, Measure, Verdict};
-use super::Guides;
 use crate::config::Conventions;
 use crate::error::Error;
-use glam::IVec2;
 
 /// Motion below this many pixels is not called motion.
 const MOVES: f32 = 0.25;
@@ -17,7 +15,7 @@ const MOVES: f32 = 0.25;
 pub(super) struct Trial<'a> {
     pub geometry: Geometry,
     scene: Scene<'a>,
-    pixels: &'a [IVec2],
+    pair: &'a Pair<'a>,
     points: Vec<Point>,
     depth: Residuals,
     motion: Residuals,
@@ -27,15 +25,15 @@ pub(super) struct Trial<'a> {
 impl<'a> Trial<'a> {
     /// # Errors
     /// Names the field of the parameters that is unusable.
-    pub fn new(geometry: Geometry, previous: &'a Guides, current: &'a Guides, pixels: &'a [IVec2]) -> Result<Self, Error> {
-        let scene = Scene::new(&geometry, previous, current)?;
-        let points: Vec<_> = pixels.iter().map(|p| scene.point(*p)).collect();
+    pub fn new(geometry: Geometry, pair: &'a Pair<'a>) -> Result<Self, Error> {
+        let scene = Scene::new(&geometry, pair)?;
+        let points: Vec<_> = pair.pixels.iter().map(|p| scene.point(*p)).collect();
         let depth = points.iter().map(|p| p.depth).collect();
         let motions = MotionReading::declared(&geometry.conventions).all();
-        let motion = best(MOTION, motions.into_iter().map(|m| scene.motion_residuals(m, pixels, &points)));
+        let motion = best(MOTION, motions.into_iter().map(|m| scene.motion_residuals(m, &points)));
         let normals = NormalReading::declared(&geometry.conventions).all();
-        let normals = best(NORMALS, normals.into_iter().map(|n| scene.normal_residuals(n, pixels, &points)));
-        Ok(Self { geometry, scene, pixels, points, depth, motion, normals })
+        let normals = best(NORMALS, normals.into_iter().map(|n| scene.normal_residuals(n, &points)));
+        Ok(Self { geometry, scene, pair, points, depth, motion, normals })
     }
 
     fn measures(&self) -> [(Measure, Rule, &Residuals); 3] {
@@ -56,7 +54,7 @@ impl<'a> Trial<'a> {
     fn against(&self, other: &Self) -> Outcome {
         let votes = self.votes(other);
         let sum = |f: fn(&Votes) -> usize| votes.iter().map(|(_, v)| f(v)).sum();
-        judge(sum(|v| v.for_first), sum(|v| v.for_second), self.pixels.len())
+        judge(sum(|v| v.for_first), sum(|v| v.for_second), self.pair.pixels.len())
     }
 
     fn surfaces(&self) -> usize {
@@ -74,7 +72,7 @@ impl<'a> Trial<'a> {
 
     /// Why frames cannot tell.
     fn nothing_tells(&self) -> Finding {
-        let (surfaces, pixels, motion) = (self.surfaces(), self.pixels.len(), self.median_motion());
+        let (surfaces, pixels, motion) = (self.surfaces(), self.pair.pixels.len(), self.median_motion());
         let why = if surfaces < contest::LEAST {
             format!("{surfaces} of {pixels} pixels are surfaces; check depth, background_depth and surface_id")
         } else if motion < MOVES {
@@ -94,20 +92,17 @@ impl<'a> Trial<'a> {
         if !self.scene.has_motion() {
             return (Finding::new(Verdict::Absent, ""), declared);
         }
-        let candidates: Vec<_> = declared
-            .all()
-            .into_iter()
-            .map(|m| (m, self.scene.affine(m), self.scene.motion_residuals(m, self.pixels, &self.points)))
-            .collect();
+        let candidates: Vec<_> =
+            declared.all().into_iter().map(|m| (m, self.scene.affine(m), self.scene.motion_residuals(m, &self.points))).collect();
         let pairwise = |a: usize, b: usize| self.motion_votes(&candidates[a], &candidates[b]);
-        let contest = Contest::new(candidates.len(), self.pixels.len(), pairwise);
+        let contest = Contest::new(candidates.len(), self.pair.pixels.len(), pairwise);
         let name = |i: usize| declared.changes(candidates[i].0);
         let is_single = |i: usize| declared.differences(candidates[i].0) == 1 && candidates[i].1 != candidates[0].1;
         let moving: Residuals =
             self.points.iter().zip(&candidates[0].2).filter(|(p, _)| p.motion.length() > MOVES).map(|(_, r)| *r).collect();
         let mut finding = contest.finding(Measure::Motion, name, is_single);
         if finding.verdict != Verdict::Mistake && explained(MOTION, &moving).is_some_and(|part| part < 0.5) {
-            let is_zero = self.pixels.iter().all(|p| self.scene.motion_texel(*p).is_none_or(|m| m == glam::Vec2::ZERO));
+            let is_zero = self.pair.pixels.iter().all(|p| self.scene.motion_texel(*p).is_none_or(|m| m == glam::Vec2::ZERO));
             let what = if is_zero { "the motion is 0 everywhere, though the camera moves" } else { "no unit, sign or axis fits" };
             finding = Finding::new(Verdict::Unexplained, what);
         } else if finding.verdict == Verdict::Inconclusive {
@@ -134,10 +129,9 @@ impl<'a> Trial<'a> {
     /// The same for normals.
     pub fn normals_finding(&self, declared: &Conventions) -> (Finding, NormalReading) {
         let declared = NormalReading::declared(declared);
-        let candidates: Vec<_> =
-            declared.all().into_iter().map(|n| (n, self.scene.normal_residuals(n, self.pixels, &self.points))).collect();
+        let candidates: Vec<_> = declared.all().into_iter().map(|n| (n, self.scene.normal_residuals(n, &self.points))).collect();
         let pairwise = |a: usize, b: usize| Votes::of(NORMALS, &candidates[a].1, &candidates[b].1);
-        let contest = Contest::new(candidates.len(), self.pixels.len(), pairwise);
+        let contest = Contest::new(candidates.len(), self.pair.pixels.len(), pairwise);
         let name = |i: usize| declared.changes(candidates[i].0);
         let mut finding = contest.finding(Measure::Normals, name, |i| declared.differences(candidates[i].0) == 1);
         let residuals = &candidates[0].1;

@@ -5,7 +5,7 @@ mod scene;
 
 use super::*;
 use crate::config::{DepthEncoding, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
-use scene::{Frame, Scene};
+use scene::{Camera, Frame, Scene, EXTENT};
 
 fn report(declared: &Conventions, [previous, current]: &[Frame; 2]) -> Report {
     check(declared, &previous.guides(), &current.guides()).expect("images that fit")
@@ -102,7 +102,7 @@ fn ids_are_not_needed_and_half_precision_is_enough() {
 
 #[test]
 fn frames_that_cannot_tell_are_said_to() {
-    let still = Scene { camera_moves: false, things_move: true, jitter: [[0.0; 2]; 2], ..Scene::default() };
+    let still = Scene { camera: Camera::Still, things_move: true, jitter: [[0.0; 2]; 2], ..Scene::default() };
     let frames = still.frames();
     for (name, declared) in encodings() {
         let report = report(&declared, &frames);
@@ -126,13 +126,13 @@ fn without_jitter_nothing_is_said_of_it() {
 
 #[test]
 fn motion_along_one_axis_says_nothing_of_the_other() {
-    let [mut previous, current] = Scene { jitter: [[0.0; 2]; 2], ..Scene::default() }.frames();
-    // A camera that slides along its own x axis.
-    let slide = glam::Mat4::from_translation(glam::Vec3::new(0.2, 0.0, 0.0));
-    let view = glam::Mat4::from_cols_array_2d(&current.params.view_from_world);
-    previous.params.view_from_world = (slide * view).to_cols_array_2d();
-    let report = report(&Conventions::default(), &[previous, current]);
-    assert!(report.motion.untested.is_empty() || report.motion.untested.iter().any(|t| t.contains("points up")), "{report}");
+    let frames = Scene { camera: Camera::Slides, jitter: [[0.0; 2]; 2], ..Scene::default() }.frames();
+    for motion_y_up in [false, true] {
+        let report = report(&Conventions { motion_y_up, ..Conventions::default() }, &frames);
+        agrees("slides", &report);
+        let other = if motion_y_up { "y of the motion points down" } else { "y of the motion points up" };
+        assert_eq!(report.motion.untested, [other], "{report}");
+    }
 }
 
 #[test]
@@ -141,27 +141,23 @@ fn images_that_do_not_fit_are_errors() {
     let small = Image::new([8, 8], [0.0; 4]);
     let ids = Image::new([8, 8], 1);
     let good = || [previous.guides(), current.guides()];
-    let spoiled: [(&str, fn(&mut Guides<'_>, &Image<[f32; 4]>, &Image<u32>)); 6] = [
-        ("normal of the current frame was given 8x8", |g, _, _| g.params.jitter = [0.0; 2]),
-        ("render_extent", |g, _, _| g.params.render_extent = [97, 54]),
-        ("render_extent", |g, _, _| g.params.render_extent = [0, 54]),
-        ("jitter", |g, _, _| g.params.jitter = [f32::NAN, 0.0]),
-        ("view_from_world", |g, _, _| g.params.view_from_world = [[0.0; 4]; 4]),
-        ("reset", |g, _, _| g.params.reset = Some(crate::ResetReason::CameraCut)),
+    let spoiled: [(&str, fn(&mut FrameParams)); 5] = [
+        ("render_extent", |p| p.render_extent = [EXTENT[0] + 1, EXTENT[1]]),
+        ("render_extent", |p| p.render_extent = [0, 1]),
+        ("jitter", |p| p.jitter = [f32::NAN, 0.0]),
+        ("view_from_world", |p| p.view_from_world = [[0.0; 4]; 4]),
+        ("reset", |p| p.reset = Some(crate::ResetReason::CameraCut)),
     ];
-    for (i, (word, spoil)) in spoiled.into_iter().enumerate() {
+    for (word, spoil) in spoiled {
         let [before, mut now] = good();
-        spoil(&mut now, &small, &ids);
-        if i == 0 {
-            now.normal = &small;
-        }
+        spoil(&mut now.params);
         let error = check(&Conventions::default(), &before, &now).expect_err(word).to_string();
         assert!(error.contains(word), "{error}");
     }
     let [mut before, now] = good();
     before.surface_id = Some(&ids);
     let error = check(&Conventions::default(), &before, &now).expect_err("sizes").to_string();
-    assert!(error.contains("surface_id of the previous frame was given 8x8"), "{error}");
+    assert!(error.contains("surface_id of the previous frame` was given 8x8"), "{error}");
     let [before, mut now] = good();
     now.motion = Some(&small);
     assert!(check(&Conventions::default(), &before, &now).is_err());

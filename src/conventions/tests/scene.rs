@@ -6,10 +6,19 @@ use crate::reference::Image;
 use crate::FrameParams;
 use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
 
-pub const EXTENT: [u32; 2] = [96, 54];
+pub const EXTENT: [u32; 2] = [80, 45];
 
 /// How far the things that move by themselves go in a frame.
 const STEP: Vec3 = Vec3::new(0.11, 0.07, -0.05);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Camera {
+    Still,
+    /// Along its own x axis.
+    Slides,
+    /// And turns.
+    Moves,
+}
 
 /// What is rendered and how it is written.
 #[derive(Clone, Copy, Debug)]
@@ -18,8 +27,7 @@ pub struct Scene {
     pub encoding: Conventions,
     /// Reversed depth with an infinite far plane.
     pub reversed: bool,
-    /// The camera moves and turns.
-    pub camera_moves: bool,
+    pub camera: Camera,
     /// A sphere moves by itself.
     pub things_move: bool,
     /// Jitter of both frames.
@@ -31,7 +39,7 @@ impl Default for Scene {
         Self {
             encoding: Conventions::default(),
             reversed: false,
-            camera_moves: true,
+            camera: Camera::Moves,
             things_move: false,
             jitter: [[0.31, -0.22], [-0.27, 0.36]],
         }
@@ -93,10 +101,11 @@ fn trace(origin: Vec3, direction: Vec3, moved: Vec3) -> Option<Hit> {
 
 impl Scene {
     fn view_from_world(&self, index: usize) -> Mat4 {
-        let t = if self.camera_moves { index as f32 } else { 0.0 };
+        let t = if self.camera == Camera::Moves { index as f32 } else { 0.0 };
+        let slide = if self.camera == Camera::Slides { 0.15 * index as f32 } else { 0.0 };
         let turn = Mat4::from_rotation_y(0.25 + 0.02 * t) * Mat4::from_rotation_x(-0.2 + 0.015 * t) * Mat4::from_rotation_z(0.1);
         let world_from_view = Mat4::from_translation(Vec3::new(0.3 + 0.12 * t, 0.2 + 0.06 * t, 0.4 - 0.1 * t)) * turn;
-        self.mirror() * world_from_view.inverse()
+        self.mirror() * Mat4::from_translation(-slide * Vec3::X) * world_from_view.inverse()
     }
 
     /// From a view that looks along −z to the declared one.
