@@ -3,6 +3,7 @@
 mod backend;
 mod backend_reference;
 mod camera;
+mod check;
 mod cli;
 mod conventions;
 mod error;

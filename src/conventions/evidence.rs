@@ -39,8 +39,9 @@ impl<'a> Pair<'a> {
         use NormalEncoding as E;
         let pixels = sample(current.params.render_extent);
         let decode = |p: &IVec2| {
-            let texel = current.normal.at(*p);
-            [E::Xyz, E::XyzUnorm, E::Octahedral, E::OctahedralUnorm].map(|e| decode_normal(e, texel).try_normalize())
+            let texel = current.normal.map(|normals| normals.at(*p));
+            let encodings = [E::Xyz, E::XyzUnorm, E::Octahedral, E::OctahedralUnorm];
+            encodings.map(|e| decode_normal(e, texel?).try_normalize())
         };
         let normals = pixels.iter().map(decode).collect();
         Self { previous, current, pixels, normals }
@@ -178,6 +179,10 @@ impl<'a> Scene<'a> {
         let constants = FrameConstants { flags: Flags::of(&config, false), ..self.constants[1] };
         let offset = motion_in_pixels(&constants, Vec2::ZERO);
         Affine { scale: motion_in_pixels(&constants, Vec2::ONE) - offset, offset }
+    }
+
+    pub fn has_normals(&self) -> bool {
+        self.pair.current.normal.is_some()
     }
 
     pub fn has_motion(&self) -> bool {

@@ -32,8 +32,8 @@
 //! # let image = |i: usize, name: usize| Image::from_texels(synthetic::EXTENT, frames[i].images[name].clone());
 //! # let motion = Image::from_texels(synthetic::EXTENT, frames[1].images[2].iter().map(|m| m.map(|x| 2.0 * x)).collect())?;
 //! let (depth, normal) = ([image(0, 0)?, image(1, 0)?], [image(0, 1)?, image(1, 1)?]);
-//! let previous = Guides { params: params(0), depth: &depth[0], normal: &normal[0], motion: None, surface_id: None };
-//! let current = Guides { params: params(1), depth: &depth[1], normal: &normal[1], motion: Some(&motion), surface_id: None };
+//! let previous = Guides { params: params(0), depth: &depth[0], normal: Some(&normal[0]), motion: None, surface_id: None };
+//! let current = Guides { params: params(1), depth: &depth[1], normal: Some(&normal[1]), motion: Some(&motion), surface_id: None };
 //!
 //! let declared = Conventions { motion_direction: MotionDirection::CurrentMinusPrevious, ..Conventions::default() };
 //! let report = check(&declared, &previous, &current)?;
@@ -72,8 +72,8 @@ pub struct Guides<'a> {
     pub params: FrameParams,
     /// x: depth.
     pub depth: &'a Image<[f32; 4]>,
-    /// xyz, or octahedral xy.
-    pub normal: &'a Image<[f32; 4]>,
+    /// xyz, or octahedral xy. Only those of the current frame are looked at.
+    pub normal: Option<&'a Image<[f32; 4]>>,
     /// xy. Only that of the current frame is looked at.
     pub motion: Option<&'a Image<[f32; 4]>>,
     /// 0 is the background. Without it edges are found by depth alone.
@@ -88,7 +88,7 @@ impl Guides<'_> {
     fn validate(&self, frame: &str) -> Result<(), Error> {
         let [width, height] = self.depth.extent();
         let render = self.params.render_extent;
-        let images = [("normal", Some(self.normal.extent())), ("motion", self.motion.map(Image::extent))];
+        let images = [("normal", self.normal.map(Image::extent)), ("motion", self.motion.map(Image::extent))];
         let ids = [("surface_id", self.surface_id.map(Image::extent))];
         for (name, extent) in images.into_iter().chain(ids) {
             if let Some([w, h]) = extent.filter(|e| *e != [width, height]) {

@@ -129,6 +129,9 @@ impl<'a> Trial<'a> {
     /// The same for normals.
     pub fn normals_finding(&self, declared: &Conventions) -> (Finding, NormalReading) {
         let declared = NormalReading::declared(declared);
+        if !self.scene.has_normals() {
+            return (Finding::new(Verdict::Absent, ""), declared);
+        }
         let candidates: Vec<_> = declared.all().into_iter().map(|n| (n, self.scene.normal_residuals(n, &self.points))).collect();
         let pairwise = |a: usize, b: usize| Votes::of(NORMALS, &candidates[a].1, &candidates[b].1);
         let contest = Contest::new(candidates.len(), self.pair.pixels.len(), pairwise);

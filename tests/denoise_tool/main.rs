@@ -6,6 +6,8 @@ mod backend;
 mod backend_reference;
 #[path = "../../examples/denoise/camera.rs"]
 mod camera;
+#[path = "../../examples/denoise/check.rs"]
+mod check;
 #[path = "../../examples/denoise/cli.rs"]
 mod cli;
 #[path = "../../examples/denoise/conventions.rs"]
@@ -52,6 +54,7 @@ mod tool;
 mod bad_files;
 #[cfg(feature = "capture")]
 mod capture_tests;
+mod check_tests;
 mod fuzz;
 mod layout_tests;
 mod memory;

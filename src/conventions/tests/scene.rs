@@ -61,7 +61,7 @@ impl Frame {
         Guides {
             params: self.params,
             depth: &self.depth,
-            normal: &self.normal,
+            normal: Some(&self.normal),
             motion: Some(&self.motion),
             surface_id: Some(&self.surface_id),
         }
