@@ -140,7 +140,9 @@ impl<'a> Scene<'a> {
         let (cell, part) = (at.floor().as_ivec2(), at - at.floor());
         let [width, height] = self.constants[0].render_extent.map(|side| side as i32);
         if cell.x < 0 || cell.y < 0 || cell.x + 1 >= width || cell.y + 1 >= height {
-            return f32::INFINITY;
+            // On the border, nothing can be interpolated; that is no contradiction.
+            let is_near = at.cmpge(Vec2::splat(-1.0)).all() && at.cmple(Vec2::new(width as f32, height as f32)).all();
+            return if is_near { f32::NAN } else { f32::INFINITY };
         }
         let corners = [IVec2::ZERO, IVec2::X, IVec2::Y, IVec2::ONE].map(|o| cell + o);
         let z = corners.map(|q| self.depth(0, q));

@@ -54,7 +54,16 @@ impl<'a> Trial<'a> {
     fn against(&self, other: &Self) -> Outcome {
         let votes = self.votes(other);
         let sum = |f: fn(&Votes) -> usize| votes.iter().map(|(_, v)| f(v)).sum();
-        judge(sum(|v| v.for_first), sum(|v| v.for_second), self.pair.pixels.len())
+        match judge(sum(|v| v.for_first), sum(|v| v.for_second), self.pair.pixels.len()) {
+            // What happens to fit where this one is silent, and nothing else, does not fit.
+            Outcome::Second if other.explains() <= self.explains() => Outcome::Undecided,
+            outcome => outcome,
+        }
+    }
+
+    /// Residuals that are explained.
+    fn explains(&self) -> usize {
+        self.measures().into_iter().map(|(_, rule, residuals)| residuals.iter().filter(|r| **r <= rule.explains).count()).sum()
     }
 
     fn surfaces(&self) -> usize {

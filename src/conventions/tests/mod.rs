@@ -109,6 +109,7 @@ fn frames_that_cannot_tell_are_said_to() {
         assert_eq!(report.motion.verdict, Verdict::Inconclusive, "{name}:\n{report}");
         assert!(report.motion.mistake.contains("nothing moves"), "{name}:\n{report}");
     }
+    assert!(!report(&Conventions::default(), &frames).complains());
     // Depth and normals are seen without motion.
     let declared = Conventions { depth: DepthEncoding::RayLength, normal_space: NormalSpace::View, ..Conventions::default() };
     let report = report(&declared, &frames);
