@@ -22,6 +22,11 @@ pub mod reference;
 mod requirements;
 mod shaders;
 
+/// The examples in docs/integrate.md.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/integrate.md")]
+struct Integrate;
+
 pub use config::Config;
 pub use contract::*;
 pub use denoiser::{Binding, Denoiser, Device};

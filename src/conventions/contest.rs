@@ -100,3 +100,59 @@ pub(super) fn explained(rule: Rule, residuals: &[f32]) -> Option<f32> {
     }
     (all >= LEAST).then(|| explained as f32 / all as f32)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NONE: f32 = f32::NAN;
+
+    #[test]
+    fn a_pixel_votes_for_what_explains_it_where_the_other_does_not() {
+        let rule = Rule { explains: 1.0, margin: 0.5 };
+        for (first, second, votes) in [
+            (0.0, 5.0, (1, 0)),
+            (5.0, 0.0, (0, 1)),
+            (0.2, f32::INFINITY, (1, 0)),
+            (0.4, 0.7, (0, 0)),
+            (0.0, 0.5, (0, 0)),
+            (5.0, 1.5, (0, 0)),
+            (NONE, 0.0, (0, 0)),
+            (0.0, NONE, (0, 0)),
+            (f32::INFINITY, f32::INFINITY, (0, 0)),
+        ] {
+            let counted = Votes::of(rule, &[first], &[second]);
+            assert_eq!((counted.for_first, counted.for_second), votes, "{first}, {second}");
+            assert_eq!(counted.voters(), votes.0 + votes.1);
+        }
+        let votes = Votes::of(rule, &[0.0, 0.1, 0.2, 9.0], &[4.0, 5.0, 6.0, 9.0]);
+        assert_eq!(votes.medians(), (0.1, 5.0));
+    }
+
+    #[test]
+    fn four_of_five_votes_decide() {
+        for (first, second, pixels, outcome) in [
+            (80, 20, 1000, Outcome::First),
+            (20, 80, 1000, Outcome::Second),
+            (79, 21, 1000, Outcome::Undecided),
+            (21, 79, 1000, Outcome::Undecided),
+            (0, LEAST, 1000, Outcome::Second),
+            (0, LEAST - 1, 1000, Outcome::Undecided),
+            (0, 49, 10_000, Outcome::Undecided),
+            (0, 50, 10_000, Outcome::Second),
+            (0, 0, 0, Outcome::Undecided),
+        ] {
+            assert_eq!(judge(first, second, pixels), outcome, "{first}, {second} of {pixels}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_no_evidence() {
+        assert_eq!(median([3.0, NONE, 1.0, 2.0].into_iter()), 2.0);
+        assert!(median([NONE].into_iter()).is_nan());
+        let rule = Rule { explains: 1.0, margin: 0.5 };
+        let residuals = [[0.5; 30].as_slice(), &[2.0; 10], &[NONE; 60]].concat();
+        assert_eq!(explained(rule, &residuals), Some(0.75));
+        assert_eq!(explained(rule, &[0.5; 5]), None);
+    }
+}
