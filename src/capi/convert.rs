@@ -3,8 +3,8 @@
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use crate::config::{
-    AdaptiveRule, BlockSort, Conventions, DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
-    NormalSpace, PostProcess, Preset, Signals, ViewForward,
+    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
+    NormalSpace, PostProcess, Preset, Sampling, Signals, ViewForward,
 };
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
 use crate::{Config, FrameParams, ResetReason};
@@ -18,12 +18,14 @@ fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
 }
 
 /// In the order of their numbers.
-const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile];
+const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw];
 
 const GRADIENT_SOURCES: &[GradientSource] =
     &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
 
 const ADAPTIVE_RULES: &[AdaptiveRule] = &[AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles];
+
+const SAMPLINGS: &[Sampling] = &[Sampling::Full, Sampling::OneOf2x2, Sampling::OneOf4x4];
 
 const BLOCK_SORTS: &[BlockSort] = &[BlockSort::Counting, BlockSort::OddEven];
 
@@ -54,6 +56,7 @@ impl AtrousConfig {
             )?,
             view_forward: pick("view_forward", self.view_forward, &[ViewForward::NegativeZ, ViewForward::PositiveZ])?,
         };
+        let weights = [self.eaw_radiance_weight, self.eaw_normal_weight, self.eaw_position_weight];
         let post_processes = [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa];
         let config = Config {
             frames_in_flight: self.frames_in_flight,
@@ -63,6 +66,12 @@ impl AtrousConfig {
             firefly_filter: flag("firefly_filter", self.firefly_filter)?,
             adaptive_rule: pick("adaptive_rule", self.adaptive_rule, ADAPTIVE_RULES)?,
             block_sort: pick("block_sort", self.block_sort, BLOCK_SORTS)?,
+            eaw_weights: EawWeights {
+                radiance: flag("eaw_radiance_weight", weights[0])?,
+                normal: flag("eaw_normal_weight", weights[1])?,
+                position: flag("eaw_position_weight", weights[2])?,
+            },
+            sampling: pick("sampling", self.sampling, SAMPLINGS)?,
             stratum_size: self.stratum_size,
             gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
             forward_motion: flag("forward_motion", self.forward_motion)?,
@@ -90,6 +99,10 @@ impl AtrousConfig {
             firefly_filter: config.firefly_filter.into(),
             adaptive_rule: config.adaptive_rule as u32,
             block_sort: config.block_sort as u32,
+            eaw_radiance_weight: config.eaw_weights.radiance.into(),
+            eaw_normal_weight: config.eaw_weights.normal.into(),
+            eaw_position_weight: config.eaw_weights.position.into(),
+            sampling: config.sampling as u32,
             stratum_size: config.stratum_size,
             gradient_source: config.gradient_source as u32,
             forward_motion: config.forward_motion.into(),

@@ -27,7 +27,7 @@ pub struct AtrousConfig {
     pub height: u32,
     /// Frames that the host records before it waits for the oldest, 1 to 8.
     pub frames_in_flight: u32,
-    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile.
+    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: edge-avoiding wavelets, without history.
     pub preset: u32,
     /// 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
     pub signals: u32,
@@ -39,6 +39,14 @@ pub struct AtrousConfig {
     pub adaptive_rule: u32,
     /// How percentiles are found. 0: counting; 1: odd-even transposition.
     pub block_sort: u32,
+    /// Edge stopping of the edge-avoiding wavelets by radiance: 0 or 1.
+    pub eaw_radiance_weight: u32,
+    /// By normal.
+    pub eaw_normal_weight: u32,
+    /// By position.
+    pub eaw_position_weight: u32,
+    /// Which pixels have a sample, for the edge-avoiding wavelets. 0: every one; 1: one of 2x2; 2: one of 4x4. The others are NaN.
+    pub sampling: u32,
     /// Side of the strata of temporal gradients, 2 to 4 pixels.
     pub stratum_size: u32,
     /// Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.

@@ -61,7 +61,7 @@ fn null_and_wrong_sizes_are_told() {
 
 #[test]
 fn names_and_uses_fit() {
-    for preset in 0..4 {
+    for preset in 0..5 {
         let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
         assert_eq!(config.preset as u32, preset);
         let declaration = config.declare().expect("valid");
