@@ -3,11 +3,11 @@
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use crate::config::{
-    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
-    NormalSpace, PostProcess, Preset, Sampling, Signals, ViewForward,
+    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
+    NormalEncoding, NormalSpace, PostProcess, Preset, Sampling, Signals, ViewForward,
 };
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
-use crate::{Config, FrameParams, ResetReason};
+use crate::{Config, DebugView, FrameParams, ResetReason};
 use ash::vk;
 use std::ffi::c_char;
 
@@ -78,6 +78,7 @@ impl AtrousConfig {
             surface_id: flag("surface_id", self.surface_id)?,
             object_normal: flag("object_normal", self.object_normal)?,
             post_process: pick("post_process", self.post_process, &post_processes)?,
+            debug_view: flag("debug_view", self.debug_view)?,
             conventions,
             ..Config::new([self.width, self.height])
         };
@@ -119,6 +120,7 @@ impl AtrousConfig {
             motion_depth: c.motion_depth as u32,
             view_forward: c.view_forward as u32,
             background_depth: c.background_depth,
+            debug_view: config.debug_view.into(),
         }
     }
 }
@@ -147,6 +149,7 @@ impl AtrousFrameParams {
             jitter: self.jitter,
             exposure_ratio: self.exposure_ratio,
             reshaded: pick("reshaded", self.reshaded, &[false, true])?,
+            debug_view: pick("debug_view", self.debug_view, &DebugView::ALL)?,
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -165,6 +168,7 @@ impl AtrousFrameParams {
             jitter: [0.0; 2],
             exposure_ratio: 1.0,
             reshaded: 0,
+            debug_view: 0,
         }
     }
 }
