@@ -41,8 +41,10 @@ pub struct AtrousConventionReport {
     pub struct_size: u32,
     /// Verdict on depth, matrices and jitter.
     pub geometry: u32,
-    /// Verdict on motion.
+    /// Verdict on motion, x and y.
     pub motion: u32,
+    /// Verdict on z of the motion.
+    pub motion_depth: u32,
     /// Verdict on normals.
     pub normals: u32,
     /// The mistakes, the evidence in pixels and degrees, and what to change.
@@ -145,6 +147,7 @@ fn flat(report: &Report) -> AtrousConventionReport {
         struct_size: size_of::<AtrousConventionReport>() as u32,
         geometry: verdict(&report.geometry),
         motion: verdict(&report.motion),
+        motion_depth: verdict(&report.motion_depth),
         normals: verdict(&report.normals),
         text,
     }

@@ -14,9 +14,9 @@ const MOVES: f32 = 0.25;
 /// A geometry with its residuals. Those of motion and normals are by the readings that fit best, so that a mistake there is not blamed on it.
 pub(super) struct Trial<'a> {
     pub geometry: Geometry,
-    scene: Scene<'a>,
-    pair: &'a Pair<'a>,
-    points: Vec<Point>,
+    pub(super) scene: Scene<'a>,
+    pub(super) pair: &'a Pair<'a>,
+    pub(super) points: Vec<Point>,
     depth: Residuals,
     motion: Residuals,
     normals: Residuals,
@@ -74,13 +74,13 @@ impl<'a> Trial<'a> {
         median(self.points.iter().map(|p| p.motion.length()))
     }
 
-    fn agreement(&self, measure: Measure, residuals: &[f32]) -> Evidence {
+    pub(super) fn agreement(&self, measure: Measure, residuals: &[f32]) -> Evidence {
         let declared = median(residuals.iter().copied());
         Evidence { measure, declared, fitting: None, pixels: residuals.iter().filter(|r| !r.is_nan()).count() }
     }
 
     /// Why frames cannot tell.
-    fn nothing_tells(&self) -> Finding {
+    pub(super) fn nothing_tells(&self) -> Finding {
         let (surfaces, pixels, motion) = (self.surfaces(), self.pair.pixels.len(), self.median_motion());
         let why = if surfaces < contest::LEAST {
             format!("{surfaces} of {pixels} pixels are surfaces; check depth, background_depth and surface_id")
@@ -166,16 +166,16 @@ fn best(rule: Rule, readings: impl Iterator<Item = Residuals>) -> Residuals {
 }
 
 /// The first candidate against all others.
-struct Contest {
+pub(super) struct Contest {
     outcomes: Vec<Outcome>,
     /// What fits: the first candidate, or the one that beat it and is not beaten itself.
-    champion: usize,
+    pub(super) champion: usize,
     /// Between the first candidate and the champion.
     votes: Votes,
 }
 
 impl Contest {
-    fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
+    pub(super) fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
         let outcome = |a, b| {
             let votes = pairwise(a, b);
             judge(votes.for_first, votes.for_second, pixels)
@@ -185,7 +185,7 @@ impl Contest {
         Self { votes: pairwise(0, champion), outcomes, champion }
     }
 
-    fn finding(
+    pub(super) fn finding(
         &self,
         measure: Measure,
         name: impl Fn(usize) -> (Vec<String>, Vec<String>),
