@@ -13,18 +13,9 @@ use support::{built_in, Validated};
 const EXTENT: Extent2D = Extent2D { width: 128, height: 72 };
 
 /// What the demo declares.
-const DEMO: Conventions = Conventions {
-    depth: DepthEncoding::Linear,
-    background_depth: f32::INFINITY,
-    normal: atrous::config::NormalEncoding::Xyz,
-    normal_space: atrous::config::NormalSpace::World,
-    motion_unit: MotionUnit::Pixels,
-    motion_direction: MotionDirection::PreviousMinusCurrent,
-    motion_y_up: false,
-    motion_jittered: false,
-    motion_depth: MotionDepth::Absolute,
-    view_forward: atrous::config::ViewForward::NegativeZ,
-};
+fn declared() -> Conventions {
+    Conventions { motion_unit: MotionUnit::Pixels, motion_depth: MotionDepth::Absolute, ..Conventions::default() }
+}
 
 struct Frame {
     params: FrameParams,
@@ -64,18 +55,18 @@ impl Frame {
 }
 
 /// What the library says of a scene under several declarations.
-fn reports<const N: usize>(gpu: &Validated, scene: &str, declared: [Conventions; N]) -> [Report; N] {
+fn reports<const N: usize>(gpu: &Validated, scene: &str, variants: [Conventions; N]) -> [Report; N] {
     let options = TracerOptions { jitter: true, ..TracerOptions::default() };
     let mut tracer = PathTracer::new(&gpu.0, &built_in(scene, SceneOptions::default()), EXTENT, options).expect("a path tracer");
     let frames = [5, 6].map(|index| Frame::render(gpu, &mut tracer, index));
-    declared.map(|declared| check(&declared, &frames[0].guides(), &frames[1].guides()).expect("images that fit"))
+    variants.map(|conventions| check(&conventions, &frames[0].guides(), &frames[1].guides()).expect("images that fit"))
 }
 
 #[test]
 fn guides_of_every_scene_are_as_declared() {
     let Some(gpu) = Validated::new() else { return };
     for scene in ["cornell", "pillars", "glossy", "hall"] {
-        let [report] = reports(&gpu, scene, [DEMO]);
+        let [report] = reports(&gpu, scene, [declared()]);
         assert!(!report.complains(), "{scene}:\n{report}");
         println!("{scene}:\n{report}");
     }
@@ -88,10 +79,10 @@ fn a_wrong_declaration_is_named() {
         &gpu,
         "hall",
         [
-            Conventions { motion_direction: MotionDirection::CurrentMinusPrevious, ..DEMO },
-            Conventions { motion_unit: MotionUnit::Uv, ..DEMO },
-            Conventions { motion_depth: MotionDepth::Difference, ..DEMO },
-            Conventions { depth: DepthEncoding::RayLength, ..DEMO },
+            Conventions { motion_direction: MotionDirection::CurrentMinusPrevious, ..declared() },
+            Conventions { motion_unit: MotionUnit::Uv, ..declared() },
+            Conventions { motion_depth: MotionDepth::Difference, ..declared() },
+            Conventions { depth: DepthEncoding::RayLength, ..declared() },
         ],
     );
     for (name, report, verdict) in [
@@ -101,6 +92,6 @@ fn a_wrong_declaration_is_named() {
         ("depth", &depth, depth.geometry.verdict),
     ] {
         assert_eq!(verdict, Verdict::Mistake, "{name}:\n{report}");
-        assert_eq!(report.conventions, DEMO, "{name}:\n{report}");
+        assert_eq!(report.conventions, declared(), "{name}:\n{report}");
     }
 }
