@@ -52,7 +52,7 @@ impl Trial<'_> {
         let residuals = readings.map(|reading| self.motion_depth_residuals(reading));
         let pairwise = |a: usize, b: usize| Votes::of(MOTION_DEPTH, &residuals[a], &residuals[b]);
         let contest = Contest::new(readings.len(), self.pair.pixels.len(), pairwise);
-        let mut finding = contest.finding(Measure::MotionDepth, |i| readings[i].changes(), |_| true);
+        let mut finding = contest.finding(Measure::MotionDepth, |i| readings[i].changes(), |_| true, |_| true);
         if finding.verdict != Verdict::Mistake && explained(MOTION_DEPTH, &residuals[0]).is_some_and(|part| part < 0.5) {
             finding = Finding::new(Verdict::Unexplained, "z of the motion is neither the previous depth nor a difference");
         } else if finding.verdict == Verdict::Inconclusive {

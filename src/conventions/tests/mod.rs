@@ -118,7 +118,12 @@ fn parallel_projections_are_understood() {
 fn frames_that_cannot_tell_are_said_to() {
     let still = Scene { camera: Camera::Still, things_move: true, jitter: [[0.0; 2]; 2], ..Scene::default() };
     let frames = still.frames();
+    let jittered = Scene { jitter: Scene::default().jitter, ..still }.frames();
     for (name, declared) in encodings() {
+        // Jitter is seen without motion, and says nothing of sign and unit.
+        let with_jitter = report(&declared, &jittered);
+        let expected = if declared.motion_jittered { Verdict::Mistake } else { Verdict::Inconclusive };
+        assert_eq!(with_jitter.motion.verdict, expected, "{name}:\n{with_jitter}");
         let report = report(&declared, &frames);
         assert_eq!(report.motion.verdict, Verdict::Inconclusive, "{name}:\n{report}");
         assert!(report.motion.mistake.contains("nothing moves"), "{name}:\n{report}");
