@@ -178,12 +178,12 @@ pub(super) struct Contest {
 
 impl Contest {
     pub(super) fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
-        let outcome = |a, b| {
+        let outcome = |a: usize, b: usize| {
             let votes = pairwise(a, b);
             judge(votes.for_first, votes.for_second, pixels)
         };
         let outcomes: Vec<_> = (0..count).map(|i| if i == 0 { Outcome::Undecided } else { outcome(0, i) }).collect();
-        let champion = champion(&outcomes, |a, b| outcome(a, b));
+        let champion = champion(&outcomes, outcome);
         Self { votes: pairwise(0, champion), outcomes, champion }
     }
 
