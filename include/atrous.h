@@ -326,8 +326,10 @@ typedef struct AtrousConventionReport {
   uint32_t struct_size;
   // Verdict on depth, matrices and jitter.
   uint32_t geometry;
-  // Verdict on motion.
+  // Verdict on motion, x and y.
   uint32_t motion;
+  // Verdict on z of the motion.
+  uint32_t motion_depth;
   // Verdict on normals.
   uint32_t normals;
   // The mistakes, the evidence in pixels and degrees, and what to change.
