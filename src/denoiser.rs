@@ -1,7 +1,7 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
 use crate::config::{Config, Preset};
-use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
+use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Grid, Lifetime, PassDecl, Shape, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
 use crate::requirements::{Requirements, WORKGROUP_SIDE};
@@ -21,6 +21,7 @@ impl Config {
             Preset::Eaw => crate::presets::eaw(self),
             Preset::Asvgf => crate::presets::asvgf(self),
             Preset::Stabilize => crate::presets::stabilize(self),
+            Preset::Volume => crate::presets::volume(self),
         })
     }
 }
@@ -180,7 +181,7 @@ impl Denoiser {
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
             // SAFETY: as above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
-            Work::Dispatch { shader, level, divisor } => {
+            Work::Dispatch { shader, level, grid } => {
                 let Some(bindable) = self.pipelines.bindable(frame.slot, pass) else {
                     return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.config.frames_in_flight });
                 };
@@ -189,7 +190,7 @@ impl Denoiser {
                 // SAFETY: the set is not in use, since earlier work of the slot is complete; the rest is the caller's.
                 unsafe {
                     self.write_set(bindable.set, shader, bindings);
-                    self.dispatch(cmd, dispatched_extent(frame, divisor), bindable, PushConstants { level, present });
+                    self.dispatch(cmd, dispatched_extent(frame, grid), bindable, PushConstants { level, present });
                 }
             }
         }
@@ -288,11 +289,11 @@ impl Denoiser {
 }
 
 /// Invocations of a dispatch.
-fn dispatched_extent(frame: &FrameContext, divisor: u32) -> [u32; 2] {
+fn dispatched_extent(frame: &FrameContext, grid: Grid) -> [u32; 2] {
     let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
-    match divisor {
-        1 => now,
-        _ => [0, 1].map(|i| now[i].max(before[i]).div_ceil(divisor)),
+    match grid {
+        Grid::Pixels => now,
+        Grid::Strata(side) => [0, 1].map(|i| now[i].max(before[i]).div_ceil(side)),
     }
 }
 

@@ -135,6 +135,12 @@ mod tests {
                     let config = Config { signals, surface_id, object_normal, post_process, ..Config::new([64, 36]) };
                     all.push(Config { preset: Preset::Eaw, object_normal: false, ..config }.declare().expect("valid"));
                     all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
+                    for (preset, levels) in [(Preset::Volume, 1), (Preset::Volume, 10), (Preset::Svgf, 5), (Preset::Eaw, 5)] {
+                        for firefly_filter in [false, true] {
+                            let config = Config { preset, levels, firefly_filter, volume: true, object_normal: false, ..config };
+                            all.push(config.declare().expect("valid"));
+                        }
+                    }
                     for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                         all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
                     }

@@ -22,6 +22,7 @@ fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'sta
         "motion" => ("mv", XYZ),
         "surface_id" => ("id", &["I"]),
         "roughness" => ("roughness", &["Y"]),
+        "scattering_depth" => ("scattering_depth", &["Z"]),
         "albedo" => ("albedo", RGB),
         "emission" => ("emission", RGB),
         "noisy_direct" => ("direct", RGB),

@@ -157,9 +157,17 @@ pub(crate) enum Work {
         shader: &'static Shader,
         /// À-trous level, or what else the shader's first push constant means.
         level: u32,
-        /// Pixels a side of what an invocation covers; of either frame where it is not 1, since strata of the previous frame are walked, too.
-        divisor: u32,
+        grid: Grid,
     },
+}
+
+/// Invocations of a dispatch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Grid {
+    /// One a pixel of this frame.
+    Pixels,
+    /// One a stratum of so many pixels a side, of this frame and of the previous one, which is walked, too.
+    Strata(u32),
 }
 
 /// Resources and passes: plain data, made without a device.

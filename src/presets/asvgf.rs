@@ -1,6 +1,6 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
-use super::{firefly_filter, gradients, post_process};
+use super::{finish, firefly_filter, gradients};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
@@ -18,6 +18,5 @@ pub(crate) fn asvgf(config: &Config) -> Declaration {
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    post_process(&mut b, frame, guides, config, denoised);
-    b.finish()
+    finish(b, frame, guides, config, Some(denoised))
 }

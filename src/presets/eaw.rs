@@ -1,6 +1,6 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::{firefly_filter, post_process};
+use super::{finish, firefly_filter};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Builder, Signal};
@@ -16,6 +16,5 @@ pub(crate) fn eaw(config: &Config) -> Declaration {
     firefly_filter(&mut b, frame, guides, config, &signals);
     let filtered = nodes::eaw(&mut b, frame, guides, &signals, config.levels);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    post_process(&mut b, frame, guides, config, denoised);
-    b.finish()
+    finish(b, frame, guides, config, Some(denoised))
 }

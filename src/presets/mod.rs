@@ -6,30 +6,37 @@ mod gradients;
 mod percentile;
 mod stabilize;
 mod svgf;
+mod volume;
 
 pub(crate) use asvgf::asvgf;
 pub(crate) use eaw::eaw;
 pub(crate) use percentile::percentile;
 pub(crate) use stabilize::stabilize;
 pub(crate) use svgf::svgf;
+pub(crate) use volume::volume;
 
 use crate::config::{Config, PostProcess};
-use crate::contract::{Lifetime, ResourceId};
+use crate::contract::{Declaration, Lifetime, ResourceId};
 use crate::nodes::{self, Builder, Frame, Guides, Signal, HDR};
 
-/// What every preset ends with.
-fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: ResourceId) {
-    if config.post_process == PostProcess::None {
-        return;
+/// What every preset ends with: the volume, where there is one, and the post-process over the sum of `surfaces` and volume.
+fn finish(mut b: Builder, frame: Frame, guides: Guides, config: &Config, surfaces: Option<ResourceId>) -> Declaration {
+    let volume = config.has_volume().then(|| volume::volume_filter(&mut b, frame, guides, config));
+    let denoised: Vec<ResourceId> = surfaces.into_iter().chain(volume).collect();
+    match config.post_process {
+        PostProcess::None => {}
+        PostProcess::ToneMap => {
+            let display = b.image("display", HDR, Lifetime::Output);
+            nodes::tone_map(&mut b, frame, &denoised, display);
+        }
+        PostProcess::ToneMapTaa => {
+            let display = b.image("display", HDR, Lifetime::Output);
+            let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
+            nodes::tone_map(&mut b, frame, &denoised, tone_mapped);
+            nodes::taa(&mut b, frame, guides, tone_mapped, display);
+        }
     }
-    let display = b.image("display", HDR, Lifetime::Output);
-    if config.post_process == PostProcess::ToneMapTaa {
-        let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
-        nodes::tone_map(b, frame, denoised, tone_mapped);
-        nodes::taa(b, frame, guides, tone_mapped, display);
-    } else {
-        nodes::tone_map(b, frame, denoised, display);
-    }
+    b.finish()
 }
 
 /// Outliers leave before the history, where the configuration wants it.

@@ -1,6 +1,6 @@
 //! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\] 4).
 
-use super::{gradients, post_process};
+use super::{finish, gradients};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Adaptation, Builder, Signal, HOST_COLOUR};
@@ -18,6 +18,5 @@ pub(crate) fn stabilize(config: &Config) -> Declaration {
     nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Adaptation::Alpha(confidence));
     let accumulated = vec![stabilized[0].history];
     let denoised = nodes::modulate(&mut b, frame, guides, &stabilized, &accumulated);
-    post_process(&mut b, frame, guides, config, denoised);
-    b.finish()
+    finish(b, frame, guides, config, Some(denoised))
 }

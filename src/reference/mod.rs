@@ -51,10 +51,13 @@ mod temporal_accumulation;
 mod test_scene;
 mod tone_map;
 mod variance;
+mod volume;
+mod volume_motion;
+mod volume_points;
 
 pub use adaptive_alpha::{adaptive_alpha, AdaptiveAlphaInput};
 pub use adaptive_history::{change_test, percentile_rule, PercentileRuleInputs, CHANGE_EPSILON, RANGE_EPSILON};
-pub use atrous::{atrous, box_atrous, AtrousInputs, LUMINANCE_EPSILON};
+pub use atrous::{atrous, box_atrous, volume_atrous, AtrousInputs, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
 pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
 pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
@@ -83,7 +86,12 @@ pub use surface_motion::{
 pub use svgf::{Svgf, SvgfInputs, SvgfOutputs, SvgfViews};
 pub use taa::{taa, TaaInputs};
 pub use temporal_accumulation::{
-    temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
+    temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
+    TemporalAccumulationOutputs, VolumeAccumulationInputs,
 };
 pub use tone_map::tone_map;
-pub use variance::{fading_variance, variance, VarianceInputs};
+pub use variance::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
+pub use volume_motion::{pack_volume_motion, unpack_volume_motion, volume_motion, VolumeMotionInputs};
+pub use volume_points::{
+    pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,
+};

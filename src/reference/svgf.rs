@@ -171,7 +171,7 @@ impl Svgf {
         if self.config.post_process == PostProcess::None {
             return None;
         }
-        let tone_mapped = tone_map(&frame.constants, radiance);
+        let tone_mapped = tone_map(&frame.constants, &[radiance]);
         if self.config.post_process == PostProcess::ToneMap {
             return Some(tone_mapped);
         }
