@@ -147,6 +147,8 @@ mod tests {
                     for preset in [Preset::Asvgf, Preset::Stabilize] {
                         for (gradient_source, forward_motion) in GRADIENT_SOURCES {
                             all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));
+                            let with_all = Config { preset, gradient_source, firefly_filter: true, volume: true, ..config };
+                            all.push(with_all.declare().expect("valid"));
                         }
                     }
                 }

@@ -1,6 +1,6 @@
 //! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\] 4).
 
-use super::{finish, gradients};
+use super::{finish, firefly_filter, gradients};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Adaptation, Builder, Signal, HOST_COLOUR};
@@ -15,6 +15,7 @@ pub(crate) fn stabilize(config: &Config) -> Declaration {
     let compared = source.map(|_| Signal { noisy: b.input("noisy_radiance", HOST_COLOUR, false), ..stabilized[0] });
     let confidence = gradients::after_lighting(&mut b, frame, guides, config, source, compared.as_slice());
     nodes::demodulate(&mut b, frame, guides, &stabilized);
+    firefly_filter(&mut b, frame, guides, config, &stabilized);
     nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Adaptation::Alpha(confidence));
     let accumulated = vec![stabilized[0].history];
     let denoised = nodes::modulate(&mut b, frame, guides, &stabilized, &accumulated);
