@@ -48,10 +48,10 @@ fn build() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// FNV-1a over the names and lines of every source, sorted; line ends do not count, since a checkout may change them.
+/// FNV-1a over the names and lines of every source, the header for hosts among them, sorted; line ends do not count, since a checkout may change them.
 fn hash_of_sources(glsl: &Path) -> Result<String, Box<dyn Error>> {
     let mut sources = Vec::new();
-    for folder in [glsl.to_path_buf(), glsl.join("include")] {
+    for folder in [glsl.to_path_buf(), glsl.join("include"), glsl.join("host")] {
         for entry in fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))? {
             let path = entry?.path();
             if path.extension().is_some_and(|e| e == "comp" || e == "glsl") {

@@ -9,9 +9,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 #include "push_constants.glsl"
-#include "geometry_weights.glsl"
+#include "centre_geometry.glsl"
 #include "luminance.glsl"
-#include "volume.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -46,41 +45,8 @@ struct Sum {
 
 struct Centre {
     float luminance;
-    float tolerance;  // of luminance: eq. 5's denominator
+    float sharpness;  // of luminance: log2(e) over eq. 5's denominator
 };
-
-// What the geometry in the centre is compared with.
-struct Geometry {
-    float depth;
-    vec3 normal;
-    vec2 gradient;
-};
-
-#ifdef VOLUME
-bool is_filtered(uvec4 packed) { return true; }
-
-Geometry geometry_at(ivec2 p, uvec4 packed) { return Geometry(volume_depth(packed), vec3(0.0), vec2(0.0)); }
-
-// Weight, and an exponent that is added to that of the luminance.
-vec2 geometry_weight(Geometry centre, uvec4 packed_q, ivec2 offset) {
-    return vec2(1.0, relative_difference(centre.depth, volume_depth(packed_q)) / frame.volume_sigma_z);
-}
-
-float sigma_l() { return frame.volume_sigma_l; }
-#else
-bool is_filtered(uvec4 packed) { return unpack_depth(packed) != 0.0; }
-
-Geometry geometry_at(ivec2 p, uvec4 packed) {
-    return Geometry(unpack_depth(packed), unpack_normal(packed), unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
-}
-
-vec2 geometry_weight(Geometry centre, uvec4 packed_q, ivec2 offset) {
-    return vec2(normal_weight(centre.normal, unpack_normal(packed_q), centre.depth),
-                depth_weight_exponent(centre.depth, unpack_depth(packed_q), centre.gradient, vec2(offset)));
-}
-
-float sigma_l() { return frame.sigma_l; }
-#endif
 
 bool is_surface(ivec2 q) { return is_inside(q) && is_filtered(texelFetch(guide, q, 0)); }
 
@@ -105,11 +71,11 @@ vec2 smoothed_variances(ivec2 p) {
 }
 
 Centre centre_of(vec4 value, float variance) {
-    return Centre(luminance(value.rgb), sigma_l() * sqrt(variance) + LUMINANCE_EPSILON);
+    return Centre(luminance(value.rgb), LOG2_E / (sigma_l() * sqrt(variance) + LUMINANCE_EPSILON));
 }
 
-void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float depth_exponent, float kernel) {
-    float weight = kernel * geometry * exp(-depth_exponent - abs(luminance(value.rgb) - centre.luminance) / centre.tolerance);
+void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
+    float weight = kernel * exp2(geometry - abs(luminance(value.rgb) - centre.luminance) * centre.sharpness);
     sum.irradiance += weight * value.rgb;
     sum.variance += weight * weight * value.a * value.a;
     sum.weight += weight;
@@ -137,7 +103,11 @@ void main() {
 #endif
         return;
     }
-    Geometry geometry = geometry_at(p, packed);
+#ifdef VOLUME
+    Geometry geometry = geometry_of(packed);
+#else
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+#endif
     vec2 variances = smoothed_variances(p);
     Centre centre_0 = centre_of(value_0, variances.x);
     Sum sum_0 = start(value_0);
@@ -154,10 +124,10 @@ void main() {
             uvec4 packed_q = texelFetch(guide, q, 0);
             if (!is_filtered(packed_q)) continue;
             float kernel = KERNEL[abs(x)] * KERNEL[abs(y)];
-            vec2 weight = geometry_weight(geometry, packed_q, offset);
-            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, weight.x, weight.y, kernel);
+            float weight = log2_weight(geometry, packed_q, vec2(offset));
+            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, weight, kernel);
 #if SIGNALS == 2
-            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, weight.x, weight.y, kernel);
+            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, weight, kernel);
 #endif
         }
     imageStore(output_0, p, result(sum_0));

@@ -26,12 +26,6 @@ bool takes_part(ivec2 p) {
 #endif
 }
 
-// 0: the block does not say what is bright, since next to all of its samples are black.
-float limit_of(ivec2 block) {
-    vec2 low_up = unpackHalf2x16(texelFetch(block_percentiles, block, 0).x);
-    return low_up.y > 0.0 ? frame.firefly_bias + low_up.y + percentile_range(low_up) : 0.0;
-}
-
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!takes_part(p)) return;
@@ -39,10 +33,7 @@ void main() {
     float l = luminance(value.rgb);
     ivec2 block = p / BLOCK_SIZE;
     // Most pixels end here.
-    if (l <= limit_of(block)) return;
-    float limit = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            if (is_block(block + ivec2(x, y))) limit = max(limit, limit_of(block + ivec2(x, y)));
+    if (l <= firefly_limit_of(block_percentiles, block)) return;
+    float limit = firefly_limit(block_percentiles, block);
     if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
 }

@@ -8,10 +8,9 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
-#include "geometry_weights.glsl"
+#include "centre_geometry.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
-#include "volume.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -43,26 +42,13 @@ void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
     sum += weight * vec2(m.mean, m.deviation * m.deviation + m.mean * m.mean);
 }
 
-#ifdef VOLUME
-bool is_filtered(uvec4 packed) { return true; }
-
-float weight_of(ivec2 p, uvec4 packed, ivec2 offset, uvec4 packed_q) {
-    return exp(-relative_difference(volume_depth(packed), volume_depth(packed_q)) / frame.volume_sigma_z);
-}
-#else
-bool is_filtered(uvec4 packed) { return unpack_depth(packed) != 0.0; }
-
-float weight_of(ivec2 p, uvec4 packed, ivec2 offset, uvec4 packed_q) {
-    if (offset == ivec2(0)) return 1.0;
-    float z = unpack_depth(packed);
-    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
-    return exp(-depth_weight_exponent(z, unpack_depth(packed_q), gradient, vec2(offset))) *
-           normal_weight(unpack_normal(packed), unpack_normal(packed_q), z);
-}
-#endif
-
 // Mean and second moment of each signal over the neighbourhood.
 void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
+#ifdef VOLUME
+    Geometry geometry = geometry_of(packed);
+#else
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+#endif
     float weight_sum = 0.0;
     sums[0] = sums[1] = vec2(0.0);
     for (int y = -RADIUS; y <= RADIUS; ++y)
@@ -71,7 +57,7 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
             if (!is_inside(q)) continue;
             uvec4 packed_q = texelFetch(guide, q, 0);
             if (!is_filtered(packed_q)) continue;
-            float weight = weight_of(p, packed, ivec2(x, y), packed_q);
+            float weight = x == 0 && y == 0 ? 1.0 : exp2(log2_weight(geometry, packed_q, vec2(x, y)));
             weight_sum += weight;
             add_moments(sums[0], moments_0, q, weight);
 #if SIGNALS == 2

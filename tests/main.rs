@@ -11,6 +11,7 @@ mod documents;
 mod eaw;
 mod firefly;
 mod gradients;
+mod host_header;
 mod hosts;
 mod parity;
 mod pattern;
@@ -47,6 +48,7 @@ fn main() {
         ("contract", contract::TESTS, false),
         ("declarations", declarations::TESTS, false),
         ("documents", documents::TESTS, false),
+        ("host_header", host_header::TESTS, false),
         ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("eaw", eaw::TESTS, true),

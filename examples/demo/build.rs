@@ -1,4 +1,5 @@
 //! Compiles `glsl/*.comp` to SPIR-V (Vulkan 1.1) and writes `$OUT_DIR/shaders.rs`, one constant for each shader.
+//! Includes come from `glsl/include`, and from the folder of the crate that holds the header for hosts.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -41,9 +42,10 @@ fn compile(compiler: &shaderc::Compiler, root: &Path, shader: &Path) -> Result<V
     options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
     options.set_optimization_level(shaderc::OptimizationLevel::Performance);
     options.set_warnings_as_errors();
-    let include_root = root.join("include");
+    let folders = [root.join("include"), root.join("../../../glsl/host")];
     options.set_include_callback(move |name, _, _, _| {
-        let path = include_root.join(name);
+        let found = folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file());
+        let path = found.unwrap_or_else(|| folders[0].join(name));
         println!("cargo:rerun-if-changed={}", path.display());
         fs::read_to_string(&path)
             .map(|content| shaderc::ResolvedInclude { resolved_name: path.display().to_string(), content })

@@ -159,6 +159,12 @@ pub(crate) enum Work {
         level: u32,
         grid: Grid,
     },
+    /// The same, with the view of the frame for the first push constant.
+    DebugView {
+        shader: &'static Shader,
+        /// Bit i: binding i is what the shader calls it, and does not stand in for an image that the preset lacks.
+        available: u32,
+    },
 }
 
 /// Invocations of a dispatch.

@@ -3,7 +3,7 @@
 use super::{finish, firefly_filter};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Signal};
+use crate::nodes::{self, Builder, Shown, Signal};
 
 pub(crate) fn eaw(config: &Config) -> Declaration {
     // Object-space normals serve the history alone.
@@ -13,8 +13,9 @@ pub(crate) fn eaw(config: &Config) -> Declaration {
     let guides = nodes::import(&mut b, frame, config);
     let signals = Signal::declare_without_history(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    firefly_filter(&mut b, frame, guides, config, &signals);
+    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
     let filtered = nodes::eaw(&mut b, frame, guides, &signals, config.levels);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    finish(b, frame, guides, config, Some(denoised))
+    let shown = Shown { signals: &signals, percentiles: &percentiles, ..Shown::default() };
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

@@ -14,35 +14,47 @@ pub(crate) use percentile::percentile;
 pub(crate) use stabilize::stabilize;
 pub(crate) use svgf::svgf;
 pub(crate) use volume::volume;
+use volume::FilteredVolume;
 
 use crate::config::{Config, PostProcess};
 use crate::contract::{Declaration, Lifetime, ResourceId};
-use crate::nodes::{self, Builder, Frame, Guides, Signal, HDR};
+use crate::nodes::{self, Builder, Frame, Guides, Shown, Signal, HDR};
 
-/// What every preset ends with: the volume, where there is one, and the post-process over the sum of `surfaces` and volume.
-fn finish(mut b: Builder, frame: Frame, guides: Guides, config: &Config, surfaces: Option<ResourceId>) -> Declaration {
+/// What every preset ends with: the volume, where there is one, the post-process over the sum of surfaces and volume, and the debug view.
+/// `surfaces`: where they were denoised, and what can be shown of them.
+fn finish(mut b: Builder, frame: Frame, guides: Guides, config: &Config, surfaces: Option<(ResourceId, Shown)>) -> Declaration {
     let volume = config.has_volume().then(|| volume::volume_filter(&mut b, frame, guides, config));
-    let denoised: Vec<ResourceId> = surfaces.into_iter().chain(volume).collect();
-    match config.post_process {
-        PostProcess::None => {}
-        PostProcess::ToneMap => {
-            let display = b.image("display", HDR, Lifetime::Output);
-            nodes::tone_map(&mut b, frame, &denoised, display);
-        }
-        PostProcess::ToneMapTaa => {
-            let display = b.image("display", HDR, Lifetime::Output);
-            let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
-            nodes::tone_map(&mut b, frame, &denoised, tone_mapped);
-            nodes::taa(&mut b, frame, guides, tone_mapped, display);
+    let denoised: Vec<ResourceId> =
+        surfaces.iter().map(|(denoised, _)| *denoised).chain(volume.as_ref().map(|volume| volume.denoised)).collect();
+    if config.post_process != PostProcess::None {
+        post_process(&mut b, frame, guides, config, &denoised);
+    }
+    if config.debug_view {
+        let of_volume = volume.as_ref().map(FilteredVolume::shown);
+        if let Some(shown) = surfaces.map(|(_, shown)| shown).or(of_volume) {
+            nodes::debug_view(&mut b, frame, guides, shown);
         }
     }
     b.finish()
 }
 
-/// Outliers leave before the history, where the configuration wants it.
-fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) {
-    if config.firefly_filter {
-        let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
-        nodes::firefly(b, frame, guides, signals, &percentiles);
+fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: &[ResourceId]) {
+    let display = b.image("display", HDR, Lifetime::Output);
+    if config.post_process == PostProcess::ToneMapTaa {
+        let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
+        nodes::tone_map(b, frame, denoised, tone_mapped);
+        nodes::taa(b, frame, guides, tone_mapped, display);
+    } else {
+        nodes::tone_map(b, frame, denoised, display);
     }
+}
+
+/// Outliers leave before the history, where the configuration wants it. Returns the percentiles of every signal, or nothing.
+fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) -> Vec<ResourceId> {
+    if !config.firefly_filter {
+        return Vec::new();
+    }
+    let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
+    nodes::firefly(b, frame, guides, signals, &percentiles);
+    percentiles
 }

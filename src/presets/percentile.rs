@@ -3,7 +3,7 @@
 use super::finish;
 use crate::config::{AdaptiveRule, Config};
 use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
 
 pub(crate) fn percentile(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -25,5 +25,13 @@ pub(crate) fn percentile(config: &Config) -> Declaration {
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    finish(b, frame, guides, config, Some(denoised))
+    let shown = Shown {
+        signals: &signals,
+        moments: true,
+        deviation: true,
+        confidence: Some(confidence),
+        percentiles: &percentiles,
+        ..Shown::default()
+    };
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

@@ -3,7 +3,7 @@
 use super::{finish, firefly_filter};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
 
 pub(crate) fn svgf(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -11,10 +11,11 @@ pub(crate) fn svgf(config: &Config) -> Declaration {
     let guides = nodes::import(&mut b, frame, config);
     let signals = Signal::declare(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    firefly_filter(&mut b, frame, guides, config, &signals);
+    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
     nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::None);
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    finish(b, frame, guides, config, Some(denoised))
+    let shown = Shown { signals: &signals, moments: true, deviation: true, percentiles: &percentiles, ..Shown::default() };
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

@@ -1,34 +1,4 @@
 #version 450
-// Lighting at one path per pixel, from the pixel's visibility sample and seed.
-// In: visibility, seed. Out: direct (scattered once), indirect (scattered twice), emission (seen directly; no noise):
-// linear radiance, whose sum is the picture; scattered: direct + indirect.
+// Lighting at one path per pixel: see include/lighting.glsl.
 #extension GL_GOOGLE_include_directive : require
-#include "pixel_sample.glsl"
-#include "path.glsl"
-#include "camera.glsl"
-
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 1, binding = 2, rgba32f) uniform writeonly image2D direct_image;
-layout(set = 1, binding = 3, rgba32f) uniform writeonly image2D indirect_image;
-layout(set = 1, binding = 4, rgba32f) uniform writeonly image2D emission_image;
-layout(set = 1, binding = 5, rgba32f) uniform writeonly image2D scattered_image;
-
-void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
-    PixelSample pixel_sample = fetch_pixel_sample(pixel);
-    Lighting lighting = Lighting(vec3(0.0), vec3(0.0));
-    vec3 emission;
-    if (pixel_sample.visibility.instance == NO_INSTANCE) {
-        emission = environment(normalize(ray_direction(frame.camera, vec2(pixel) + 0.5 + frame.jitter_epsilon_weight.xy)));
-    } else {
-        Surface s = surface_at(pixel_sample.visibility, frame.camera.eye.xyz);
-        emission = s.emission;
-        Rng rng = rng_new(pixel_sample.seed, 0u);
-        lighting = trace_path(s, frame.camera.eye.xyz, rng);
-    }
-    imageStore(direct_image, pixel, vec4(lighting.direct, 1.0));
-    imageStore(indirect_image, pixel, vec4(lighting.indirect, 1.0));
-    imageStore(emission_image, pixel, vec4(emission, 1.0));
-    imageStore(scattered_image, pixel, vec4(lighting.direct + lighting.indirect, 1.0));
-}
+#include "lighting.glsl"

@@ -1,29 +1,69 @@
 //! The denoiser inside this engine: its inputs bound to the engine's images, its phases recorded around the lighting pass.
 
 use ash::vk;
-use atrous::config::{Conventions, MotionDepth, MotionUnit, PostProcess, Signals};
+use atrous::config::{Conventions, EawWeights, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
-use atrous::{Config, Device, FrameContext, FrameParams, Phase, Tuning, UseFrame};
+use atrous::{Config, Device, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
-use crate::{Outputs, PathTracer, Result};
+use crate::tracer::Reshading;
+use crate::{Outputs, PathTracer, Result, View};
 
 /// What the denoiser is asked for.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct DenoiserOptions {
+    /// Filter.
+    pub preset: Preset,
     /// Direct and indirect light filtered apart, or as one.
     pub signals: Signals,
+    /// Edge-stopping functions of the preset `Eaw`.
+    pub eaw_weights: EawWeights,
     /// Tone map and temporal anti-aliasing after it.
     pub taa: bool,
-    /// Per-frame numbers.
+    /// Per-frame numbers to start with.
     pub tuning: Tuning,
 }
 
-/// Denoises what a [`PathTracer`] renders. Keep the tracer as long: the denoiser reads its images.
+impl DenoiserOptions {
+    /// A preset as its paper has it: light apart in SVGF \[SVGF 3\], together in A-SVGF \[ASVGF 4\] and EAW. Percentile-adaptive SVGF is meant to
+    /// cost no more than SVGF on one signal.
+    pub fn new(preset: Preset) -> Self {
+        let signals = if preset == Preset::Svgf { Signals::Apart } else { Signals::Together };
+        Self { preset, signals, eaw_weights: EawWeights::default(), taa: false, tuning: Tuning::for_preset(preset) }
+    }
+
+    fn config(&self, extent: vk::Extent2D) -> Config {
+        Config {
+            frames_in_flight: 1,
+            preset: self.preset,
+            signals: self.signals,
+            eaw_weights: self.eaw_weights,
+            post_process: if self.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
+            conventions: Conventions {
+                motion_unit: MotionUnit::Pixels,
+                motion_depth: MotionDepth::Absolute,
+                ..Conventions::default()
+            },
+            ..Config::new([extent.width, extent.height])
+        }
+    }
+}
+
+impl Default for DenoiserOptions {
+    fn default() -> Self {
+        Self::new(Preset::default())
+    }
+}
+
+/// Denoises what a [`PathTracer`] renders. Several may share a tracer, with one or another used in a frame; one that did not see the frame
+/// before has to be [`Self::reset`]. Keep the tracer as long: the denoiser reads its images.
 pub struct FrameDenoiser {
     executor: Executor,
+    /// For presets whose gradient samples the tracer shades again; others pay nothing.
+    reshading: Option<Reshading>,
     gpu: Gpu,
     tuning: Tuning,
+    reset: Option<ResetReason>,
     frame: Option<FrameContext>,
 }
 
@@ -33,64 +73,168 @@ impl FrameDenoiser {
     /// # Errors
     /// A device without what the denoiser needs, or no memory.
     pub fn new(gpu: &Gpu, tracer: &PathTracer, options: &DenoiserOptions) -> Result<Self> {
-        let extent = tracer.extent();
-        let config = Config {
-            frames_in_flight: 1,
-            signals: options.signals,
-            post_process: if options.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
-            conventions: Conventions {
-                motion_unit: MotionUnit::Pixels,
-                motion_depth: MotionDepth::Absolute,
-                ..Conventions::default()
-            },
-            ..Config::new([extent.width, extent.height])
-        };
+        let config = options.config(tracer.extent());
         let host = Device { instance: gpu.instance(), physical_device: gpu.physical_device(), device: gpu.device() };
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
+            keep: &[GRADIENT],
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
         let mut executor = unsafe { Executor::new(host, &config, wanted)? };
         for (name, image) in inputs(tracer.outputs(), options.signals) {
-            executor.bind_image(name, host_image(image))?;
+            executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }
-        Ok(Self { executor, gpu: gpu.clone(), tuning: options.tuning, frame: None })
+        let transforms = tracer.previous_from_current();
+        let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
+        executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
+        let reshades = executor.denoiser().declaration().find("gradient_samples").is_some();
+        let reshading = if reshades { Some(tracer.reshading(config.stratum_size)?) } else { None };
+        if let Some(reshading) = &reshading {
+            let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
+            executor.bind_image("gradient_samples", image)?;
+        }
+        Ok(Self { executor, reshading, gpu: gpu.clone(), tuning: options.tuning, reset: None, frame: None })
     }
 
     /// Renders and denoises the frame that the tracer was set to, and waits for it.
     ///
     /// # Errors
-    /// A lost device.
+    /// As [`Self::record`], and a lost device.
     pub fn render(&mut self, tracer: &mut PathTracer) -> Result<()> {
+        let gpu = self.gpu.clone();
+        gpu.submit(|cmd| {
+            tracer.record_gbuffer(cmd);
+            self.record(cmd, tracer)
+        })
+    }
+
+    /// Records lighting with the denoiser around it, behind [`PathTracer::record_gbuffer`] of the same frame. Submit it before anything else is
+    /// recorded, and wait for it before the next frame. Several denoisers may follow one another: each has the lighting that it needs.
+    ///
+    /// # Errors
+    /// Numbers out of range, in the tuning or in the camera.
+    pub fn record(&mut self, cmd: vk::CommandBuffer, tracer: &mut PathTracer) -> Result<()> {
         let camera = tracer.camera(tracer.frame());
         let extent = tracer.extent();
         let params = FrameParams {
             view_from_world: camera.view_from_world,
             clip_from_view: camera.clip_from_view,
             jitter: camera.jitter,
+            reset: self.reset,
+            reshaded: self.reshading.is_some(),
             ..FrameParams::new([extent.width, extent.height])
         };
         let frame = self.executor.begin_frame(&params, &self.tuning)?;
         self.frame = Some(frame);
-        let gpu = self.gpu.clone();
-        gpu.submit(|cmd| {
-            tracer.record_gbuffer(cmd);
-            self.record(cmd, &frame, Phase::BeforeLighting)?;
-            tracer.record_lighting(cmd);
-            self.record(cmd, &frame, Phase::AfterLighting)?;
-            self.record(cmd, &frame, Phase::PostProcess)
-        })
+        self.reset = None;
+        self.record_phase(cmd, &frame, Phase::BeforeLighting)?;
+        match &mut self.reshading {
+            Some(reshading) => tracer.record_lighting_reshaded(cmd, reshading),
+            None => tracer.record_lighting(cmd),
+        }
+        self.record_phase(cmd, &frame, Phase::AfterLighting)?;
+        self.record_phase(cmd, &frame, Phase::PostProcess)
     }
 
-    fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<()> {
+    fn record_phase(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<()> {
         // SAFETY: `cmd` is recording; the engine's images are in the state that they were bound with; every frame is waited for.
         unsafe { self.executor.record(cmd, frame, phase)? };
         Ok(())
     }
 
-    /// Texels of one of the denoiser's outputs or histories in the last frame.
+    /// The next frame drops all history.
+    pub fn reset(&mut self, reason: ResetReason) {
+        self.reset = Some(reason);
+    }
+
+    /// Per-frame numbers of the last frame, or those that the next one will have.
+    pub fn tuning(&self) -> &Tuning {
+        &self.tuning
+    }
+
+    /// From the next frame on. Drops no history.
+    pub fn set_tuning(&mut self, tuning: Tuning) {
+        self.tuning = tuning;
+    }
+
+    /// The filter.
+    pub fn preset(&self) -> Preset {
+        self.executor.denoiser().config().preset
+    }
+
+    /// What [`Self::view`] can show: the preset says.
+    pub fn views(&self) -> impl Iterator<Item = View> + '_ {
+        View::ALL.into_iter().filter(|view| {
+            let needed: &[&str] = match view {
+                View::HistoryLength => &[self.name_of("moments")],
+                View::Deviation => &[self.name_of("moments"), self.name_of("irradiance_history")],
+                View::Gradient => &[GRADIENT],
+                View::Lambda => &["history_confidence"],
+                View::Alpha => &["history_confidence", self.name_of("moments")],
+            };
+            needed.iter().all(|name| self.has(name))
+        })
+    }
+
+    /// One number for each pixel of the last frame.
+    ///
+    /// # Errors
+    /// A view that is not among [`Self::views`], or no memory.
+    pub fn view(&mut self, view: View) -> Result<Vec<f32>> {
+        match view {
+            View::HistoryLength => self.history_length(),
+            View::Deviation => Ok(self.read(self.name_of("irradiance_history"))?.iter().map(|t| t[3]).collect()),
+            View::Gradient => self.gradient(),
+            View::Lambda => self.lambda(),
+            View::Alpha => self.alpha(),
+        }
+    }
+
+    fn history_length(&mut self) -> Result<Vec<f32>> {
+        let moments = self.read(self.name_of("moments"))?;
+        Ok(moments.iter().map(|m| half::f16::from_bits(m[2] as u16).to_f32()).collect())
+    }
+
+    fn lambda(&mut self) -> Result<Vec<f32>> {
+        Ok(self.read("history_confidence")?.iter().map(|c| 1.0 - c[0]).collect())
+    }
+
+    /// As the stage `temporal_accumulation` has it.
+    fn alpha(&mut self) -> Result<Vec<f32>> {
+        let least = self.tuning.alpha;
+        let (lambda, length) = (self.lambda()?, self.history_length()?);
+        Ok(lambda.iter().zip(length).map(|(l, n)| (least + l * (1.0 - least)).max(1.0 / n)).collect())
+    }
+
+    /// Every pixel gets the gradient of its stratum.
+    fn gradient(&mut self) -> Result<Vec<f32>> {
+        let strata = self.read(GRADIENT)?;
+        let [width, height] = self.executor.denoiser().declaration().allocated_extent();
+        let size = self.executor.denoiser().config().stratum_size;
+        let across = width.div_ceil(size);
+        let at = |i: u32| strata[(i / width / size * across + i % width / size) as usize];
+        Ok((0..width * height)
+            .map(at)
+            .map(|[change, brightest, ..]| if brightest > 0.0 { change / brightest } else { 0.0 })
+            .collect())
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.executor.denoiser().declaration().find(name).is_some()
+    }
+
+    /// The image of a signal, or that of its direct light where there are two.
+    fn name_of(&self, image: &'static str) -> &'static str {
+        match (self.has(image), image) {
+            (false, "moments") => "moments_direct",
+            (false, "irradiance_history") => "irradiance_history_direct",
+            _ => image,
+        }
+    }
+
+    /// Texels of one of the denoiser's outputs or histories in the last frame: `display`, `denoised_radiance`, ...
     ///
     /// # Errors
     /// A name that does not exist, or no memory.
@@ -118,6 +262,9 @@ impl FrameDenoiser {
     }
 }
 
+/// Where the last of the five passes of `gradient_atrous` leaves the reconstructed gradient.
+const GRADIENT: &str = "gradient_pong";
+
 fn inputs(outputs: &Outputs, signals: Signals) -> Vec<(&'static str, &Image)> {
     let mut inputs = vec![
         ("depth", &outputs.depth),
@@ -134,7 +281,8 @@ fn inputs(outputs: &Outputs, signals: Signals) -> Vec<(&'static str, &Image)> {
     inputs
 }
 
-fn host_image(image: &Image) -> HostImage {
+/// `access`: what the engine's shaders do with it.
+fn host_image(image: &Image, access: vk::AccessFlags2) -> HostImage {
     HostImage {
         image: image.handle,
         view: image.view,
@@ -142,6 +290,6 @@ fn host_image(image: &Image) -> HostImage {
         extent: [image.extent.width, image.extent.height],
         layout: vk::ImageLayout::GENERAL,
         stage: vk::PipelineStageFlags2::COMPUTE_SHADER,
-        access: vk::AccessFlags2::SHADER_STORAGE_WRITE,
+        access,
     }
 }

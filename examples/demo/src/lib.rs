@@ -13,9 +13,11 @@ pub mod measure;
 pub mod report;
 pub mod scene;
 pub mod tracer;
+pub mod view;
 
 pub use denoiser::{DenoiserOptions, FrameDenoiser};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
-pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, TracerOptions};
+pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions};
+pub use view::View;

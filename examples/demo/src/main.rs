@@ -2,6 +2,7 @@
 
 mod options;
 mod run;
+mod times;
 
 use std::process::ExitCode;
 

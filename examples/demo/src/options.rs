@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use atrous::config::Signals;
+use atrous::config::{EawWeights, Preset, Signals};
 use atrous::Tuning;
 use atrous_demo::{DenoiserOptions, Error, Result, SceneOptions, TracerOptions};
 use clap::{Parser, ValueEnum};
@@ -25,9 +25,15 @@ pub struct Options {
     /// Filter
     #[arg(long, value_enum, default_value_t = PresetName::Svgf)]
     pub preset: PresetName,
-    /// Direct and indirect light filtered apart, or their sum
-    #[arg(long, value_enum, default_value_t = SignalsName::Apart)]
-    pub signals: SignalsName,
+    /// Every filter on the same frames: one strip and one table. A-SVGF has lighting of its own, since it has some samples shaded again
+    #[arg(long, conflicts_with = "preset")]
+    pub compare: bool,
+    /// Direct and indirect light filtered apart, or their sum; default: apart for svgf, together for the others
+    #[arg(long, value_enum)]
+    pub signals: Option<SignalsName>,
+    /// Edge-stopping functions of the filter eaw: some of rt (radiance), normal and position, separated by commas, or none
+    #[arg(long, value_name = "WEIGHTS", default_value = "rt,normal,position", value_parser = parse_weights)]
+    pub eaw_weights: EawWeights,
     /// A number of the filter, for example alpha=0.1; may be given several times. Unknown names list the known ones
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse_setting)]
     pub settings: Vec<(String, f32)>,
@@ -67,10 +73,37 @@ pub struct Options {
 }
 
 /// Filters of the demo.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum PresetName {
     /// Spatiotemporal variance-guided filtering
     Svgf,
+    /// Adaptive temporal filtering by temporal gradients
+    Asvgf,
+    /// Percentile-based adaptive SVGF
+    Percentile,
+    /// Edge-avoiding à-trous wavelets, frame by frame
+    Eaw,
+}
+
+impl PresetName {
+    /// What to call it in strips and tables.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Svgf => "SVGF",
+            Self::Asvgf => "A-SVGF",
+            Self::Percentile => "percentile",
+            Self::Eaw => "EAW",
+        }
+    }
+
+    fn preset(self) -> Preset {
+        match self {
+            Self::Svgf => Preset::Svgf,
+            Self::Asvgf => Preset::Asvgf,
+            Self::Percentile => Preset::Percentile,
+            Self::Eaw => Preset::Eaw,
+        }
+    }
 }
 
 /// What is filtered.
@@ -85,7 +118,7 @@ pub enum SignalsName {
 impl Options {
     /// What clap cannot check.
     pub fn check(&self) -> Result<()> {
-        self.tuning()?;
+        self.set(&mut Tuning::default())?;
         match self.reference_frames().into_iter().find(|&f| f >= self.frames) {
             Some(given) => Err(Error::ReferenceFrame { given, frames: self.frames }),
             None => Ok(()),
@@ -111,22 +144,32 @@ impl Options {
         TracerOptions { jitter: self.taa, seed: self.seed, ..TracerOptions::default() }
     }
 
-    /// What the denoiser is asked for.
-    pub fn denoiser(&self) -> Result<DenoiserOptions> {
-        let signals = match self.signals {
-            SignalsName::Apart => Signals::Apart,
-            SignalsName::Together => Signals::Together,
-        };
-        let PresetName::Svgf = self.preset;
-        Ok(DenoiserOptions { signals, taa: self.taa, tuning: self.tuning()? })
+    /// The filters that run, in the order of strips and tables. Not A-SVGF last: then the noisy picture is the one that all others had.
+    pub fn presets(&self) -> Vec<PresetName> {
+        match self.compare {
+            true => vec![PresetName::Svgf, PresetName::Asvgf, PresetName::Percentile, PresetName::Eaw],
+            false => vec![self.preset],
+        }
     }
 
-    fn tuning(&self) -> Result<Tuning> {
-        let mut tuning = Tuning::default();
+    /// What the denoiser is asked for.
+    pub fn denoiser(&self, name: PresetName) -> Result<DenoiserOptions> {
+        let defaults = DenoiserOptions::new(name.preset());
+        let signals = match self.signals {
+            Some(SignalsName::Apart) => Signals::Apart,
+            Some(SignalsName::Together) => Signals::Together,
+            None => defaults.signals,
+        };
+        let mut tuning = defaults.tuning;
+        self.set(&mut tuning)?;
+        Ok(DenoiserOptions { signals, taa: self.taa, eaw_weights: self.eaw_weights, tuning, ..defaults })
+    }
+
+    fn set(&self, tuning: &mut Tuning) -> Result<()> {
         for (name, value) in &self.settings {
             tuning.set(name, *value)?;
         }
-        Ok(tuning)
+        Ok(())
     }
 }
 
@@ -138,4 +181,17 @@ fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
 fn parse_setting(text: &str) -> std::result::Result<(String, f32), String> {
     let parsed = text.split_once('=').and_then(|(name, value)| Some((name.to_owned(), value.parse().ok()?)));
     parsed.ok_or_else(|| format!("\"{text}\" is not a setting: give a name and a number like alpha=0.1"))
+}
+
+fn parse_weights(text: &str) -> std::result::Result<EawWeights, String> {
+    let mut weights = EawWeights::first(0);
+    for name in text.split(',').filter(|_| text != "none") {
+        match name {
+            "rt" => weights.radiance = true,
+            "normal" => weights.normal = true,
+            "position" => weights.position = true,
+            _ => return Err(format!("\"{name}\" is no weight: give some of rt, normal, position, separated by commas, or none")),
+        }
+    }
+    Ok(weights)
 }

@@ -7,56 +7,44 @@ use atrous_picture::{Column, Picture, PictureError, Strip, TextTable};
 use crate::measure::{Frame, Scores};
 use crate::{FrameDenoiser, Result};
 
-/// Longest history length that the false colours tell apart.
-const LONGEST_SHOWN: f32 = 32.0;
-
 /// Noisy and denoised, side by side.
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write_pair(path: &Path, frame: &Frame) -> Result<()> {
+pub fn write_row(path: &Path, frame: &Frame) -> Result<()> {
     let [w, h] = frame.extent;
-    let mut pair = Picture::filled(2 * w, h, [0; 3])?;
-    pair.paste(&Picture::from_linear(w, h, &frame.noisy, 1.0)?, 0, 0);
-    pair.paste(&Picture::from_linear(w, h, &frame.denoised, 1.0)?, w, 0);
-    Ok(pair.write_png(path)?)
+    let mut row = Picture::filled(w * (1 + frame.denoised.len() as u32), h, [0; 3])?;
+    for (i, pixels) in (0..).zip(frame.pictures()) {
+        row.paste(&Picture::from_linear(w, h, pixels, 1.0)?, i * w, 0);
+    }
+    Ok(row.write_png(path)?)
 }
 
-/// Noisy, denoised, reference where there is one, history length and variance, with their labels.
+/// Noisy, each denoised picture, the reference where there is one; of a single denoiser its views as well. With labels: `names` are those of
+/// the denoisers.
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn write_strip(path: &Path, title: &str, frame: &Frame, scores: Option<[Scores; 2]>) -> Result<()> {
+pub fn write_strip(path: &Path, title: &str, frame: &Frame, names: &[&str], scores: Option<&[Scores]>) -> Result<()> {
     let [w, h] = frame.extent;
-    let label = |name: &str, s: Option<Scores>| match s {
-        Some(s) => format!("{name}\nRMSE {:.4}  SSIM {:.3}", s.rmse, s.ssim),
-        None => name.to_owned(),
-    };
-    let colour = |pixels: &[[f32; 3]]| Picture::from_linear(w, h, pixels, 1.0);
-    let mut strip = Strip::new(format!("{title}, frame {}", frame.index))
-        .panel(label("noisy, 1 path per pixel", scores.map(|s| s[0])), colour(&frame.noisy)?)
-        .panel(label("denoised", scores.map(|s| s[1])), colour(&frame.denoised)?);
-    if let Some(reference) = &frame.reference {
-        strip = strip.panel("reference", colour(reference)?);
+    let mut strip = Strip::new(format!("{title}, frame {}", frame.index));
+    for (i, (name, pixels)) in ["noisy, 1 path per pixel"].iter().chain(names).zip(frame.pictures()).enumerate() {
+        let label = match scores.and_then(|s| s.get(i)) {
+            Some(s) => format!("{name}\nRMSE {:.4}  SSIM {:.3}", s.rmse, s.ssim),
+            None => (*name).to_owned(),
+        };
+        strip = strip.panel(label, Picture::from_linear(w, h, pixels, 1.0)?);
     }
-    let deviation_range = high(&frame.deviation);
-    strip = strip
-        .panel(
-            format!("history length\n0 to {LONGEST_SHOWN} frames"),
-            Picture::false_colour(w, h, &frame.history_length, [0.0, LONGEST_SHOWN])?,
-        )
-        .panel(
-            format!("variance, as standard deviation\n0 to {deviation_range:.3}"),
-            Picture::false_colour(w, h, &frame.deviation, [0.0, deviation_range])?,
-        );
-    Ok(strip.render()?.write_png(path)?)
-}
-
-/// The value below which 99 % of the values lie.
-fn high(values: &[f32]) -> f32 {
-    let mut sorted: Vec<f32> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    sorted.sort_by(f32::total_cmp);
-    sorted.get(sorted.len() * 99 / 100).copied().unwrap_or(1.0).max(1e-3)
+    if let Some(reference) = &frame.reference {
+        strip = strip.panel("reference", Picture::from_linear(w, h, reference, 1.0)?);
+    }
+    if let [only] = &frame.denoised[..] {
+        for (view, values) in &only.views {
+            let (label, picture) = view.paint(frame.extent, values)?;
+            strip = strip.panel(label, picture);
+        }
+    }
+    Ok(strip.columns(4).render()?.write_png(path)?)
 }
 
 /// Mean scores over the frames that have a reference.
@@ -74,15 +62,27 @@ pub fn mean(scores: &[Scores]) -> Scores {
     }
 }
 
-/// A table of scores: a row for each name.
+/// A table of scores: a row for each name, with the GPU time of a frame in milliseconds (NaN: none).
 ///
 /// # Errors
 /// None in practice: every row has every column.
-pub fn score_table(rows: &[(String, Scores)]) -> std::result::Result<TextTable, PictureError> {
-    let columns = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("temporal error", 5)];
+pub fn score_table(rows: &[(String, Scores, f64)]) -> std::result::Result<TextTable, PictureError> {
+    let columns = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("temporal error", 5), ("ms per frame", 1)];
     let mut table = TextTable::new("", columns.map(|(name, decimals)| Column::new(name, decimals)));
-    for (name, s) in rows {
-        table.row(name, &[s.rmse, s.rel_mse, s.psnr, s.ssim, s.temporal_error])?;
+    for (name, s, milliseconds) in rows {
+        table.row(name, &[s.rmse, s.rel_mse, s.psnr, s.ssim, s.temporal_error, *milliseconds])?;
+    }
+    Ok(table)
+}
+
+/// The error of every frame that was measured: a column for each name.
+///
+/// # Errors
+/// Another number of scores than names.
+pub fn frame_table(names: &[&str], frames: &[(u32, Vec<Scores>)]) -> std::result::Result<TextTable, PictureError> {
+    let mut table = TextTable::new("RMSE of frame", names.iter().map(|name| Column::new(*name, 4)));
+    for (index, scores) in frames {
+        table.row(index.to_string(), &scores.iter().map(|s| s.rmse).collect::<Vec<_>>())?;
     }
     Ok(table)
 }

@@ -10,68 +10,59 @@ use atrous_demo::{report, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::options::Options;
+use crate::times::Times;
+
+/// A denoiser with its name and the time that it took.
+struct Contender {
+    name: &'static str,
+    denoiser: FrameDenoiser,
+    times: Times,
+}
 
 /// Renders, denoises and measures one scene, and writes what came out.
 pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let scene = Arc::new(Scene::load(name, &options.scene())?);
     let extent = ash::vk::Extent2D { width: options.size.0, height: options.size.1 };
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
-    let mut denoiser = FrameDenoiser::new(gpu, &tracer, &options.denoiser()?)?;
+    let contender = |preset: crate::options::PresetName| {
+        let denoiser = FrameDenoiser::new(gpu, &tracer, &options.denoiser(preset)?)?;
+        Ok(Contender { name: preset.title(), denoiser, times: Times::default() })
+    };
+    let mut contenders = options.presets().into_iter().map(contender).collect::<Result<Vec<_>>>()?;
     let folder = options.out.join(&scene.name);
     make(&folder.join("sequence"))?;
-    let mut times = Times::default();
-    let mut measured = sequence(options, gpu, &scene.name, &mut tracer, &mut denoiser, &folder, &mut times)?;
+    let mut measured = sequence(options, gpu, &scene.name, &mut tracer, &mut contenders, &folder)?;
     references(options, &scene.name, &mut tracer, &mut measured)?;
-    tables(options, &scene.name, &measured, &denoiser, &times, &folder)
+    let text = tables(options, &scene.name, &measured, &contenders, &folder)?;
+    println!("\n{}\n\n{text}", scene.name);
+    let path = folder.join("table.md");
+    fs::write(&path, text).map_err(|e| Error::Folder { path, problem: e.to_string() })
 }
 
-/// GPU time of each pass, summed over frames.
-#[derive(Default)]
-struct Times {
-    passes: Vec<(&'static str, f64)>,
-    frames: u32,
-}
-
-impl Times {
-    fn add(&mut self, denoiser: &FrameDenoiser) {
-        let times = denoiser.times();
-        if times.is_empty() {
-            return;
-        }
-        self.passes.resize(times.len(), ("", 0.0));
-        for (sum, time) in self.passes.iter_mut().zip(&times) {
-            *sum = (time.name, sum.1 + time.milliseconds);
-        }
-        self.frames += 1;
-    }
-
-    fn means(&self) -> Vec<(&'static str, f64)> {
-        self.passes.iter().map(|(name, sum)| (*name, sum / f64::from(self.frames))).collect()
-    }
-}
-
-/// Renders and denoises every frame, writes them as pairs, and keeps those that are measured.
+/// Renders and denoises every frame, writes them side by side, and keeps those that are measured.
 fn sequence(
     options: &Options,
     gpu: &Gpu,
     name: &str,
     tracer: &mut PathTracer,
-    denoiser: &mut FrameDenoiser,
+    contenders: &mut [Contender],
     folder: &Path,
-    times: &mut Times,
 ) -> Result<Vec<Frame>> {
     let bar = progress(u64::from(options.frames), &format!("{name}: frames"));
     let kept = options.reference_frames();
     let mut measured = Vec::new();
     for index in 0..options.frames {
         tracer.begin_frame(index)?;
-        denoiser.render(tracer)?;
+        gpu.submit(|cmd| {
+            tracer.record_gbuffer(cmd);
+            contenders.iter_mut().try_for_each(|c| c.denoiser.record(cmd, tracer))
+        })?;
         // The first frames of a device compile shaders.
         if index >= 2 {
-            times.add(denoiser);
+            contenders.iter_mut().for_each(|c| c.times.add(&c.denoiser));
         }
-        let frame = Frame::read(gpu, tracer, denoiser)?;
-        report::write_pair(&folder.join("sequence").join(format!("{index:04}.png")), &frame)?;
+        let frame = Frame::read(gpu, tracer, contenders.iter_mut().map(|c| &mut c.denoiser))?;
+        report::write_row(&folder.join("sequence").join(format!("{index:04}.png")), &frame)?;
         if kept.contains(&index) || (kept.is_empty() && index + 1 == options.frames) {
             measured.push(frame);
         }
@@ -91,43 +82,53 @@ fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: 
         tracer.begin_frame(frame.index)?;
         let before = i as u64 * u64::from(options.reference_spp);
         let reference = tracer.render_reference(options.reference_spp, |done, _| bar.set_position(before + u64::from(done)))?;
-        let sum = |i: usize| [0, 1, 2].map(|c| reference.direct[i][c] + reference.indirect[i][c] + reference.emission[i][c]);
-        frame.reference = Some((0..reference.direct.len()).map(sum).collect());
+        frame.reference = Some(reference.radiance());
     }
     bar.finish();
     Ok(())
 }
 
-fn tables(options: &Options, name: &str, measured: &[Frame], denoiser: &FrameDenoiser, times: &Times, folder: &Path) -> Result<()> {
+/// Writes the strips, and gives the text of all tables.
+fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Contender], folder: &Path) -> Result<String> {
+    let names: Vec<_> = contenders.iter().map(|c| c.name).collect();
     let by_index: BTreeMap<u32, &Frame> = measured.iter().map(|f| (f.index, f)).collect();
-    let (mut noisy, mut denoised): (Vec<Scores>, Vec<Scores>) = (Vec::new(), Vec::new());
+    let mut scored: Vec<(u32, Vec<Scores>)> = Vec::new();
     for frame in measured {
         let previous = frame.index.checked_sub(1).and_then(|i| by_index.get(&i).copied());
         let scores = frame.scores(previous)?;
-        if let Some([n, d]) = scores {
-            noisy.push(n);
-            denoised.push(d);
-        }
-        report::write_strip(&folder.join(format!("strip_{:04}.png", frame.index)), name, frame, scores)?;
+        let path = folder.join(format!("strip_{:04}.png", frame.index));
+        report::write_strip(&path, scene, frame, &names, scores.as_deref())?;
+        scored.extend(scores.map(|s| (frame.index, s)));
     }
     let mut text = String::new();
-    if !noisy.is_empty() {
-        let rows = [(format!("{name}, noisy"), report::mean(&noisy)), (format!("{name}, svgf"), report::mean(&denoised))];
-        let frames: Vec<_> = measured.iter().map(|f| f.index.to_string()).collect();
-        text += &format!(
-            "{}\nmean of frames {}; reference: {} paths per pixel\n\n",
-            report::score_table(&rows)?,
-            frames.join(", "),
-            options.reference_spp
-        );
+    if !scored.is_empty() {
+        text += &score_tables(options, scene, &scored, contenders)?;
     }
-    if !times.passes.is_empty() {
-        text += &format!("{}\n\n", report::time_table(&times.means())?);
+    if let [only] = contenders {
+        if let Some(means) = only.times.means() {
+            text += &format!("{}\n\n", report::time_table(&means)?);
+        }
+        text += &format!("{}\n", report::memory_table(&only.denoiser)?);
     }
-    text += &format!("{}\n", report::memory_table(denoiser)?);
-    println!("\n{name}\n\n{text}");
-    let path = folder.join("table.md");
-    fs::write(&path, text).map_err(|e| Error::Folder { path, problem: e.to_string() })
+    Ok(text)
+}
+
+fn score_tables(options: &Options, scene: &str, scored: &[(u32, Vec<Scores>)], contenders: &[Contender]) -> Result<String> {
+    let of = |i: usize| report::mean(&scored.iter().map(|(_, scores)| scores[i]).collect::<Vec<_>>());
+    let mut names = vec!["noisy"];
+    let mut rows = vec![(format!("{scene}, noisy"), of(0), f64::NAN)];
+    for (i, contender) in contenders.iter().enumerate() {
+        names.push(contender.name);
+        rows.push((format!("{scene}, {}", contender.name), of(i + 1), contender.times.of_a_frame()));
+    }
+    let frames: Vec<_> = scored.iter().map(|(index, _)| index.to_string()).collect();
+    Ok(format!(
+        "{}\nmean of frames {}; reference: {} paths per pixel\n\n{}\n",
+        report::score_table(&rows)?,
+        frames.join(", "),
+        options.reference_spp,
+        report::frame_table(&names, scored)?
+    ))
 }
 
 fn make(folder: &PathBuf) -> Result<()> {

@@ -1,7 +1,11 @@
 //! The command line: what it writes, and what it says when something is wrong.
 
-use std::path::PathBuf;
+mod support;
+
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+use support::Validated;
 
 fn demo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
@@ -16,21 +20,44 @@ fn refused(command: &mut Command) -> String {
     message
 }
 
-#[test]
-fn a_run_leaves_strips_a_sequence_and_a_table() {
-    let out = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("cli_run");
+/// Where a run left its files, and what it printed.
+fn run(name: &str, arguments: &[&str]) -> (PathBuf, String) {
+    let out = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     let _ = std::fs::remove_dir_all(&out);
-    let folder = out.to_str().expect("UTF-8");
-    let arguments =
-        ["--scene", "cornell", "--size", "48x27", "--frames", "3", "--reference-spp", "4", "--validate", "--out", folder];
-    let Output { status, stdout, stderr } = demo(&arguments).output().expect("the demo starts");
+    let small = ["--scene", "cornell", "--size", "48x27", "--frames", "3", "--reference-spp", "4", "--validate", "--out"];
+    let Output { status, stdout, stderr } = demo(&small).arg(&out).args(arguments).output().expect("the demo starts");
     let (stdout, stderr) = (String::from_utf8_lossy(&stdout), String::from_utf8_lossy(&stderr));
-    assert!(status.success(), "{stdout}{stderr}");
-    for word in ["RMSE", "SSIM", "temporal error", "atrous_4", "bytes/pixel"] {
-        assert!(stdout.contains(word), "no {word} in {stdout}");
-    }
+    assert!(status.success(), "{arguments:?}: {stdout}{stderr}");
+    (out, stdout.into_owned())
+}
+
+fn assert_files(out: &Path) {
     for name in ["strip_0001.png", "strip_0002.png", "sequence/0000.png", "sequence/0002.png", "table.md"] {
         assert!(out.join("cornell").join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn a_run_of_each_preset_leaves_strips_a_sequence_and_a_table() {
+    let Some(_gpu) = Validated::new() else { return };
+    for (preset, pass) in [("svgf", "atrous_4"), ("asvgf", "gradient_atrous_4"), ("percentile", "firefly"), ("eaw", "eaw_4")] {
+        let (out, stdout) = run(&format!("cli_{preset}"), &["--preset", preset]);
+        for word in ["RMSE", "SSIM", "temporal error", "bytes/pixel", pass] {
+            assert!(stdout.contains(word), "{preset}: no {word} in {stdout}");
+        }
+        assert_files(&out);
+    }
+}
+
+#[test]
+fn a_comparison_has_every_preset_in_one_table() {
+    let Some(_gpu) = Validated::new() else { return };
+    let (out, stdout) = run("cli_compare", &["--compare", "--eaw-weights", "rt,normal"]);
+    assert_files(&out);
+    let table = std::fs::read_to_string(out.join("cornell/table.md")).expect("a table");
+    assert!(stdout.contains(&table), "what is printed is not what is saved");
+    for name in ["noisy", "SVGF", "A-SVGF", "percentile", "EAW"] {
+        assert!(table.contains(&format!("| cornell, {name} ")), "no {name} in {table}");
     }
 }
 
@@ -46,7 +73,8 @@ fn no_vulkan_device_is_said_with_the_remedy() {
 
 #[test]
 fn what_is_wrong_is_named() {
-    let cases: [(&[&str], &str); 7] = [
+    let Some(_gpu) = Validated::new() else { return };
+    let cases: [(&[&str], &str); 9] = [
         (&["--scene", "cornel"], "\"cornel\""),
         (&["--scene", "/nonexistent.glb"], "/nonexistent.glb"),
         (&["--size", "0x0"], "0x0"),
@@ -54,6 +82,8 @@ fn what_is_wrong_is_named() {
         (&["--frames", "0"], "0"),
         (&["--frames", "4", "--reference-frames", "9"], "reference frame 9"),
         (&["--set", "alfa=1"], "alfa"),
+        (&["--eaw-weights", "rt,colour"], "colour"),
+        (&["--compare", "--preset", "eaw"], "--compare"),
     ];
     for (arguments, word) in cases {
         let message = refused(&mut demo(arguments));

@@ -1,5 +1,5 @@
 // The surface and the seed of a pixel: all that lighting takes from the visibility pass, fetched in this one place.
-// A-SVGF swaps both for those of a previous pixel here [Schied et al. 2018, eq. 6]; the light path then follows.
+// With RESHADE defined, gradient samples take those of a pixel of the previous frame instead [ASVGF eq. 6]; the light path then follows.
 #ifndef PIXEL_SAMPLE_GLSL
 #define PIXEL_SAMPLE_GLSL
 #include "surface.glsl"
@@ -10,11 +10,49 @@ layout(set = 1, binding = 1, r32ui) uniform readonly uimage2D seed_image;
 struct PixelSample {
     Visibility visibility;
     uint seed;
+    vec3 eye;       // from where the surface is seen
+    bool is_reused; // a sample of the previous frame
 };
 
+Visibility unpack_visibility(uvec4 packed) { return Visibility(packed.x, packed.y, uintBitsToFloat(packed.zw)); }
+
+Visibility fetch_visibility(ivec2 pixel) { return unpack_visibility(imageLoad(visibility_image, pixel)); }
+
+#ifndef RESHADE
+
 PixelSample fetch_pixel_sample(ivec2 pixel) {
-    uvec4 packed = imageLoad(visibility_image, pixel);
-    return PixelSample(Visibility(packed.x, packed.y, uintBitsToFloat(packed.zw)), imageLoad(seed_image, pixel).r);
+    return PixelSample(fetch_visibility(pixel), imageLoad(seed_image, pixel).r, frame.camera.eye.xyz, false);
 }
 
+#else
+
+// What was shaded, for the next frame: the surface as the visibility pass has it, a place on a triangle, which moves along with its object;
+// and x: the seed, yzw: the eye, world space. Shading depends on the view where surfaces are glossy, and on nothing of the camera but the
+// eye. It stays with the sample for as long as the sample is taken over, so that of two shadings of one sample only the scene differs.
+layout(set = 1, binding = 6) uniform utexture2D gradient_samples;
+layout(set = 1, binding = 7) uniform utexture2D previous_surfaces;
+layout(set = 1, binding = 8) uniform utexture2D previous_seeds;
+layout(set = 1, binding = 9, rgba32ui) uniform writeonly uimage2D surfaces;
+layout(set = 1, binding = 10, rgba32ui) uniform writeonly uimage2D seeds;
+layout(push_constant) uniform Strata { int size; } strata;
+
+#define ATROUS_GRADIENT_SAMPLES gradient_samples
+#define ATROUS_STRATUM_SIZE strata.size
+#include "gradient_sample.glsl"
+
+PixelSample fetch_pixel_sample(ivec2 pixel) {
+    uvec4 surface = imageLoad(visibility_image, pixel);
+    uvec4 seed = uvec4(imageLoad(seed_image, pixel).r, floatBitsToUint(frame.camera.eye.xyz));
+    ivec2 previous_pixel;
+    bool is_reused = atrous_gradient_sample(pixel, previous_pixel);
+    if (is_reused) {
+        surface = texelFetch(previous_surfaces, previous_pixel, 0);
+        seed = texelFetch(previous_seeds, previous_pixel, 0);
+    }
+    imageStore(surfaces, pixel, surface);
+    imageStore(seeds, pixel, seed);
+    return PixelSample(unpack_visibility(surface), seed.x, uintBitsToFloat(seed.yzw), is_reused);
+}
+
+#endif
 #endif

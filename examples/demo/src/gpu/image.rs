@@ -91,7 +91,7 @@ impl Image {
     pub fn texel_bytes(&self) -> u64 {
         match self.format {
             vk::Format::R32_SFLOAT | vk::Format::R32_UINT | vk::Format::R8G8B8A8_UNORM => 4,
-            vk::Format::R16G16B16A16_SFLOAT => 8,
+            vk::Format::R16G16B16A16_SFLOAT | vk::Format::R16G16B16A16_UINT => 8,
             _ => 16,
         }
     }

@@ -114,15 +114,15 @@ impl DescriptorSet {
         Ok(set)
     }
 
-    /// A set of storage images in layout `GENERAL`, in the order of the bindings.
+    /// A set of images in layout `GENERAL`, in the order of the bindings.
     pub fn of_images(gpu: &Gpu, layout: &SetLayout, views: &[vk::ImageView]) -> Result<Self> {
         let set = Self::new(gpu, layout)?;
-        for (index, view) in views.iter().enumerate() {
+        for (index, (view, kind)) in views.iter().zip(&layout.kinds).enumerate() {
             let info = [vk::DescriptorImageInfo::default().image_view(*view).image_layout(vk::ImageLayout::GENERAL)];
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set.handle)
                 .dst_binding(index as u32)
-                .descriptor_type(vk::DescriptorType::STORAGE_IMAGE)
+                .descriptor_type(*kind)
                 .image_info(&info);
             // SAFETY: the set is new and not in use; the caller owns live views.
             unsafe { gpu.device().update_descriptor_sets(&[write], &[]) };

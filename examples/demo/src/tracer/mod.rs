@@ -7,18 +7,20 @@ mod layout;
 mod lights;
 mod outputs;
 mod reference;
+mod reshading;
 mod scene_buffers;
 
 pub use camera::Camera;
 pub use outputs::Outputs;
 pub use reference::Reference;
+pub use reshading::Reshading;
 
 use std::sync::Arc;
 
 use ash::vk;
 
 use crate::error::Result;
-use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Pipeline, SetLayout};
+use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
 use crate::scene::{Environment, Scene};
 use barriers::{general_barrier, memory_barrier};
 use layout::FrameConstants;
@@ -81,11 +83,10 @@ impl PathTracer {
         let scene_layout = SetLayout::new(gpu, &kinds)?;
         let gbuffer_layout = SetLayout::new(gpu, &storage_images(8))?;
         let lighting_layout = SetLayout::new(gpu, &storage_images(6))?;
-        let lit = [&outputs.visibility, &outputs.seed, &outputs.direct, &outputs.indirect, &outputs.emission, &outputs.scattered];
         let mut tracer = Self {
             scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
             gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
-            lighting_set: DescriptorSet::of_images(gpu, &lighting_layout, &lit.map(|image| image.view))?,
+            lighting_set: DescriptorSet::of_images(gpu, &lighting_layout, &lit_images(&outputs).map(|image| image.view))?,
             gbuffer: Pipeline::new(gpu, shaders::GBUFFER, &[&scene_layout, &gbuffer_layout], 0)?,
             lighting: Pipeline::new(gpu, shaders::PATH_TRACE, &[&scene_layout, &lighting_layout], 0)?,
             gpu: gpu.clone(),
@@ -148,12 +149,16 @@ impl PathTracer {
     /// Records the lighting pass: one path for each pixel. Waits for all earlier commands of the queue, so whatever
     /// wrote the visibility samples and seeds last is seen.
     pub fn record_lighting(&mut self, cmd: vk::CommandBuffer) {
+        self.prepare_lighting(cmd);
+        self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
+    }
+
+    fn prepare_lighting(&self, cmd: vk::CommandBuffer) {
         let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
         let written = vk::AccessFlags::MEMORY_WRITE;
         let source = (vk::PipelineStageFlags::ALL_COMMANDS, written);
         memory_barrier(self.gpu.device(), cmd, source, (compute, vk::AccessFlags::SHADER_READ));
         general_barrier(self.gpu.device(), cmd, &self.outputs.lighting());
-        self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
     }
 
     /// The images of the frame.
@@ -199,4 +204,10 @@ impl PathTracer {
             [0.0; 2]
         }
     }
+}
+
+/// What the lighting pass reads and writes, in the order of its bindings.
+fn lit_images(outputs: &Outputs) -> [&Image; 6] {
+    let [direct, indirect, emission, scattered] = outputs.lighting();
+    [&outputs.visibility, &outputs.seed, direct, indirect, emission, scattered]
 }

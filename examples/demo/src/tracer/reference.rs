@@ -31,6 +31,14 @@ pub struct Reference {
     pub samples: u32,
 }
 
+impl Reference {
+    /// The picture: all light together.
+    pub fn radiance(&self) -> Vec<[f32; 3]> {
+        let sum = |((d, i), e): ((&[f32; 3], &[f32; 3]), &[f32; 3])| [0, 1, 2].map(|c| d[c] + i[c] + e[c]);
+        self.direct.iter().zip(&self.indirect).zip(&self.emission).map(sum).collect()
+    }
+}
+
 impl PathTracer {
     /// Renders `samples` paths for each pixel of the current frame, and calls `progress(done, samples)` now and then.
     /// Overwrites [`PathTracer::outputs`] with what the frame's two passes write.

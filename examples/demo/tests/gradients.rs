@@ -1,0 +1,100 @@
+//! A-SVGF in the engine: gradient samples that are shaded again, under validation.
+
+mod support;
+
+use ash::vk::Extent2D;
+use atrous::config::Preset;
+use atrous_demo::measure::Frame;
+use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions, View};
+use support::{built_in, Validated};
+
+const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
+
+fn pair(gpu: &Validated, name: &str, scene: SceneOptions, preset: Preset) -> (PathTracer, FrameDenoiser) {
+    let tracer = PathTracer::new(&gpu.0, &built_in(name, scene), EXTENT, TracerOptions::default()).expect("a path tracer");
+    let denoiser = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(preset)).expect("a denoiser");
+    (tracer, denoiser)
+}
+
+/// Strata with a sample, of all.
+fn samples(denoiser: &mut FrameDenoiser) -> (usize, usize) {
+    let texels = denoiser.read("gradient_samples").expect("gradient_samples");
+    (texels.iter().filter(|t| t[2] != 0.0).count(), texels.len())
+}
+
+/// The camera moves, so view-dependent shading would differ if samples did not keep their eye.
+#[test]
+fn where_nothing_changes_the_gradient_is_exactly_zero() {
+    let Some(gpu) = Validated::new() else { return };
+    let still = SceneOptions { static_light: true, static_objects: true, static_camera: false };
+    for name in ["cornell", "glossy", "hall"] {
+        let (mut tracer, mut denoiser) = pair(&gpu, name, still, Preset::Asvgf);
+        for index in 0..6 {
+            tracer.begin_frame(index).expect("a frame");
+            denoiser.render(&mut tracer).expect("a submit");
+            let gradient = denoiser.view(View::Gradient).expect("gradient");
+            let changed = gradient.iter().filter(|g| **g != 0.0).count();
+            assert_eq!(changed, 0, "{name}, frame {index}: pixels with a gradient");
+            let lambda = denoiser.view(View::Lambda).expect("lambda");
+            assert!(lambda.iter().all(|l| *l == 0.0), "{name}, frame {index}: history is dropped");
+            let (valid, all) = samples(&mut denoiser);
+            assert!(index == 0 || 2 * valid > all, "{name}, frame {index}: {valid} samples in {all} strata");
+        }
+    }
+}
+
+#[test]
+fn flickering_light_leaves_half_of_the_error_of_svgf() {
+    let Some(gpu) = Validated::new() else { return };
+    let scene = SceneOptions::default();
+    let (mut tracer, mut svgf) = pair(&gpu, "cornell", scene, Preset::Svgf);
+    let mut asvgf = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(Preset::Asvgf)).expect("a denoiser");
+    // The light goes out with frame 8 and comes on with frame 16.
+    let (mut sums, mut after_switches) = ([0.0; 2], 0);
+    for index in 0..18 {
+        tracer.begin_frame(index).expect("a frame");
+        gpu.0
+            .submit(|cmd| {
+                tracer.record_gbuffer(cmd);
+                asvgf.record(cmd, &mut tracer)?;
+                svgf.record(cmd, &mut tracer)
+            })
+            .expect("a submit");
+        if ![5, 8, 9, 12, 16, 17].contains(&index) {
+            continue;
+        }
+        let mut frame = Frame::read(&gpu.0, &tracer, [&mut svgf, &mut asvgf]).expect("pictures");
+        frame.reference = Some(tracer.render_reference(64, |_, _| {}).expect("a reference").radiance());
+        let scores = frame.scores(None).expect("finite pictures").expect("a reference");
+        println!("frame {index}: noisy {:.4}, SVGF {:.4}, A-SVGF {:.4}", scores[0].rmse, scores[1].rmse, scores[2].rmse);
+        sums[0] += scores[1].rmse;
+        sums[1] += scores[2].rmse;
+        if [8, 9, 16, 17].contains(&index) {
+            assert!(scores[2].rmse <= 0.45 * scores[1].rmse, "frame {index}");
+            after_switches += 1;
+        }
+    }
+    assert_eq!(after_switches, 4);
+    assert!(sums[1] <= 0.55 * sums[0], "A-SVGF {} against SVGF {}", sums[1], sums[0]);
+}
+
+/// A reference is rendered between two frames, and other denoisers share the tracer: neither may disturb the samples that are kept.
+#[test]
+fn samples_are_those_of_the_denoiser_alone() {
+    let still = SceneOptions { static_light: true, static_objects: true, static_camera: false };
+    let Some(gpu) = Validated::new() else { return };
+    let run = |disturbed: bool| {
+        let (mut tracer, mut asvgf) = pair(&gpu, "glossy", still, Preset::Asvgf);
+        let mut eaw = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(Preset::Eaw)).expect("a denoiser");
+        for index in 0..4 {
+            tracer.begin_frame(index).expect("a frame");
+            asvgf.render(&mut tracer).expect("a submit");
+            if disturbed {
+                eaw.render(&mut tracer).expect("a submit");
+                tracer.render_reference(1, |_, _| {}).expect("a reference");
+            }
+        }
+        asvgf.read("denoised_radiance").expect("denoised_radiance")
+    };
+    assert!(run(false) == run(true));
+}
