@@ -164,6 +164,8 @@ pub enum Preset {
     Percentile,
     /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame. Has holes painted in where [`Config::sampling`] says so.
     Eaw,
+    /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`Config::volume`] adds the same passes to another preset.
+    Volume,
 }
 
 /// The edge-stopping functions of [`Preset::Eaw`].
@@ -256,6 +258,14 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
+    /// Whether the host has a volume (fog, smoke), whose radiance is filtered apart, with motion of its own \[PSVGF\]: an input `noisy_volume`, an output
+    /// `denoised_volume`. It is what the medium itself scatters towards the camera; the surfaces' radiance is what reaches the camera through it. The
+    /// two add up to the picture, and the post-process has their sum. Costs 64 bytes a pixel. Default: false.
+    ///
+    /// The optional input `scattering_depth` says where: for every pixel the linear depth (scene units, along the view axis, as `guide` has it) of one
+    /// point that contributes much, as a distance that was chosen by transmittance does. 0, infinite or NaN: none. It is carried to the next frame to
+    /// give the volume its motion; without the input a volume moves as the surfaces behind it.
+    pub volume: bool,
     /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\]. [`Preset::Percentile`] always does.
     /// Default: false.
     pub firefly_filter: bool,
@@ -299,6 +309,7 @@ impl Config {
             preset: Preset::default(),
             signals: Signals::default(),
             levels: 5,
+            volume: false,
             firefly_filter: false,
             adaptive_rule: AdaptiveRule::default(),
             block_sort: BlockSort::default(),
@@ -332,6 +343,16 @@ impl Config {
             }
         }
         Ok(())
+    }
+
+    /// Whether a volume is filtered.
+    pub(crate) fn has_volume(&self) -> bool {
+        self.volume || self.preset == Preset::Volume
+    }
+
+    /// Whether any pass reads what the previous frame left.
+    pub(crate) fn has_history(&self) -> bool {
+        self.has_volume() || self.preset != Preset::Eaw
     }
 
     /// Whether the host's path tracer has to re-shade the pixels that `forward_project` picks.

@@ -1,7 +1,7 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
 use crate::config::{Config, Preset};
-use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
+use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Grid, Lifetime, PassDecl, Shape, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
 use crate::requirements::{Requirements, WORKGROUP_SIDE};
@@ -21,6 +21,7 @@ impl Config {
             Preset::Eaw => crate::presets::eaw(self),
             Preset::Asvgf => crate::presets::asvgf(self),
             Preset::Stabilize => crate::presets::stabilize(self),
+            Preset::Volume => crate::presets::volume(self),
         })
     }
 }
@@ -180,10 +181,10 @@ impl Denoiser {
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
             // SAFETY: as above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
-            Work::Dispatch { level, divisor, .. } => {
+            Work::Dispatch { level, grid, .. } => {
                 let push = PushConstants { level, present: present(bindings) };
                 // SAFETY: the caller's; the bindings were checked.
-                unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, divisor), push)? };
+                unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, grid), push)? };
             }
             Work::DebugView { available, .. } => {
                 let push = PushConstants { level: frame.debug_view as u32, present: present(bindings) & available };
@@ -312,11 +313,11 @@ fn present(bindings: &[Binding]) -> u32 {
 }
 
 /// Invocations of a dispatch.
-fn dispatched_extent(frame: &FrameContext, divisor: u32) -> [u32; 2] {
+fn dispatched_extent(frame: &FrameContext, grid: Grid) -> [u32; 2] {
     let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
-    match divisor {
-        1 => now,
-        _ => [0, 1].map(|i| now[i].max(before[i]).div_ceil(divisor)),
+    match grid {
+        Grid::Pixels => now,
+        Grid::Strata(side) => [0, 1].map(|i| now[i].max(before[i]).div_ceil(side)),
     }
 }
 

@@ -145,6 +145,7 @@ pub fn preset_name(preset: Preset) -> &'static str {
         Preset::Stabilize => "stabilize",
         Preset::Percentile => "percentile",
         Preset::Eaw => "EAW",
+        Preset::Volume => "volume",
     }
 }
 
