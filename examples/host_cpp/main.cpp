@@ -73,6 +73,7 @@ public:
     }
 
 private:
+    // integrate.md: begin
     // The passes of a phase as passes of the engine's graph.
     void add_phase(uint32_t phase) {
         for (uint32_t index = 0; index < pass_count_; ++index) {
@@ -103,6 +104,7 @@ private:
                 });
         }
     }
+    // integrate.md: end
 
     Handle handle(const AtrousUse& use) {
         auto& copies = resources_[use.resource];
