@@ -13,7 +13,7 @@ use clap::{Parser, ValueEnum};
 #[derive(Parser)]
 #[command(version)]
 pub struct Options {
-    /// Scenes: cornell, pillars, glossy, hall, or a glTF 2.0 file (.glb, .gltf); may be given several times
+    /// Scenes: cornell, pillars, glossy, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times
     #[arg(long = "scene", default_values_t = ["cornell".to_owned(), "pillars".to_owned()])]
     pub scenes: Vec<String>,
     /// Width and height in pixels
@@ -58,6 +58,9 @@ pub struct Options {
     /// Run under the Khronos validation layer; its messages are errors
     #[arg(long)]
     pub validate: bool,
+    /// Fog moves as the surfaces behind it, instead of having motion of its own: to compare
+    #[arg(long)]
+    pub surface_motion: bool,
     /// Lights keep their intensity
     #[arg(long)]
     pub static_light: bool,
@@ -165,7 +168,14 @@ impl Options {
         };
         let mut tuning = defaults.tuning;
         self.set(&mut tuning)?;
-        Ok(DenoiserOptions { signals, taa: self.taa, eaw_weights: self.eaw_weights, tuning, ..defaults })
+        Ok(DenoiserOptions {
+            signals,
+            taa: self.taa,
+            eaw_weights: self.eaw_weights,
+            volume_motion: !self.surface_motion,
+            tuning,
+            ..defaults
+        })
     }
 
     fn set(&self, tuning: &mut Tuning) -> Result<()> {
