@@ -49,6 +49,7 @@ fn configurations() -> Vec<Config> {
                 all.push(Config {
                     post_process: PostProcess::ToneMapTaa,
                     object_normal: true,
+                    debug_view: true,
                     forward_motion: true,
                     firefly_filter: true,
                     sampling: Sampling::OneOf2x2,
@@ -157,7 +158,7 @@ fn header() -> String {
     config.enumeration.rename_variants = cbindgen::RenameRule::ScreamingSnakeCase;
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/capi");
     let mut builder = cbindgen::Builder::new().with_config(config);
-    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs"] {
+    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "conventions.rs"] {
         builder = builder.with_src(root.join(file));
     }
     let mut text = Vec::new();

@@ -1,5 +1,5 @@
 // A C++17 engine with a small frame graph of its own, and SVGF in it through the C ABI. Prints a checksum of every denoised frame;
-// `--bad-input` gives the library everything that it must refuse.
+// `--bad-input` gives the library everything that it must refuse, `--check` asks it whether the guides are as declared.
 #include <cinttypes>
 #include <cstring>
 #include <deque>
@@ -8,6 +8,7 @@
 
 #include "atrous.h"
 #include "bad_input.hpp"
+#include "conventions.hpp"
 #include "engine.hpp"
 #include "synthetic.hpp"
 
@@ -178,6 +179,7 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "--check") == 0) return check_conventions();
     Engine engine;
     if (argc > 1 && std::strcmp(argv[1], "--bad-input") == 0) return refuse_bad_input(engine);
     Renderer renderer(engine);

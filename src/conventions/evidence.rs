@@ -65,9 +65,11 @@ pub(super) struct Point {
     pub motion: Vec2,
     /// World-space normal of the depth.
     pub normal: Option<Vec3>,
+    /// Linear depth, and that of the same point in the previous frame, if it stands still.
+    pub depths: [f32; 2],
 }
 
-const NOTHING: Point = Point { depth: f32::NAN, motion: Vec2::NAN, normal: None };
+const NOTHING: Point = Point { depth: f32::NAN, motion: Vec2::NAN, normal: None, depths: [f32::NAN; 2] };
 
 /// A pixel's motion by one reading: `scale · texel + offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -127,9 +129,10 @@ impl<'a> Scene<'a> {
                     depth: self.depth_residual(position, expected, self.pair.current.id(p)),
                     motion: position - now.sample_position(p) * ratio,
                     normal,
+                    depths: [z, expected],
                 }
             }
-            None => Point { depth: f32::INFINITY, motion: Vec2::INFINITY, normal },
+            None => Point { depth: f32::INFINITY, motion: Vec2::INFINITY, normal, ..NOTHING },
         }
     }
 
@@ -195,6 +198,11 @@ impl<'a> Scene<'a> {
     pub fn motion_texel(&self, p: IVec2) -> Option<Vec2> {
         let [x, y, ..] = self.pair.current.motion?.at(p);
         Some(Vec2::new(x, y)).filter(|v| v.is_finite())
+    }
+
+    /// z of the host's motion.
+    pub fn motion_depth_texel(&self, p: IVec2) -> Option<f32> {
+        self.motion_texel(p).and(self.pair.current.motion).map(|motion| motion.at(p)[2])
     }
 
     /// Degrees between the host's normals and those of the depth.

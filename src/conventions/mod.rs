@@ -4,7 +4,7 @@
 //! reading that a mistake away from the declared one is held against the pixels of what stands still:
 //!
 //! - the **depth** of this frame, reprojected with the matrices, must be the depth of the previous frame;
-//! - the **motion** must lead where depth and matrices lead;
+//! - the **motion** must lead where depth and matrices lead, z of it to the depth there;
 //! - the **normals** must be those of the surface that the depth makes.
 //!
 //! A pixel votes for the reading that explains it where the declared one does not. A mistake is named where at least four of five votes are for
@@ -47,6 +47,7 @@
 mod contest;
 mod evidence;
 mod geometry;
+mod motion_depth;
 mod readings;
 mod report;
 mod trial;
@@ -74,7 +75,7 @@ pub struct Guides<'a> {
     pub depth: &'a Image<[f32; 4]>,
     /// xyz, or octahedral xy. Only those of the current frame are looked at.
     pub normal: Option<&'a Image<[f32; 4]>>,
-    /// xy. Only that of the current frame is looked at.
+    /// xy, and z by `Conventions::motion_depth`. Only that of the current frame is looked at.
     pub motion: Option<&'a Image<[f32; 4]>>,
     /// 0 is the background. Without it edges are found by depth alone.
     pub surface_id: Option<&'a Image<u32>>,
@@ -126,7 +127,9 @@ pub fn check(conventions: &Conventions, previous: &Guides, current: &Guides) -> 
     let (geometry, fitting) = trial::geometry_finding(&declared, &alternatives);
     let fitting = fitting.unwrap_or(&declared);
     let (motion, motion_reading) = fitting.motion_finding(conventions);
+    let (motion_depth, z_of_motion) = fitting.motion_depth_finding(conventions);
     let (normals, normal_reading) = fitting.normals_finding(conventions);
     let conventions = normal_reading.apply(&motion_reading.apply(&fitting.geometry.conventions));
-    Ok(Report { geometry, motion, normals, conventions })
+    let conventions = Conventions { motion_depth: z_of_motion, ..conventions };
+    Ok(Report { geometry, motion, motion_depth, normals, conventions })
 }

@@ -16,6 +16,16 @@ impl MotionReading {
         Self { unit: c.motion_unit, direction: c.motion_direction, y_up: c.motion_y_up, jittered: c.motion_jittered }
     }
 
+    /// With the opposite sign.
+    pub fn negated(self) -> Self {
+        use MotionDirection as D;
+        let direction = match self.direction {
+            D::PreviousMinusCurrent => D::CurrentMinusPrevious,
+            D::CurrentMinusPrevious => D::PreviousMinusCurrent,
+        };
+        Self { direction, ..self }
+    }
+
     pub fn apply(self, c: &Conventions) -> Conventions {
         Conventions {
             motion_unit: self.unit,

@@ -3,7 +3,7 @@
 use crate::config::Conventions;
 use std::fmt;
 
-/// What became of one of the three questions.
+/// What became of one of the questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The guides are as declared.
@@ -14,7 +14,7 @@ pub enum Verdict {
     Unexplained,
     /// The two frames cannot tell; [`Finding::mistake`] says why.
     Inconclusive,
-    /// The host gives no such image.
+    /// The host gives nothing of the kind.
     Absent,
 }
 
@@ -25,6 +25,8 @@ pub enum Measure {
     Depth,
     /// Between the host's motion and that of what stands still, by depth and matrices; pixels.
     Motion,
+    /// Between z of the host's motion, read as the previous depth, and that of what stands still; percent.
+    MotionDepth,
     /// Between the host's normals and those of the surface that the depth makes, degrees.
     Normals,
 }
@@ -68,8 +70,10 @@ impl Finding {
 pub struct Report {
     /// Depth, handedness, matrices and jitter.
     pub geometry: Finding,
-    /// Motion.
+    /// Motion, x and y.
     pub motion: Finding,
+    /// z of the motion, where `Conventions::motion_depth` says that it has a meaning.
+    pub motion_depth: Finding,
     /// Normals.
     pub normals: Finding,
     /// The declared conventions with every remedy that a field of theirs can express.
@@ -77,9 +81,14 @@ pub struct Report {
 }
 
 impl Report {
-    /// The three findings with their names.
-    pub fn findings(&self) -> [(&'static str, &Finding); 3] {
-        [("depth and matrices", &self.geometry), ("motion", &self.motion), ("normals", &self.normals)]
+    /// The findings with their names.
+    pub fn findings(&self) -> [(&'static str, &Finding); 4] {
+        [
+            ("depth and matrices", &self.geometry),
+            ("motion", &self.motion),
+            ("z of motion", &self.motion_depth),
+            ("normals", &self.normals),
+        ]
     }
 
     /// Whether anything is wrong: a mistake, or guides that nothing explains.
@@ -91,12 +100,15 @@ impl Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (name, finding) in self.findings() {
+            if finding.verdict == Verdict::Absent {
+                continue;
+            }
             let verdict = match finding.verdict {
                 Verdict::Agrees => "as declared",
                 Verdict::Mistake => "MISTAKE: ",
                 Verdict::Unexplained => "UNEXPLAINED: ",
                 Verdict::Inconclusive => "cannot be told: ",
-                Verdict::Absent => "not given",
+                Verdict::Absent => "",
             };
             writeln!(f, "{name}: {verdict}{}", finding.mistake)?;
             for evidence in &finding.evidence {
@@ -118,6 +130,7 @@ impl fmt::Display for Evidence {
         let (what, unit) = match self.measure {
             Measure::Depth => ("depth, reprojected into the previous frame, is off by", "pixels"),
             Measure::Motion => ("motion differs from that by depth and matrices by", "pixels"),
+            Measure::MotionDepth => ("the previous depth by the motion differs from that by the matrices by", "percent"),
             Measure::Normals => ("normals differ from those of the depth by", "degrees"),
         };
         let number = |v: f32| if v.is_finite() { format!("{v:.2} {unit}") } else { "more than the image".to_owned() };

@@ -14,9 +14,9 @@ const MOVES: f32 = 0.25;
 /// A geometry with its residuals. Those of motion and normals are by the readings that fit best, so that a mistake there is not blamed on it.
 pub(super) struct Trial<'a> {
     pub geometry: Geometry,
-    scene: Scene<'a>,
-    pair: &'a Pair<'a>,
-    points: Vec<Point>,
+    pub(super) scene: Scene<'a>,
+    pub(super) pair: &'a Pair<'a>,
+    pub(super) points: Vec<Point>,
     depth: Residuals,
     motion: Residuals,
     normals: Residuals,
@@ -74,13 +74,13 @@ impl<'a> Trial<'a> {
         median(self.points.iter().map(|p| p.motion.length()))
     }
 
-    fn agreement(&self, measure: Measure, residuals: &[f32]) -> Evidence {
+    pub(super) fn agreement(&self, measure: Measure, residuals: &[f32]) -> Evidence {
         let declared = median(residuals.iter().copied());
         Evidence { measure, declared, fitting: None, pixels: residuals.iter().filter(|r| !r.is_nan()).count() }
     }
 
     /// Why frames cannot tell.
-    fn nothing_tells(&self) -> Finding {
+    pub(super) fn nothing_tells(&self) -> Finding {
         let (surfaces, pixels, motion) = (self.surfaces(), self.pair.pixels.len(), self.median_motion());
         let why = if surfaces < contest::LEAST {
             format!("{surfaces} of {pixels} pixels are surfaces; check depth, background_depth and surface_id")
@@ -109,7 +109,9 @@ impl<'a> Trial<'a> {
         let is_single = |i: usize| declared.differences(candidates[i].0) == 1 && candidates[i].1 != candidates[0].1;
         let moving: Residuals =
             self.points.iter().zip(&candidates[0].2).filter(|(p, _)| p.motion.length() > MOVES).map(|(_, r)| *r).collect();
-        let mut finding = contest.finding(Measure::Motion, name, is_single);
+        // Jitter alone says nothing of sign and unit.
+        let is_sign = |i: usize| candidates[i].0 == declared.negated();
+        let mut finding = contest.finding(Measure::Motion, name, is_single, is_sign);
         if finding.verdict != Verdict::Mistake && explained(MOTION, &moving).is_some_and(|part| part < 0.5) {
             let is_zero = self.pair.pixels.iter().all(|p| self.scene.motion_texel(*p).is_none_or(|m| m == glam::Vec2::ZERO));
             let what = if is_zero { "the motion is 0 everywhere, though the camera moves" } else { "no unit, sign or axis fits" };
@@ -145,7 +147,7 @@ impl<'a> Trial<'a> {
         let pairwise = |a: usize, b: usize| Votes::of(NORMALS, &candidates[a].1, &candidates[b].1);
         let contest = Contest::new(candidates.len(), self.pair.pixels.len(), pairwise);
         let name = |i: usize| declared.changes(candidates[i].0);
-        let mut finding = contest.finding(Measure::Normals, name, |i| declared.differences(candidates[i].0) == 1);
+        let mut finding = contest.finding(Measure::Normals, name, |i| declared.differences(candidates[i].0) == 1, |_| true);
         let residuals = &candidates[0].1;
         if finding.verdict != Verdict::Mistake && explained(NORMALS, residuals).is_some_and(|part| part < 0.5) {
             finding = Finding::new(Verdict::Unexplained, "no encoding, space or axis fits");
@@ -166,16 +168,16 @@ fn best(rule: Rule, readings: impl Iterator<Item = Residuals>) -> Residuals {
 }
 
 /// The first candidate against all others.
-struct Contest {
+pub(super) struct Contest {
     outcomes: Vec<Outcome>,
     /// What fits: the first candidate, or the one that beat it and is not beaten itself.
-    champion: usize,
+    pub(super) champion: usize,
     /// Between the first candidate and the champion.
     votes: Votes,
 }
 
 impl Contest {
-    fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
+    pub(super) fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
         let outcome = |a, b| {
             let votes = pairwise(a, b);
             judge(votes.for_first, votes.for_second, pixels)
@@ -185,11 +187,14 @@ impl Contest {
         Self { votes: pairwise(0, champion), outcomes, champion }
     }
 
-    fn finding(
+    /// The finding: a mistake where another candidate won; agreement where a decisive one was ruled out. `name` says what is wrong and what to
+    /// change; those that are single mistakes and could not be told apart are listed.
+    pub(super) fn finding(
         &self,
         measure: Measure,
         name: impl Fn(usize) -> (Vec<String>, Vec<String>),
         is_single: impl Fn(usize) -> bool,
+        is_decisive: impl Fn(usize) -> bool,
     ) -> Finding {
         if self.champion != 0 {
             let (mistakes, remedies) = name(self.champion);
@@ -202,7 +207,7 @@ impl Contest {
             };
         }
         let of = |outcome| (1..self.outcomes.len()).filter(move |i| self.outcomes[*i] == outcome);
-        if of(Outcome::First).next().is_none() {
+        if !of(Outcome::First).any(&is_decisive) {
             return Finding::new(Verdict::Inconclusive, "");
         }
         let untested = of(Outcome::Undecided).filter(|i| is_single(*i)).map(|i| name(i).0.join("; ")).collect();

@@ -4,7 +4,7 @@ mod mistakes;
 mod scene;
 
 use super::*;
-use crate::config::{DepthEncoding, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
+use crate::config::{DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
 use scene::{Camera, Frame, Scene, EXTENT};
 
 fn report(declared: &Conventions, [previous, current]: &[Frame; 2]) -> Report {
@@ -32,10 +32,10 @@ fn encodings() -> Vec<(&'static str, Conventions)> {
 }
 
 fn agrees(name: &str, report: &Report) {
-    for (what, finding) in report.findings() {
-        assert_eq!(finding.verdict, Verdict::Agrees, "{name}, {what}:\n{report}");
+    for finding in [&report.geometry, &report.motion, &report.normals] {
+        assert_eq!(finding.verdict, Verdict::Agrees, "{name}:\n{report}");
     }
-    assert!(!report.complains());
+    assert!(!report.complains(), "{name}:\n{report}");
 }
 
 #[test]
@@ -101,10 +101,29 @@ fn ids_are_not_needed_and_half_precision_is_enough() {
 }
 
 #[test]
+fn parallel_projections_are_understood() {
+    let device = Conventions { depth: DepthEncoding::Device, ..Conventions::default() };
+    for encoding in [Conventions::default(), device] {
+        let frames = Scene { encoding, orthographic: true, ..Scene::default() }.frames();
+        agrees("orthographic", &report(&encoding, &frames));
+        let wrong = Conventions { motion_direction: MotionDirection::CurrentMinusPrevious, ..encoding };
+        assert_eq!(report(&wrong, &frames).conventions, encoding);
+        let wrong = Conventions { view_forward: ViewForward::PositiveZ, ..encoding };
+        let report = report(&wrong, &frames);
+        assert_eq!(report.conventions, encoding, "{report}");
+    }
+}
+
+#[test]
 fn frames_that_cannot_tell_are_said_to() {
     let still = Scene { camera: Camera::Still, things_move: true, jitter: [[0.0; 2]; 2], ..Scene::default() };
     let frames = still.frames();
+    let jittered = Scene { jitter: Scene::default().jitter, ..still }.frames();
     for (name, declared) in encodings() {
+        // Jitter is seen without motion, and says nothing of sign and unit.
+        let with_jitter = report(&declared, &jittered);
+        let expected = if declared.motion_jittered { Verdict::Mistake } else { Verdict::Inconclusive };
+        assert_eq!(with_jitter.motion.verdict, expected, "{name}:\n{with_jitter}");
         let report = report(&declared, &frames);
         assert_eq!(report.motion.verdict, Verdict::Inconclusive, "{name}:\n{report}");
         assert!(report.motion.mistake.contains("nothing moves"), "{name}:\n{report}");
@@ -133,6 +152,27 @@ fn motion_along_one_axis_says_nothing_of_the_other() {
         agrees("slides", &report);
         let other = if motion_y_up { "y of the motion points down" } else { "y of the motion points up" };
         assert_eq!(report.motion.untested, [other], "{report}");
+    }
+}
+
+#[test]
+fn z_of_the_motion_is_a_difference_or_a_depth() {
+    let with = |motion_depth| Conventions { motion_depth, ..Conventions::default() };
+    for written in [MotionDepth::Difference, MotionDepth::Absolute] {
+        let mut frames = Scene { encoding: with(written), things_move: true, ..Scene::default() }.frames();
+        for declared in [MotionDepth::Difference, MotionDepth::Absolute] {
+            let report = report(&with(declared), &frames);
+            let verdict = if declared == written { Verdict::Agrees } else { Verdict::Mistake };
+            assert_eq!(report.motion_depth.verdict, verdict, "{written:?} declared as {declared:?}:\n{report}");
+            assert_eq!(report.conventions, with(written));
+        }
+        frames[1].motion = frames[1].motion.map(|m| [m[0], m[1], -m[2], 0.0]);
+        let negated = report(&with(written), &frames);
+        assert!(negated.motion_depth.mistake.contains("opposite sign"), "{negated}");
+        frames[1].motion = frames[1].motion.map(|m| [m[0], m[1], 123.0, 0.0]);
+        let nonsense = report(&with(written), &frames);
+        assert_eq!(nonsense.motion_depth.verdict, Verdict::Unexplained, "{nonsense}");
+        assert_eq!(nonsense.motion.verdict, Verdict::Agrees, "{nonsense}");
     }
 }
 

@@ -1,7 +1,9 @@
 //! A room of slanted surfaces, seen by a camera that moves and turns; its guides in any encoding.
 
 use super::super::Guides;
-use crate::config::{Conventions, DepthEncoding, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
+use crate::config::{
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+};
 use crate::reference::Image;
 use crate::FrameParams;
 use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
@@ -27,6 +29,7 @@ pub struct Scene {
     pub encoding: Conventions,
     /// Reversed depth with an infinite far plane.
     pub reversed: bool,
+    pub orthographic: bool,
     pub camera: Camera,
     /// A sphere moves by itself.
     pub things_move: bool,
@@ -39,6 +42,7 @@ impl Default for Scene {
         Self {
             encoding: Conventions::default(),
             reversed: false,
+            orthographic: false,
             camera: Camera::Moves,
             things_move: false,
             jitter: [[0.31, -0.22], [-0.27, 0.36]],
@@ -118,6 +122,10 @@ impl Scene {
         let (focal, near, far) = (1.5, 0.1, 50.0);
         let aspect = EXTENT[0] as f32 / EXTENT[1] as f32;
         let (zz, zw) = if self.reversed { (0.0, near) } else { (far / (near - far), near * far / (near - far)) };
+        if self.orthographic {
+            let scale = Vec3::new(0.4 / aspect, -0.4, -1.0 / far);
+            return Mat4::from_scale(scale) * self.mirror();
+        }
         let looks_back = Mat4::from_cols_array_2d(&[
             [focal / aspect, 0.0, 0.0, 0.0],
             [0.0, -focal, 0.0, 0.0],
@@ -161,9 +169,9 @@ impl Scene {
         let jitter = Vec2::from(self.jitter[index]);
         let ndc = (p + 0.5 + jitter) / extent * 2.0 - 1.0;
         let world_from_view = view.inverse();
-        let on_ray = world_from_view * clip.inverse() * ndc.extend(0.5).extend(1.0);
-        let origin = world_from_view.w_axis.xyz();
-        let direction = (on_ray.xyz() / on_ray.w - origin).normalize();
+        let on_ray = |depth: f32| (world_from_view * clip.inverse()).project_point3(ndc.extend(depth));
+        let origin = on_ray(if self.reversed { 1.0 } else { 0.0 });
+        let direction = (on_ray(0.5) - origin).normalize();
         let moved = if self.things_move { STEP * index as f32 } else { Vec3::ZERO };
         let Some(hit) = trace(origin, direction, moved) else {
             return ([[0.0; 4]; 3], 0);
@@ -172,7 +180,7 @@ impl Scene {
         let depth = match self.encoding.depth {
             DepthEncoding::Linear => (view * world.extend(1.0)).z.abs(),
             DepthEncoding::Device => (clip * view).project_point3(world).z,
-            DepthEncoding::RayLength => hit.distance,
+            DepthEncoding::RayLength => world.distance(world_from_view.w_axis.xyz()),
         };
         let before = if hit.id == 5 && self.things_move { world - STEP } else { world };
         let position = |i: usize, world: Vec3| {
@@ -182,10 +190,16 @@ impl Scene {
         };
         // The camera of the frame before the first one does not matter.
         let motion = if index == 0 { Vec2::ZERO } else { position(0, before) - position(1, world) };
-        ([[depth, 0.0, 0.0, 0.0], self.normal(view, hit.normal), self.motion(motion)], hit.id)
+        let previous_depth = (self.view_from_world(0) * before.extend(1.0)).z.abs();
+        let z = match self.encoding.motion_depth {
+            MotionDepth::None => 0.0,
+            MotionDepth::Difference => previous_depth - (view * world.extend(1.0)).z.abs(),
+            MotionDepth::Absolute => previous_depth,
+        };
+        ([[depth, 0.0, 0.0, 0.0], self.normal(view, hit.normal), self.motion(motion, z)], hit.id)
     }
 
-    fn motion(&self, uv: Vec2) -> [f32; 4] {
+    fn motion(&self, uv: Vec2, z: f32) -> [f32; 4] {
         let c = &self.encoding;
         let scale = match c.motion_unit {
             MotionUnit::Pixels => Vec2::new(EXTENT[0] as f32, EXTENT[1] as f32),
@@ -194,7 +208,7 @@ impl Scene {
         };
         let sign = if c.motion_direction == MotionDirection::PreviousMinusCurrent { 1.0 } else { -1.0 };
         let v = uv * scale * sign;
-        [v.x, if c.motion_y_up { -v.y } else { v.y }, 0.0, 0.0]
+        [v.x, if c.motion_y_up { -v.y } else { v.y }, z, 0.0]
     }
 
     fn normal(&self, view: Mat4, world: Vec3) -> [f32; 4] {
