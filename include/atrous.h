@@ -65,25 +65,23 @@ typedef struct AtrousConfig {
   uint32_t height;
   // Frames that the host records before it waits for the oldest, 1 to 8.
   uint32_t frames_in_flight;
-  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: edge-avoiding wavelets, without history.
+  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: EAW; 5: a volume alone.
   uint32_t preset;
   // 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
   uint32_t signals;
   // À-trous levels, 1 to 10.
   uint32_t levels;
+  // 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
+  uint32_t volume;
   // 1: fireflies are removed before accumulation; the percentile preset always does.
   uint32_t firefly_filter;
   // How the percentile preset sees changed light. 0: change test; 1: percentiles.
   uint32_t adaptive_rule;
   // How percentiles are found. 0: counting; 1: odd-even transposition.
   uint32_t block_sort;
-  // Edge stopping of the edge-avoiding wavelets by radiance: 0 or 1.
-  uint32_t eaw_radiance_weight;
-  // By normal.
-  uint32_t eaw_normal_weight;
-  // By position.
-  uint32_t eaw_position_weight;
-  // Which pixels have a sample, for the edge-avoiding wavelets. 0: every one; 1: one of 2x2; 2: one of 4x4. The others are NaN.
+  // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
+  uint32_t eaw_weights;
+  // How many pixels of EAW's input have a sample. 0: all; 1: one of 2×2; 2: one of 4×4.
   uint32_t sampling;
   // Side of the strata of temporal gradients, 2 to 4 pixels.
   uint32_t stratum_size;

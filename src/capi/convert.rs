@@ -18,16 +18,24 @@ fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
 }
 
 /// In the order of their numbers.
-const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw];
+const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume];
 
 const GRADIENT_SOURCES: &[GradientSource] =
     &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
 
 const ADAPTIVE_RULES: &[AdaptiveRule] = &[AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles];
 
+const BLOCK_SORTS: &[BlockSort] = &[BlockSort::Counting, BlockSort::OddEven];
+
 const SAMPLINGS: &[Sampling] = &[Sampling::Full, Sampling::OneOf2x2, Sampling::OneOf4x4];
 
-const BLOCK_SORTS: &[BlockSort] = &[BlockSort::Counting, BlockSort::OddEven];
+/// From bits: radiance, normal, position.
+fn eaw_weights(bits: u32) -> Result<EawWeights, Failure> {
+    if bits > 7 {
+        return Err(Failure::argument(format!("eaw_weights is {bits}; allowed are bits 0 to 2, which is 0 to 7")));
+    }
+    Ok(EawWeights { radiance: bits & 1 != 0, normal: bits & 2 != 0, position: bits & 4 != 0 })
+}
 
 impl AtrousConfig {
     pub(super) fn to_config(self) -> Result<Config, Failure> {
@@ -56,21 +64,17 @@ impl AtrousConfig {
             )?,
             view_forward: pick("view_forward", self.view_forward, &[ViewForward::NegativeZ, ViewForward::PositiveZ])?,
         };
-        let weights = [self.eaw_radiance_weight, self.eaw_normal_weight, self.eaw_position_weight];
         let post_processes = [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa];
         let config = Config {
             frames_in_flight: self.frames_in_flight,
             preset: pick("preset", self.preset, PRESETS)?,
             signals: pick("signals", self.signals, &[Signals::Together, Signals::Apart])?,
             levels: self.levels,
+            volume: flag("volume", self.volume)?,
             firefly_filter: flag("firefly_filter", self.firefly_filter)?,
             adaptive_rule: pick("adaptive_rule", self.adaptive_rule, ADAPTIVE_RULES)?,
             block_sort: pick("block_sort", self.block_sort, BLOCK_SORTS)?,
-            eaw_weights: EawWeights {
-                radiance: flag("eaw_radiance_weight", weights[0])?,
-                normal: flag("eaw_normal_weight", weights[1])?,
-                position: flag("eaw_position_weight", weights[2])?,
-            },
+            eaw_weights: eaw_weights(self.eaw_weights)?,
             sampling: pick("sampling", self.sampling, SAMPLINGS)?,
             stratum_size: self.stratum_size,
             gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
@@ -97,12 +101,11 @@ impl AtrousConfig {
             preset: config.preset as u32,
             signals: config.signals as u32,
             levels: config.levels,
+            volume: config.volume.into(),
             firefly_filter: config.firefly_filter.into(),
             adaptive_rule: config.adaptive_rule as u32,
             block_sort: config.block_sort as u32,
-            eaw_radiance_weight: config.eaw_weights.radiance.into(),
-            eaw_normal_weight: config.eaw_weights.normal.into(),
-            eaw_position_weight: config.eaw_weights.position.into(),
+            eaw_weights: 7,
             sampling: config.sampling as u32,
             stratum_size: config.stratum_size,
             gradient_source: config.gradient_source as u32,

@@ -39,8 +39,9 @@ fn normals(frames: &mut [Frame; 2], signs: [f32; 3]) {
 /// Adds `sign` times the jitter to the projection, as a host does that renders with it.
 fn jitter_projections(frames: &mut [Frame; 2], sign: f32) {
     matrices(frames, |_, clip, params| {
-        for (i, (jitter, side)) in params.jitter.into_iter().zip(EXTENT).enumerate() {
-            row(clip, i, |m| m.row(i) + m.row(3) * (sign * 2.0 * jitter / side as f32));
+        for (i, side) in EXTENT.into_iter().enumerate() {
+            let ndc = sign * 2.0 * params.jitter[i] / side as f32;
+            row(clip, i, |m| m.row(i) + m.row(3) * ndc);
         }
     });
 }

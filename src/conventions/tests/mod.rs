@@ -182,8 +182,8 @@ fn images_that_do_not_fit_are_errors() {
     let small = Image::new([8, 8], [0.0; 4]);
     let ids = Image::new([8, 8], 1);
     let good = || [previous.guides(), current.guides()];
-    type Spoil = fn(&mut FrameParams);
-    let spoiled: [(&str, Spoil); 5] = [
+    type Spoiled = (&'static str, fn(&mut FrameParams));
+    let spoiled: [Spoiled; 5] = [
         ("render_extent", |p| p.render_extent = [EXTENT[0] + 1, EXTENT[1]]),
         ("render_extent", |p| p.render_extent = [0, 1]),
         ("jitter", |p| p.jitter = [f32::NAN, 0.0]),
