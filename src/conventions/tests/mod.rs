@@ -177,6 +177,15 @@ fn z_of_the_motion_is_a_difference_or_a_depth() {
 }
 
 #[test]
+fn what_lies_behind_the_camera_is_refuted_without_motion() {
+    let mut frames = Scene::default().frames();
+    frames[1].motion = frames[1].motion.map(|_| [0.0; 4]);
+    let report = report(&Conventions::default(), &frames);
+    assert_eq!((report.geometry.verdict, report.motion.verdict), (Verdict::Agrees, Verdict::Unexplained), "{report}");
+    assert!(!report.to_string().contains("looks the other way"), "{report}");
+}
+
+#[test]
 fn images_that_do_not_fit_are_errors() {
     let [previous, current] = Scene::default().frames();
     let small = Image::new([8, 8], [0.0; 4]);
