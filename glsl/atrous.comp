@@ -39,7 +39,7 @@ struct Sum {
 
 struct Centre {
     float luminance;
-    float tolerance;  // of luminance: eq. 5's denominator
+    float sharpness;  // of luminance: log2(e) over eq. 5's denominator
 };
 
 bool is_surface(ivec2 q) { return is_inside(q) && unpack_depth(texelFetch(guide, q, 0)) != 0.0; }
@@ -65,11 +65,11 @@ vec2 smoothed_variances(ivec2 p) {
 }
 
 Centre centre_of(vec4 value, float variance) {
-    return Centre(luminance(value.rgb), frame.sigma_l * sqrt(variance) + LUMINANCE_EPSILON);
+    return Centre(luminance(value.rgb), LOG2_E / (frame.sigma_l * sqrt(variance) + LUMINANCE_EPSILON));
 }
 
-void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float depth_exponent, float kernel) {
-    float weight = kernel * geometry * exp(-depth_exponent - abs(luminance(value.rgb) - centre.luminance) / centre.tolerance);
+void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
+    float weight = kernel * exp2(geometry - abs(luminance(value.rgb) - centre.luminance) * centre.sharpness);
     sum.irradiance += weight * value.rgb;
     sum.variance += weight * weight * value.a * value.a;
     sum.weight += weight;
@@ -117,11 +117,10 @@ void main() {
             float z_q = unpack_depth(packed_q);
             if (z_q == 0.0) continue;
             float kernel = KERNEL[abs(x)] * KERNEL[abs(y)];
-            float geometry = normal_weight(n, unpack_normal(packed_q), z);
-            float depth_exponent = depth_weight_exponent(z, z_q, gradient, vec2(offset));
-            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, geometry, depth_exponent, kernel);
+            float geometry = log2_geometry_weight(n, unpack_normal(packed_q), z, z_q, gradient, vec2(offset));
+            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, geometry, kernel);
 #if SIGNALS == 2
-            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, geometry, depth_exponent, kernel);
+            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, geometry, kernel);
 #endif
         }
     imageStore(output_0, p, result(sum_0));

@@ -15,12 +15,6 @@ layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D block_percentiles;
 layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
 
-// 0: the block does not say what is bright, since next to all of its samples are black.
-float limit_of(ivec2 block) {
-    vec2 low_up = unpackHalf2x16(texelFetch(block_percentiles, block, 0).x);
-    return low_up.y > 0.0 ? frame.firefly_bias + low_up.y + percentile_range(low_up) : 0.0;
-}
-
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return;
@@ -28,10 +22,7 @@ void main() {
     float l = luminance(value.rgb);
     ivec2 block = p / BLOCK_SIZE;
     // Most pixels end here.
-    if (l <= limit_of(block)) return;
-    float limit = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
-            if (is_block(block + ivec2(x, y))) limit = max(limit, limit_of(block + ivec2(x, y)));
+    if (l <= firefly_limit_of(block_percentiles, block)) return;
+    float limit = firefly_limit(block_percentiles, block);
     if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
 }

@@ -33,7 +33,7 @@ void main() {
     vec3 n = unpack_normal(packed);
     ivec2 p = pixel_of(s, packed);
     vec2 slope = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
-    float tolerance = frame.sigma_l * centre.w + LUMINANCE_EPSILON;
+    float sharpness = LOG2_E / (frame.sigma_l * centre.w + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
     int step_size = 1 << push.level;
@@ -46,8 +46,8 @@ void main() {
             if (z_t == 0.0) continue;
             vec4 value = texelFetch(gradient_in, t, 0);
             vec2 offset = vec2(pixel_of(t, packed_t) - p);
-            float exponent = depth_weight_exponent(z, z_t, slope, offset) + abs(value.z - centre.z) / tolerance;
-            float weight = normal_weight(n, unpack_normal(packed_t), z) * exp(-exponent);
+            float geometry = log2_geometry_weight(n, unpack_normal(packed_t), z, z_t, slope, offset);
+            float weight = exp2(geometry - abs(value.z - centre.z) * sharpness);
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;

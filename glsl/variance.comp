@@ -51,7 +51,7 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
             if (z_q == 0.0) continue;
             float weight = 1.0;
             if (x != 0 || y != 0)
-                weight = exp(-depth_weight_exponent(z, z_q, gradient, vec2(x, y))) * normal_weight(n, unpack_normal(packed_q), z);
+                weight = exp2(log2_geometry_weight(n, unpack_normal(packed_q), z, z_q, gradient, vec2(x, y)));
             weight_sum += weight;
             add_moments(sums[0], moments_0, q, weight);
 #if SIGNALS == 2

@@ -106,6 +106,8 @@ typedef struct AtrousConfig {
   uint32_t view_forward;
   // Linear depths from here on are background.
   float background_depth;
+  // 1: a last pass `debug_view`.
+  uint32_t debug_view;
 } AtrousConfig;
 
 // Once per frame; `atrous_frame_params_default` fills it.
@@ -130,6 +132,8 @@ typedef struct AtrousFrameParams {
   float exposure_ratio;
   // 1: the host re-shades this frame's `gradient_samples`.
   uint32_t reshaded;
+  // What the pass `debug_view` shows: a number of `atrous::DebugView`, 0 to 13.
+  uint32_t debug_view;
 } AtrousFrameParams;
 
 // Where the passes run. Handles stay the host's.

@@ -280,6 +280,9 @@ pub struct Config {
     pub object_normal: bool,
     /// Post-process.
     pub post_process: PostProcess,
+    /// A last pass `debug_view`, which shows what the denoiser knows of each pixel: see [`crate::DebugView`]. It keeps what it shows until then, which
+    /// transients cannot share memory with. A host may leave the pass out of a frame. Default: false.
+    pub debug_view: bool,
     /// Encodings.
     pub conventions: Conventions,
 }
@@ -307,6 +310,7 @@ impl Config {
             surface_id: true,
             object_normal: false,
             post_process: PostProcess::default(),
+            debug_view: false,
             conventions: Conventions::default(),
         }
     }

@@ -28,7 +28,7 @@ impl Config {
 impl PassDecl {
     pub(crate) fn shader(&self) -> Option<&'static Shader> {
         match self.work {
-            Work::Dispatch { shader, .. } => Some(shader),
+            Work::Dispatch { shader, .. } | Work::DebugView { shader, .. } => Some(shader),
             Work::StartFrame | Work::Clear => None,
         }
     }
@@ -180,21 +180,40 @@ impl Denoiser {
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
             // SAFETY: as above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
-            Work::Dispatch { shader, level, divisor } => {
-                let Some(bindable) = self.pipelines.bindable(frame.slot, pass) else {
-                    return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.config.frames_in_flight });
-                };
-                let present =
-                    (0u32..).zip(bindings).fold(0, |bits, (i, b)| if *b == Binding::Absent { bits } else { bits | 1 << i });
-                // SAFETY: the set is not in use, since earlier work of the slot is complete; the rest is the caller's.
-                unsafe {
-                    self.write_set(bindable.set, shader, bindings);
-                    self.dispatch(cmd, dispatched_extent(frame, divisor), bindable, PushConstants { level, present });
-                }
+            Work::Dispatch { level, divisor, .. } => {
+                let push = PushConstants { level, present: present(bindings) };
+                // SAFETY: the caller's; the bindings were checked.
+                unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, divisor), push)? };
+            }
+            Work::DebugView { available, .. } => {
+                let push = PushConstants { level: frame.debug_view as u32, present: present(bindings) & available };
+                // SAFETY: as above.
+                unsafe { self.record_dispatch(cmd, frame, pass, bindings, frame.render_extent, push)? };
             }
         }
         if let Some(name) = absent_gradients(&self.declaration, pass, bindings) {
             self.warn_of_missing_gradients(&format!("nothing is bound to `{name}`"));
+        }
+        Ok(())
+    }
+
+    unsafe fn record_dispatch(
+        &self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        pass: usize,
+        bindings: &[Binding],
+        extent: [u32; 2],
+        push: PushConstants,
+    ) -> Result<(), Error> {
+        let (Some(bindable), Some(shader)) = (self.pipelines.bindable(frame.slot, pass), self.declaration.passes[pass].shader())
+        else {
+            return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.config.frames_in_flight });
+        };
+        // SAFETY: the set is not in use, since earlier work of the slot is complete; the rest is the caller's.
+        unsafe {
+            self.write_set(bindable.set, shader, bindings);
+            self.dispatch(cmd, extent, bindable, push);
         }
         Ok(())
     }
@@ -285,6 +304,11 @@ impl Denoiser {
             self.device.cmd_dispatch(cmd, groups[0], groups[1], 1);
         }
     }
+}
+
+/// Bit i: binding i is not absent.
+fn present(bindings: &[Binding]) -> u32 {
+    (0u32..).zip(bindings).fold(0, |bits, (i, b)| if *b == Binding::Absent { bits } else { bits | 1 << i })
 }
 
 /// Invocations of a dispatch.

@@ -1,6 +1,6 @@
 //! The Vulkan objects that we own: pipelines and descriptor sets. All are destroyed on drop; no memory is allocated.
 
-use crate::contract::{Declaration, Work};
+use crate::contract::Declaration;
 use crate::error::Error;
 use crate::shaders::{PushConstants, Shader};
 use ash::vk;
@@ -39,7 +39,7 @@ impl Pipelines {
     pub unsafe fn new(device: &ash::Device, declaration: &Declaration, slots: u32) -> Result<Self, Error> {
         let mut this = Self { device: device.clone(), pipelines: BTreeMap::new(), pools: Vec::new(), bindables: Vec::new() };
         for pass in declaration.passes() {
-            if let Work::Dispatch { shader, .. } = pass.work {
+            if let Some(shader) = pass.shader() {
                 if !this.pipelines.contains_key(shader.name) {
                     // SAFETY: the device is live; the caller says so.
                     let pipeline = unsafe { Pipeline::new(device, shader)? };

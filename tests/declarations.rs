@@ -25,7 +25,9 @@ fn uses_equal_the_spirv_by_a_second_reader() {
     {
         for object_normal in [false, true] {
             let post_process = PostProcess::ToneMapTaa;
-            let config = Config { signals, object_normal, post_process, preset, gradient_source, ..Config::new([64, 36]) };
+            let debug_view = true;
+            let config =
+                Config { signals, object_normal, post_process, preset, gradient_source, debug_view, ..Config::new([64, 36]) };
             let declaration = config.declare().expect("valid");
             for pass in declaration.passes() {
                 let Some(spirv) = pass.spirv() else { continue };

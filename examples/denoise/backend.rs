@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::frame::{FrameInputs, Texels};
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
-use atrous::{Config, Lifetime, Shape, Tuning};
+use atrous::{Config, Lifetime, Shape};
 use std::sync::Arc;
 
 /// What a pixel's history looked like, per signal.
@@ -39,16 +39,18 @@ pub trait Backend {
 /// The passes on a Vulkan device.
 pub struct GpuBackend {
     session: Session,
-    tuning: Tuning,
     name: String,
     /// Input images, and whether they are optional.
     inputs: Vec<(&'static str, bool)>,
     moments: Vec<(&'static str, &'static str)>,
+    has_transforms: bool,
 }
+
+const TRANSFORMS: &str = "instance_transforms";
 
 impl GpuBackend {
     /// Opens a device, by index or part of its name.
-    pub fn new(device: Option<String>, config: &Config, tuning: Tuning) -> Result<Self> {
+    pub fn new(device: Option<String>, config: &Config) -> Result<Self> {
         let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?);
         let name = gpu.name().to_owned();
         let session = Session::new(gpu, config, SessionOptions::default())?;
@@ -60,7 +62,7 @@ impl GpuBackend {
         });
         let known = [("moments", ""), ("moments_direct", "_direct"), ("moments_indirect", "_indirect")];
         let moments = known.into_iter().filter(|m| declaration.find(m.0).is_some()).collect();
-        Ok(Self { inputs: inputs.collect(), moments, session, tuning, name })
+        Ok(Self { inputs: inputs.collect(), moments, has_transforms: declaration.find(TRANSFORMS).is_some(), session, name })
     }
 }
 
@@ -79,7 +81,13 @@ impl Backend for GpuBackend {
                 _ => {}
             }
         }
-        self.session.run(&frame.params, &self.tuning)?;
+        if self.has_transforms {
+            match &frame.instance_transforms {
+                Some(transforms) => self.session.upload_buffer(TRANSFORMS, bytemuck::cast_slice(transforms))?,
+                None => self.session.unbind(TRANSFORMS)?,
+            }
+        }
+        self.session.run(&frame.params, &frame.tuning)?;
         let radiance = self.session.download("denoised_radiance")?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
         let mut outputs = FrameOutputs { radiance, views: Vec::new() };
         if views {

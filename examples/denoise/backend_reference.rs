@@ -3,26 +3,27 @@
 use crate::backend::{Backend, FrameOutputs, MomentsView};
 use crate::error::Result;
 use crate::frame::{FrameInputs, Texels};
-use atrous::config::Signals;
-use atrous::reference::{unpack_moments, Image, ImportInputs, Svgf, SvgfInputs, SvgfViews};
-use atrous::{Config, Error, FrameState, Tuning};
+use atrous::config::{GradientSource, Preset, Signals};
+use atrous::reference::{unpack_moments, Denoiser, DenoiserInputs, DenoiserViews, GradientSources, Image, ImportInputs};
+use atrous::{Config, Error, FrameState};
 
 /// The stages on the CPU.
 pub struct ReferenceBackend {
     config: Config,
-    tuning: Tuning,
     state: FrameState,
-    svgf: Svgf,
+    denoiser: Denoiser,
 }
 
 impl ReferenceBackend {
     /// Without history.
-    pub fn new(config: &Config, tuning: Tuning) -> Result<Self> {
-        Ok(Self { config: *config, tuning, state: FrameState::default(), svgf: Svgf::new(*config)? })
+    pub fn new(config: &Config) -> Result<Self> {
+        Ok(Self { config: *config, state: FrameState::default(), denoiser: Denoiser::new(*config)? })
     }
 
     fn signals(&self) -> &'static [&'static str] {
+        let shows_nothing = self.config.gradient_source == GradientSource::Confidence;
         match self.config.signals {
+            _ if self.config.preset == Preset::Stabilize && shows_nothing => &[],
             Signals::Together => &["noisy_radiance"],
             Signals::Apart => &["noisy_direct", "noisy_indirect"],
         }
@@ -36,29 +37,41 @@ impl Backend for ReferenceBackend {
 
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs> {
         let extent = self.config.allocated_extent;
+        let strata = extent.map(|side| side.div_ceil(self.config.stratum_size));
         let image = |name: &str| frame.images.get(name).map(|t: &Texels| Image::from_texels(extent, t.clone())).transpose();
         let needed = |name: &str| image(name).and_then(|i| i.ok_or_else(|| Error::NotBound(name.to_owned())));
         let noisy = self.signals().iter().map(|name| needed(name)).collect::<std::result::Result<Vec<_>, _>>()?;
         let noisy: Vec<&Image<[f32; 4]>> = noisy.iter().collect();
         let (depth, normal, motion, roughness) = (needed("depth")?, needed("normal")?, image("motion")?, image("roughness")?);
         let (albedo, emission, object_normal) = (image("albedo")?, image("emission")?, image("object_normal")?);
+        let (forward_motion, confidence) = (image("forward_motion")?, image("confidence")?);
+        let (reshaded, other) = (image("reshaded_radiance")?, image("other_denoised_radiance")?);
+        let sparse = frame.images.get("sparse_gradient").map(|t| Image::from_texels(strata, t.clone())).transpose()?;
         let ids = frame.surface_id.clone().map(|ids| Image::from_texels(extent, ids)).transpose()?;
-        let inputs = SvgfInputs {
+        let instance_transforms = frame.instance_transforms.as_deref();
+        let inputs = DenoiserInputs {
             guides: ImportInputs {
                 depth: &depth,
                 normal: &normal,
                 motion: motion.as_ref(),
                 surface_id: ids.as_ref(),
                 roughness: roughness.as_ref(),
-                instance_transforms: None,
+                instance_transforms,
                 object_normal: object_normal.as_ref(),
             },
             noisy: &noisy,
             albedo: albedo.as_ref(),
             emission: emission.as_ref(),
+            gradients: GradientSources {
+                forward_motion: forward_motion.as_ref(),
+                reshaded_radiance: reshaded.as_ref(),
+                sparse_gradient: sparse.as_ref(),
+                confidence: confidence.as_ref(),
+                other_denoised_radiance: other.as_ref(),
+            },
         };
-        let context = self.state.begin(&self.config, &frame.params, &self.tuning)?;
-        let outputs = self.svgf.frame(&context, &inputs, views)?;
+        let context = self.state.begin(&self.config, &frame.params, &frame.tuning)?;
+        let outputs = self.denoiser.frame(&context, &inputs, views)?;
         Ok(FrameOutputs {
             radiance: outputs.denoised_radiance.texels().iter().map(|[r, g, b, _]| [*r, *g, *b]).collect(),
             views: outputs.views.map(|v| self.moments(&v)).unwrap_or_default(),
@@ -67,7 +80,7 @@ impl Backend for ReferenceBackend {
 }
 
 impl ReferenceBackend {
-    fn moments(&self, views: &SvgfViews) -> Vec<MomentsView> {
+    fn moments(&self, views: &DenoiserViews) -> Vec<MomentsView> {
         let suffixes: &[&'static str] = match self.config.signals {
             Signals::Together => &[""],
             Signals::Apart => &["_direct", "_indirect"],

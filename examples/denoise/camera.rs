@@ -1,5 +1,6 @@
 //! `sequence.json`: matrices, jitter and conventions of a sequence.
 
+use crate::captured_config::CapturedConfig;
 use crate::error::{Result, ToolError};
 use atrous::ResetReason;
 use serde::Deserialize;
@@ -9,7 +10,7 @@ use std::path::{Path, PathBuf};
 type Rows = [[f32; 4]; 4];
 
 /// One frame's camera. Matrices are column-major for column vectors.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// World to view.
     pub view_from_world: Rows,
@@ -21,6 +22,10 @@ pub struct Camera {
     pub exposure_ratio: f32,
     /// The history is dropped here.
     pub reset: Option<ResetReason>,
+    /// The noisy radiance has re-shaded samples at the pixels that the forward projection picks.
+    pub reshaded: bool,
+    /// Tunables that are not those of the sequence.
+    pub tuning: BTreeMap<String, f32>,
 }
 
 /// What `sequence.json` says.
@@ -30,8 +35,8 @@ pub struct SequenceFile {
     pub cameras: BTreeMap<u64, Camera>,
     /// Conventions, as for `--convention`.
     pub conventions: Vec<(String, String)>,
-    /// À-trous levels.
-    pub levels: Option<u32>,
+    /// What is decided once.
+    pub config: CapturedConfig,
     /// Tunables.
     pub tuning: BTreeMap<String, f32>,
     /// Values that are not finite reach the filter: a capture shows what an engine gave it.
@@ -43,7 +48,8 @@ struct Json {
     frames: Vec<JsonFrame>,
     #[serde(default)]
     conventions: BTreeMap<String, serde_json::Value>,
-    levels: Option<u32>,
+    #[serde(default)]
+    config: CapturedConfig,
     #[serde(default)]
     tuning: BTreeMap<String, f32>,
     #[serde(default)]
@@ -61,6 +67,10 @@ struct JsonFrame {
     exposure_ratio: f32,
     #[serde(default)]
     reset: JsonReset,
+    #[serde(default)]
+    reshaded: bool,
+    #[serde(default)]
+    tuning: BTreeMap<String, f32>,
 }
 
 /// `true`, or the reason.
@@ -139,6 +149,8 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             jitter: frame.jitter,
             exposure_ratio: frame.exposure_ratio,
             reset: frame.reset.reason(),
+            reshaded: frame.reshaded,
+            tuning: frame.tuning.clone(),
         };
         if cameras.insert(number, camera).is_some() {
             return Err(problem(format!("has frame {number} twice")));
@@ -146,5 +158,5 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     }
     let text_of = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
-    Ok(SequenceFile { cameras, conventions, levels: json.levels, tuning: json.tuning, verbatim: json.verbatim })
+    Ok(SequenceFile { cameras, conventions, config: json.config, tuning: json.tuning, verbatim: json.verbatim })
 }

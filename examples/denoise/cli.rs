@@ -23,9 +23,9 @@ pub struct Cli {
     #[arg(short, long, value_name = "FOLDER")]
     pub output: PathBuf,
 
-    /// Filter
-    #[arg(long, value_enum, default_value_t = Preset::Svgf)]
-    pub preset: Preset,
+    /// Filter; svgf, or that of a capture, where none is given
+    #[arg(long, value_enum)]
+    pub preset: Option<Preset>,
 
     /// Score against the reference channels: table, scores.json and scores.png
     #[arg(long)]
@@ -118,6 +118,8 @@ pub enum Preset {
     Best,
     /// Edge-avoiding wavelets: every frame by itself
     Eaw,
+    /// Temporal accumulation over what another denoiser made of the frames (other_denoised), by the gradients of asvgf
+    Stabilize,
 }
 
 impl Preset {
@@ -128,6 +130,7 @@ impl Preset {
             Self::Asvgf | Self::Best => atrous::config::Preset::Asvgf,
             Self::Percentile => atrous::config::Preset::Percentile,
             Self::Eaw => atrous::config::Preset::Eaw,
+            Self::Stabilize => atrous::config::Preset::Stabilize,
         }
     }
 }
@@ -168,14 +171,6 @@ fn tunable(text: &str) -> Result<(String, f32), String> {
 }
 
 impl Cli {
-    /// Tunables, on top of those of the sequence.
-    pub fn tuning(&self, mut tuning: Tuning) -> Result<Tuning, atrous::Error> {
-        for (name, value) in &self.tunables {
-            tuning.set(name, *value)?;
-        }
-        Ok(tuning)
-    }
-
     /// What is asked of the setup.
     pub fn wishes(&self) -> Wishes {
         Wishes {
@@ -188,20 +183,10 @@ impl Cli {
                 SignalsOption::Apart => Signals::Apart,
             }),
             levels: self.levels,
-            preset: self.preset.of_library(),
-            best: self.preset == Preset::Best,
+            preset: self.preset.map(Preset::of_library),
+            best: self.preset == Some(Preset::Best),
             stratum_size: self.stratum_size,
-        }
-    }
-
-    /// Name of the preset.
-    pub fn preset_name(&self) -> &'static str {
-        match self.preset {
-            Preset::Svgf => "SVGF",
-            Preset::Asvgf => "A-SVGF",
-            Preset::Percentile => "percentile",
-            Preset::Eaw => "EAW",
-            Preset::Best => "best",
+            tunables: self.tunables.clone(),
         }
     }
 }

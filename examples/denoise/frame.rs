@@ -10,8 +10,10 @@ use crate::layouts::Layout;
 use crate::roles::Role;
 use crate::setup::{is_about_previous, Setup};
 use atrous::config::{MotionDepth, NormalSpace, Preset, Signals, ViewForward};
-use atrous::FrameParams;
+use atrous::reference::InstanceTransform;
+use atrous::{FrameParams, Tuning};
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// Texels of an image.
 pub type Texels = Vec<[f32; 4]>;
@@ -25,6 +27,10 @@ pub struct FrameInputs {
     pub params: FrameParams,
     /// Input images by the names that the library has for them.
     pub images: BTreeMap<&'static str, Texels>,
+    /// Tunables.
+    pub tuning: Tuning,
+    /// By surface id, previous from current world space.
+    pub instance_transforms: Option<Vec<InstanceTransform>>,
     /// Surface ids.
     pub surface_id: Option<Vec<u32>>,
     /// The noisy radiance with everything in it, for scores and pictures.
@@ -41,7 +47,7 @@ pub struct FrameInputs {
 
 /// Reads a frame.
 pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
-    let reshaded = setup.config.preset == Preset::Asvgf;
+    let reshaded = matches!(setup.config.preset, Preset::Asvgf | Preset::Stabilize);
     let wanted: BTreeSet<&str> =
         setup.mapping.roles.iter().filter(|r| reshaded || !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
     let planes = frame_source::read(files, setup.config.allocated_extent, |name| wanted.contains(name))?;
@@ -55,6 +61,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     channels.guides(camera, &mut images);
     if reshaded {
         channels.reshaded(&mut images);
+        channels.gradients(&mut images);
     }
     let surface_id = channels.ids(&images);
     let noisy = channels.total(&images);
@@ -65,7 +72,20 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     if noisy.len() != setup.pixels() {
         return Err(ToolError::exr(&files.colour, "its channels do not cover the picture"));
     }
-    Ok(FrameInputs { number: files.number, params, images, surface_id, noisy, alpha, reference, replaced, header: planes.header })
+    let (number, tuning, instance_transforms) = (files.number, setup.tuning(files.number)?, transforms(&files.colour)?);
+    Ok(FrameInputs {
+        number,
+        params,
+        tuning,
+        instance_transforms,
+        images,
+        surface_id,
+        noisy,
+        alpha,
+        reference,
+        replaced,
+        header: planes.header,
+    })
 }
 
 fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
@@ -76,8 +96,26 @@ fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
         params.jitter = camera.jitter;
         params.exposure_ratio = camera.exposure_ratio;
         params.reset = camera.reset;
+        params.reshaded = camera.reshaded;
     }
     params
+}
+
+/// The transforms of a captured frame, in a file beside its picture: twelve 32-bit floats an instance, little-endian.
+fn transforms(colour: &Path) -> Result<Option<Vec<InstanceTransform>>> {
+    let stem = colour.file_stem().unwrap_or_default().to_string_lossy();
+    let path = colour.with_file_name(format!("{stem}_instance_transforms.f32"));
+    let bytes = match std::fs::read(&path) {
+        Ok(bytes) => bytes,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        Err(source) => return Err(ToolError::Read { path, source }),
+    };
+    if bytes.len() % size_of::<InstanceTransform>() != 0 {
+        let problem = format!("has {} bytes, which is no multiple of the 48 of a transform: it is cut off", bytes.len());
+        return Err(ToolError::exr(&path, problem));
+    }
+    let floats: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+    Ok(Some(bytemuck::allocation::pod_collect_to_vec(&floats)))
 }
 
 fn rgb(texels: Texels) -> Vec<[f32; 3]> {
@@ -188,9 +226,20 @@ impl Channels<'_> {
         let parts = (self.vectors(Role::ReshadeDirect), self.vectors(Role::ReshadeIndirect));
         let sum = match parts {
             (Some(direct), Some(indirect)) => Some(combine(&direct, &indirect, |a, b| a + b)),
-            (direct, indirect) => direct.or(indirect),
+            (direct, indirect) => direct.or(indirect).or_else(|| self.vectors(Role::Reshaded)),
         };
         images.extend(sum.map(|s| ("reshaded_radiance", s)));
+    }
+
+    /// What a host says of changes itself, and the picture that is stabilized.
+    fn gradients(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
+        images.extend(self.vectors(Role::ForwardMotion).map(|m| ("forward_motion", m)));
+        images.extend(self.vectors(Role::Confidence).map(|c| ("confidence", c)));
+        images.extend(self.vectors(Role::OtherDenoised).map(|o| ("other_denoised_radiance", o)));
+        let [width, _] = self.setup.config.allocated_extent.map(|side| side as usize);
+        let [columns, rows] = self.setup.config.allocated_extent.map(|side| side.div_ceil(self.setup.config.stratum_size) as usize);
+        let corner = |texels: Texels| texels.chunks(width).take(rows).flat_map(|row| row[..columns].to_vec()).collect();
+        images.extend(self.vectors(Role::SparseGradient).map(|g| ("sparse_gradient", corner(g))));
     }
 
     fn depth_of_positions(&mut self, camera: Option<&Camera>) -> Option<Texels> {

@@ -98,6 +98,11 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::ReshadeDirect, &[Atrous], &["reshade_direct"], RGB),
     entry(Role::ReshadeIndirect, &[Atrous], &["reshade_indirect"], RGB),
     entry(Role::ReshadeEmission, &[Atrous], &["reshade_emission"], RGB),
+    entry(Role::Reshaded, &[Atrous], &["reshaded"], RGB),
+    entry(Role::ForwardMotion, &[Atrous], &["forward_motion"], XYZ),
+    entry(Role::SparseGradient, &[Atrous], &["sparse_gradient"], XY),
+    entry(Role::Confidence, &[Atrous], &["confidence"], DEPTH),
+    entry(Role::OtherDenoised, &[], &["other_denoised"], RGB),
 ];
 
 /// Which renderer wrote these channels. `layers` are in lower case.

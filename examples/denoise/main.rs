@@ -3,6 +3,7 @@
 mod backend;
 mod backend_reference;
 mod camera;
+mod captured_config;
 mod cli;
 mod conventions;
 mod error;

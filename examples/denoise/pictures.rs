@@ -4,13 +4,10 @@ use crate::backend::MomentsView;
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::score::{FrameScore, ScoreBook};
+use atrous::reference::{LONG_HISTORY, REASON_COLOURS};
 use atrous_picture::{LinePlot, Picture, PictureError, Region, Strip};
 use std::path::Path;
 
-/// History lengths from here on look alike.
-const LONG_HISTORY: f32 = 32.0;
-/// Colours of the disocclusion reasons 0 to 5: history (grey), off screen, background or id, depth, normal, reset. Okabe and Ito's.
-const REASONS: [[u8; 3]; 6] = [[60, 60, 60], [230, 159, 0], [86, 180, 233], [0, 158, 115], [240, 228, 66], [213, 94, 0]];
 /// Size of a plot.
 const PLOT: [u32; 2] = [900, 300];
 
@@ -62,7 +59,7 @@ pub fn views(folder: &Path, stem: &str, extent: [u32; 2], views: &[MomentsView],
         save(&path("alpha"), Picture::false_colour(w, h, &alphas, [0.0, 1.0]))?;
         let variance: Vec<f32> = view.deviation.iter().map(|d| d * d).collect();
         save(&path("variance"), Picture::false_colour(w, h, &variance, [0.0, bright(&variance)]))?;
-        let colours = view.reason.iter().map(|r| REASONS[usize::from(*r).min(REASONS.len() - 1)]).collect();
+        let colours = view.reason.iter().map(|r| REASON_COLOURS[usize::from(*r).min(REASON_COLOURS.len() - 1)]).collect();
         save(&path("disocclusion"), Picture::from_pixels(w, h, colours))?;
     }
     Ok(())

@@ -49,6 +49,16 @@ pub enum Role {
     ReshadeIndirect,
     /// Previous frame's emission, likewise.
     ReshadeEmission,
+    /// All of the previous frame's samples in this frame's scene, as one.
+    Reshaded,
+    /// Motion from the previous frame to this one, at the pixels of the previous frame; z: depth in this frame.
+    ForwardMotion,
+    /// A host's own differences of luminance δ and the larger luminance Δ, one pixel a stratum, in the top left corner.
+    SparseGradient,
+    /// A host's own confidence in the history.
+    Confidence,
+    /// What another denoiser made of the frame, for the preset `stabilize`.
+    OtherDenoised,
 }
 
 /// How many numbers a role has per pixel, and of which type.
@@ -107,6 +117,11 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::ReshadeDirect, "reshade_direct", Kind::Colour, ""),
     (Role::ReshadeIndirect, "reshade_indirect", Kind::Colour, ""),
     (Role::ReshadeEmission, "reshade_emission", Kind::Colour, ""),
+    (Role::Reshaded, "reshaded", Kind::Colour, ""),
+    (Role::ForwardMotion, "forward_motion", Kind::Vector, ""),
+    (Role::SparseGradient, "sparse_gradient", Kind::Motion, ""),
+    (Role::Confidence, "confidence", Kind::Scalar, ""),
+    (Role::OtherDenoised, "other_denoised", Kind::Colour, ""),
 ];
 
 impl Role {

@@ -28,8 +28,6 @@ pub struct Wanted {
     pub score: bool,
     /// Exposure of pictures.
     pub exposure: f32,
-    /// Smallest weight of a new frame, for the view of α.
-    pub alpha: f32,
     /// For titles.
     pub preset: String,
 }
@@ -78,7 +76,7 @@ impl Saver {
     }
 
     fn pictures(&mut self, finished: &Finished, radiance: &[[f32; 3]]) -> Result<()> {
-        let Wanted { folder, exposure, alpha, .. } = &self.wanted;
+        let Wanted { folder, exposure, .. } = &self.wanted;
         let stem = finished.step.output.file_stem().and_then(|s| s.to_str()).unwrap_or("frame").to_owned();
         let extent = finished.inputs.params.render_extent;
         if self.wanted.png {
@@ -88,7 +86,7 @@ impl Saver {
             Some(outputs) if !outputs.views.is_empty() => {
                 let views = folder.join("views");
                 std::fs::create_dir_all(&views).map_err(crate::error::ToolError::write(&views))?;
-                pictures::views(&views, &stem, extent, &outputs.views, *alpha)
+                pictures::views(&views, &stem, extent, &outputs.views, finished.inputs.tuning.alpha)
             }
             _ => Ok(()),
         }

@@ -27,12 +27,14 @@ pub struct Wishes {
     pub signals: Option<Signals>,
     /// À-trous levels, where not the default.
     pub levels: Option<u32>,
-    /// Filter.
-    pub preset: Preset,
+    /// Filter, where not that of a capture, or SVGF.
+    pub preset: Option<Preset>,
     /// Rather the filter that suits the frames best.
     pub best: bool,
     /// Side of the strata, where not the default.
     pub stratum_size: Option<u32>,
+    /// Tunables, on top of those of the sequence.
+    pub tunables: Vec<(String, f32)>,
 }
 
 /// What holds for all frames.
@@ -44,13 +46,15 @@ pub struct Setup {
     pub config: Config,
     /// Cameras.
     pub sequence: Option<SequenceFile>,
+    /// Tunables by which every frame differs from its sequence.
+    tunables: Vec<(String, f32)>,
     /// Lines to print.
     pub report: Vec<String>,
 }
 
 /// Measured gradients beat everything; without them the noisy image itself must tell that the light changed.
 fn best(mapping: &Mapping) -> Preset {
-    if mapping.has(Role::ReshadeDirect) || mapping.has(Role::ReshadeIndirect) {
+    if [Role::ReshadeDirect, Role::ReshadeIndirect, Role::Reshaded].iter().any(|role| mapping.has(*role)) {
         Preset::Asvgf
     } else {
         Preset::Percentile
@@ -78,17 +82,18 @@ impl Setup {
         config.frames_in_flight = 1;
         config.surface_id = mapping.has(Role::Id);
         config.object_normal = mapping.has(Role::ObjectNormal);
-        let captured = sequence.as_ref().and_then(|(_, file)| file.levels);
-        config.levels = wishes.levels.or(captured).unwrap_or(config.levels);
+        config.gradient_source = gradient_source(&mapping);
+        if let Some((_, file)) = &sequence {
+            file.config.apply(&mut config);
+        }
+        let captured = sequence.as_ref().and_then(|(_, file)| file.config.preset);
+        config.levels = wishes.levels.unwrap_or(config.levels);
         config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
-        config.preset = if wishes.best { best(&mapping) } else { wishes.preset };
-        config.gradient_source = GradientSource::Reshaded;
-        config.signals = signals(&mapping, wishes.signals)?;
+        config.preset = if wishes.best { best(&mapping) } else { wishes.preset.or(captured).unwrap_or_default() };
+        config.forward_motion = mapping.has(Role::ForwardMotion);
+        config.signals = signals(&mapping, config.preset, wishes.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);
-        if wishes.best {
-            report.push(format!("  {:<16} {:?}", "preset", config.preset));
-        }
         if let Some((path, file)) = &sequence {
             check_cameras(path, file, frames)?;
             apply(&mut config, &file.conventions, |what| ToolError::Json { path: path.clone(), problem: what })?;
@@ -100,7 +105,7 @@ impl Setup {
         if header.windows_differ {
             report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
         }
-        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), report })
+        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), tunables: wishes.tunables.clone(), report })
     }
 
     /// Whether values that are not finite reach the filter.
@@ -108,10 +113,13 @@ impl Setup {
         self.sequence.as_ref().is_some_and(|s| s.verbatim)
     }
 
-    /// Tunables of the sequence.
-    pub fn tuning(&self) -> Result<Tuning> {
+    /// Tunables of a frame.
+    pub fn tuning(&self, number: u64) -> Result<Tuning> {
         let mut tuning = Tuning::for_preset(self.config.preset);
-        for (name, value) in self.sequence.iter().flat_map(|s| &s.tuning) {
+        let of_sequence = self.sequence.iter().flat_map(|s| &s.tuning);
+        let of_frame = self.camera(number).into_iter().flat_map(|c| &c.tuning);
+        let wished = self.tunables.iter().map(|(name, value)| (name, value));
+        for (name, value) in of_sequence.chain(of_frame).chain(wished) {
             tuning.set(name, *value)?;
         }
         Ok(tuning)
@@ -123,12 +131,41 @@ impl Setup {
     }
 }
 
-/// Roles that the first frame of a sequence need not have.
-pub fn is_about_previous(role: Role) -> bool {
-    matches!(role, Role::ReshadeDirect | Role::ReshadeIndirect | Role::ReshadeEmission)
+/// For people.
+pub fn preset_name(preset: Preset) -> &'static str {
+    match preset {
+        Preset::Svgf => "SVGF",
+        Preset::Asvgf => "A-SVGF",
+        Preset::Stabilize => "stabilize",
+        Preset::Percentile => "percentile",
+        Preset::Eaw => "EAW",
+    }
 }
 
-fn signals(mapping: &Mapping, wish: Option<Signals>) -> Result<Signals> {
+/// Roles that the first frame of a sequence need not have.
+pub fn is_about_previous(role: Role) -> bool {
+    matches!(role, Role::ReshadeDirect | Role::ReshadeIndirect | Role::ReshadeEmission | Role::Reshaded | Role::ForwardMotion)
+}
+
+/// By what the frames have; a capture says it itself.
+fn gradient_source(mapping: &Mapping) -> GradientSource {
+    match () {
+        () if mapping.has(Role::SparseGradient) => GradientSource::Sparse,
+        () if mapping.has(Role::Confidence) => GradientSource::Confidence,
+        () => GradientSource::Reshaded,
+    }
+}
+
+fn signals(mapping: &Mapping, preset: Preset, wish: Option<Signals>) -> Result<Signals> {
+    if preset == Preset::Stabilize {
+        if !mapping.has(Role::OtherDenoised) {
+            return Err(ToolError::Usage(
+                "--preset stabilize needs the picture of another denoiser; name its layer with --channel other_denoised=LAYER"
+                    .into(),
+            ));
+        }
+        return Ok(Signals::Together);
+    }
     match (wish, mapping.has_signals_apart()) {
         (Some(Signals::Apart), false) => Err(ToolError::Usage(
             "--signals apart needs direct and indirect light in separate layers; name them with --channel direct=LAYER and --channel indirect=LAYER".into(),
@@ -166,7 +203,7 @@ fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
         Signals::Together => "together, as one signal",
         Signals::Apart => "direct and indirect apart",
     };
-    lines.push(format!("  {:<16} {signals}", "filtered"));
+    lines.push(format!("  {:<16} {signals}, by {}", "filtered", preset_name(config.preset)));
     lines
 }
 

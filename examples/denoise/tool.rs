@@ -12,7 +12,7 @@ use crate::plan::{self, Existing, Step};
 use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
 use crate::score::{self, ScoreBook, NO_FLIP};
-use crate::setup::Setup;
+use crate::setup::{preset_name, Setup};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
 
@@ -20,7 +20,6 @@ use std::time::Instant;
 pub fn run(cli: &Cli) -> Result<()> {
     let frames = frame_files::find(&cli.frames)?;
     let setup = Setup::new(&frames, &cli.wishes())?;
-    let tuning = cli.tuning(setup.tuning()?)?;
     if !cli.quiet {
         let [w, h] = setup.config.allocated_extent;
         eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());
@@ -42,10 +41,10 @@ pub fn run(cli: &Cli) -> Result<()> {
         eprintln!("all frames are finished");
         return Ok(());
     }
-    let mut backend = open(cli, &setup, tuning)?;
+    let mut backend = open(cli, &setup)?;
     let device = backend.name();
     if !cli.quiet {
-        eprintln!("{} on {device}", cli.preset_name());
+        eprintln!("{} on {device}", preset_name(setup.config.preset));
     }
     let wanted = Wanted {
         folder: cli.output.clone(),
@@ -54,8 +53,7 @@ pub fn run(cli: &Cli) -> Result<()> {
         strip: cli.strip.map(|frame| frame.unwrap_or(last)),
         score: cli.score,
         exposure: cli.exposure,
-        alpha: tuning.alpha,
-        preset: cli.preset_name().into(),
+        preset: preset_name(setup.config.preset).into(),
     };
     let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
     let start = Instant::now();
@@ -65,21 +63,16 @@ pub fn run(cli: &Cli) -> Result<()> {
     summary(cli, &saver, start.elapsed().as_secs_f64(), steps.len());
     result?;
     if cli.score {
-        scores(cli, &saver.book, &device)?;
+        scores(cli, preset_name(setup.config.preset), &saver.book, &device)?;
     }
     Ok(())
 }
 
-fn open(cli: &Cli, setup: &Setup, tuning: atrous::Tuning) -> Result<Box<dyn Backend>> {
+fn open(cli: &Cli, setup: &Setup) -> Result<Box<dyn Backend>> {
     if cli.device.as_deref() == Some("reference") {
-        if setup.config.preset != atrous::config::Preset::Svgf {
-            return Err(ToolError::Usage(
-                "--device reference runs the preset svgf alone; take a Vulkan device for the others".into(),
-            ));
-        }
-        return Ok(Box::new(ReferenceBackend::new(&setup.config, tuning)?));
+        return Ok(Box::new(ReferenceBackend::new(&setup.config)?));
     }
-    Ok(Box::new(GpuBackend::new(cli.device.clone(), &setup.config, tuning)?))
+    Ok(Box::new(GpuBackend::new(cli.device.clone(), &setup.config)?))
 }
 
 /// On stderr, and hidden where that is no terminal.
@@ -109,7 +102,7 @@ fn summary(cli: &Cli, saver: &Saver, seconds: f64, steps: usize) {
     }
 }
 
-fn scores(cli: &Cli, book: &ScoreBook, device: &str) -> Result<()> {
+fn scores(cli: &Cli, preset: &str, book: &ScoreBook, device: &str) -> Result<()> {
     if book.frames.is_empty() {
         eprintln!("no frame has a reference: nothing was scored");
         return Ok(());
@@ -122,6 +115,6 @@ fn scores(cli: &Cli, book: &ScoreBook, device: &str) -> Result<()> {
     if !cli.quiet {
         eprintln!("{NO_FLIP}");
     }
-    score::write_json(&cli.output.join("scores.json"), &book.json(cli.preset_name(), device))?;
-    pictures::plots(&cli.output.join("scores.png"), book, cli.preset_name())
+    score::write_json(&cli.output.join("scores.json"), &book.json(preset, device))?;
+    pictures::plots(&cli.output.join("scores.png"), book, preset)
 }

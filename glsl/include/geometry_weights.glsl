@@ -10,14 +10,18 @@ const float DEPTH_EPSILON = 1e-3;
 // Influence of the edge functions at the depth of the centre pixel: 1 near, towards 0 far away.
 float edge_influence(float z) { return 1.0 / (1.0 + frame.edge_falloff * z); }
 
-float depth_weight_exponent(float z, float z_tap, vec2 depth_gradient, vec2 offset) {
-    return edge_influence(z) * abs(z - z_tap) / (frame.sigma_z * abs(dot(depth_gradient, offset)) + DEPTH_EPSILON * z);
-}
+const float LOG2_E = 1.4426950;
+// As a power of 2 it is 0 whatever is added to it.
+const float NO_WEIGHT = -1.0e6;
 
-// pow(0, 0) differs between devices, so a cosine that is not positive is decided here.
-float normal_weight(vec3 n, vec3 n_tap, float z) {
+// log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together.
+// log2(0) differs between devices, so a cosine that is not positive is decided here.
+float log2_geometry_weight(vec3 n, vec3 n_tap, float z, float z_tap, vec2 depth_gradient, vec2 offset) {
     float cosine = dot(n, n_tap);
-    return cosine > 0.0 ? pow(min(cosine, 1.0), frame.sigma_n * edge_influence(z)) : 0.0;
+    if (cosine <= 0.0 && frame.sigma_n > 0.0) return NO_WEIGHT;
+    float depth_exponent = abs(z - z_tap) / (frame.sigma_z * abs(dot(depth_gradient, offset)) + DEPTH_EPSILON * z);
+    float log2_normal = frame.sigma_n > 0.0 ? frame.sigma_n * log2(min(cosine, 1.0)) : 0.0;
+    return edge_influence(z) * (log2_normal - LOG2_E * depth_exponent);
 }
 
 #endif

@@ -7,7 +7,7 @@ use crate::config::{
     NormalSpace, PostProcess, Preset, Signals, ViewForward,
 };
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
-use crate::{Config, FrameParams, ResetReason};
+use crate::{Config, DebugView, FrameParams, ResetReason};
 use ash::vk;
 use std::ffi::c_char;
 
@@ -69,6 +69,7 @@ impl AtrousConfig {
             surface_id: flag("surface_id", self.surface_id)?,
             object_normal: flag("object_normal", self.object_normal)?,
             post_process: pick("post_process", self.post_process, &post_processes)?,
+            debug_view: flag("debug_view", self.debug_view)?,
             conventions,
             ..Config::new([self.width, self.height])
         };
@@ -106,6 +107,7 @@ impl AtrousConfig {
             motion_depth: c.motion_depth as u32,
             view_forward: c.view_forward as u32,
             background_depth: c.background_depth,
+            debug_view: config.debug_view.into(),
         }
     }
 }
@@ -134,6 +136,7 @@ impl AtrousFrameParams {
             jitter: self.jitter,
             exposure_ratio: self.exposure_ratio,
             reshaded: pick("reshaded", self.reshaded, &[false, true])?,
+            debug_view: pick("debug_view", self.debug_view, &DebugView::ALL)?,
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -152,6 +155,7 @@ impl AtrousFrameParams {
             jitter: [0.0; 2],
             exposure_ratio: 1.0,
             reshaded: 0,
+            debug_view: 0,
         }
     }
 }

@@ -71,6 +71,8 @@ pub struct AtrousConfig {
     pub view_forward: u32,
     /// Linear depths from here on are background.
     pub background_depth: f32,
+    /// 1: a last pass `debug_view`.
+    pub debug_view: u32,
 }
 
 /// Where the passes run. Handles stay the host's.
@@ -115,6 +117,8 @@ pub struct AtrousFrameParams {
     pub exposure_ratio: f32,
     /// 1: the host re-shades this frame's `gradient_samples`.
     pub reshaded: u32,
+    /// What the pass `debug_view` shows: a number of `atrous::DebugView`, 0 to 13.
+    pub debug_view: u32,
 }
 
 /// A frame that was begun. Plain data: copy it as you like.

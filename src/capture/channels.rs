@@ -20,10 +20,15 @@ fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'sta
         "object_normal" => ("object_normal", XYZ),
         "motion" if motion_depth == MotionDepth::None => ("mv", &["X", "Y"]),
         "motion" => ("mv", XYZ),
+        "forward_motion" => ("forward_motion", XYZ),
+        "sparse_gradient" => ("sparse_gradient", &["X", "Y"]),
+        "confidence" => ("confidence", &["Y"]),
+        "reshaded_radiance" => ("reshaded", RGB),
+        "other_denoised_radiance" => (OTHER_DENOISED, RGB),
         "surface_id" => ("id", &["I"]),
         "roughness" => ("roughness", &["Y"]),
         "albedo" => ("albedo", RGB),
-        "emission" => ("emission", RGB),
+        "emission" => (EMISSION, RGB),
         "noisy_direct" => ("direct", RGB),
         "noisy_indirect" => ("indirect", RGB),
         "noisy_radiance" => (LIGHTING, RGB),
@@ -33,6 +38,8 @@ fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'sta
 
 /// The light that is filtered where it is one signal, without the emission.
 const LIGHTING: &str = "lighting";
+const EMISSION: &str = "emission";
+const OTHER_DENOISED: &str = "other_denoised";
 
 impl Layer {
     /// What a texture lacks in components a shader reads as 0, so that is what is written.
@@ -43,20 +50,25 @@ impl Layer {
         Self { name, planes: components.iter().map(|c| (*c, plane())).collect() }
     }
 
-    fn is_light(&self) -> bool {
-        matches!(self.name, LIGHTING | "direct" | "indirect" | "emission")
+    fn is_filtered(&self) -> bool {
+        matches!(self.name, LIGHTING | "direct" | "indirect")
     }
 }
 
 /// Adds `noisy`, the light of all layers together: what the picture shows. One layer of light alone is it already.
 pub(crate) fn add_total(layers: &mut Vec<Layer>) {
-    let mut lights = layers.iter_mut().filter(|l| l.is_light());
-    if let (Some(only), None) = (lights.next(), lights.next()) {
+    let has_emission = layers.iter().any(|l| l.name == EMISSION);
+    let mut filtered = layers.iter_mut().filter(|l| l.is_filtered());
+    let first = filtered.next();
+    // Where a host's own confidence replaces all gradients, there is nothing but the picture of the other denoiser.
+    let is_dark = first.is_none();
+    if let (Some(only), None, false) = (first, filtered.next(), has_emission) {
         only.name = "noisy";
         return;
     }
+    let counts = |l: &&Layer| l.is_filtered() || l.name == EMISSION || (is_dark && l.name == OTHER_DENOISED);
     let total = |i: usize| {
-        let mut lights = layers.iter().filter(|l| l.is_light()).filter_map(|l| l.planes.get(i));
+        let mut lights = layers.iter().filter(counts).filter_map(|l| l.planes.get(i));
         let first: Vec<f32> = lights.next().map_or(Vec::new(), |(_, p)| p.values_as_f32().collect());
         let sum = lights.fold(first, |sum, (_, p)| sum.into_iter().zip(p.values_as_f32()).map(|(a, b)| a + b).collect());
         FlatSamples::F32(sum)

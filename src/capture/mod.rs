@@ -12,12 +12,15 @@
 //!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that frame. Where the
 //!      denoiser forced a reset, say so in [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
 //!
-//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::config::Conventions`], so that
+//! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it, and which pixels
+//! they are at is the same in the replay.
+//!
+//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`], so that
 //! texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and ids bit by bit. Normalised formats
 //! become 32-bit float. `docs/denoise.md` lists the channels. A replay starts without history: where its output is to be that of the engine from
 //! the first frame on, call `invalidate` before the first captured frame.
 //!
-//! What a capture does not hold: `instance_transforms` (a warning is logged), and tunables that change on the way (those of the first frame count).
+//! The render extent and the set of images must hold for the whole capture; tunables and `instance_transforms` may change.
 
 mod channels;
 mod decode;
@@ -28,6 +31,7 @@ pub(crate) use decode::{texel_bytes, ALLOWED};
 
 use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
 use crate::error::Error;
+use crate::reference::InstanceTransform;
 use crate::Config;
 use ash::vk;
 use channels::Layer;
@@ -41,9 +45,25 @@ pub struct InputImage<'a> {
     pub name: &'a str,
     /// Format of the texels.
     pub format: vk::Format,
-    /// The render extent, row by row, tightly packed.
+    /// The render extent, row by row, tightly packed; of an image with one texel a stratum the strata of the render extent.
     pub texels: &'a [u8],
 }
+
+/// One frame as the denoiser got it.
+#[derive(Clone, Copy, Debug)]
+pub struct InputFrame<'a> {
+    /// As given to `begin_frame`.
+    pub params: &'a FrameParams,
+    /// As given to `begin_frame`.
+    pub tuning: &'a Tuning,
+    /// Every input image that was bound.
+    pub images: &'a [InputImage<'a>],
+    /// The buffer `instance_transforms`, where it was bound.
+    pub instance_transforms: Option<&'a [InstanceTransform]>,
+}
+
+/// What follows the number of a frame in the name of the file with its transforms: twelve 32-bit floats an instance, little-endian.
+const TRANSFORMS_ENDING: &str = "_instance_transforms.f32";
 
 /// What holds for a sequence, known with its first frame.
 struct First {
@@ -86,21 +106,16 @@ impl SequenceWriter {
     /// Writes the next frame, and `sequence.json` anew. Nothing is left behind by what is refused.
     ///
     /// # Errors
-    /// As [`crate::FrameState::begin`] for `params` and `tuning`; [`Error::UnknownResource`], [`Error::NotBound`] for a required image that is
+    /// As [`crate::FrameState::begin`] for parameters and tunables; [`Error::UnknownResource`], [`Error::NotBound`] for a required image that is
     /// missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written, and for a frame with another render
     /// extent or other images than the first.
-    pub fn write_frame(&mut self, params: &FrameParams, tuning: &Tuning, images: &[InputImage<'_>]) -> Result<(), Error> {
+    pub fn write_frame(&mut self, frame: &InputFrame<'_>) -> Result<(), Error> {
         let number = self.frames.last_key_value().map_or(0, |(last, _)| last + 1);
-        self.write_numbered(number, params, tuning, images)
+        self.write_numbered(number, frame)
     }
 
-    pub(crate) fn write_numbered(
-        &mut self,
-        number: u64,
-        params: &FrameParams,
-        tuning: &Tuning,
-        images: &[InputImage<'_>],
-    ) -> Result<(), Error> {
+    pub(crate) fn write_numbered(&mut self, number: u64, frame: &InputFrame<'_>) -> Result<(), Error> {
+        let &InputFrame { params, tuning, images, instance_transforms } = frame;
         params.validate(&self.config)?;
         tuning.validate()?;
         let names = self.check_names(images)?;
@@ -109,10 +124,15 @@ impl SequenceWriter {
         let layers = names.iter().filter_map(named).map(|(name, image)| self.layer(name, image, params.render_extent));
         let mut layers = layers.collect::<Result<Vec<_>, _>>()?;
         channels::add_total(&mut layers);
-        let path = self.folder.join(format!("frame_{number:04}.exr"));
-        exr_file::write(&path, params.render_extent, layers)?;
-        self.frames.insert(number, sequence_json::frame(number, params));
+        let file = |ending: &str| self.folder.join(format!("frame_{number:04}{ending}"));
+        if let Some(transforms) = instance_transforms {
+            // Little-endian, as every device of Vulkan has it.
+            let bytes: Vec<u8> = transforms.iter().flatten().flatten().flat_map(|v| v.to_le_bytes()).collect();
+            exr_file::write_atomically(&file(TRANSFORMS_ENDING), &bytes)?;
+        }
+        exr_file::write(&file(".exr"), params.render_extent, layers)?;
         let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
+        self.frames.insert(number, sequence_json::frame(number, params, tuning, &first.tuning));
         let text = sequence_json::sequence(&self.config, &first.tuning, self.frames.values());
         exr_file::write_atomically(&self.folder.join("sequence.json"), text.as_bytes())
     }
@@ -159,23 +179,35 @@ impl SequenceWriter {
 
     fn layer(&self, name: &'static str, image: &InputImage<'_>, extent: [u32; 2]) -> Result<Layer, Error> {
         let rule = self.declaration.find(name).map(|id| self.declaration.resource(id).shape);
-        let accepted = matches!(rule, Some(Shape::Image { format, .. }) if format.accepts(image.format));
-        let (Some(bytes), true) = (texel_bytes(image.format), accepted) else {
-            return Err(Error::Format { resource: name.to_owned(), given: image.format, allowed: ALLOWED.to_owned() });
+        let (Some(bytes), Some(Shape::Image { format, divisor })) = (texel_bytes(image.format), rule) else {
+            return Err(refused_format(name, image.format));
         };
-        let needed = extent[0] as usize * extent[1] as usize * bytes;
+        if !format.accepts(image.format) {
+            return Err(refused_format(name, image.format));
+        }
+        let [width, height] = extent.map(|side| side.div_ceil(divisor));
+        let needed = width as usize * height as usize * bytes;
         if image.texels.len() != needed {
-            let [width, height] = extent;
             let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");
             return Err(Error::Size { resource: name.to_owned(), given: format!("{} bytes", image.texels.len()), needed });
         }
-        let planes = decode::planes(image.format, image.texels).unwrap_or_default();
+        // All channels of a file have one size: what has a texel a stratum stands in the top left corner.
+        let row = width as usize * bytes;
+        let mut texels = vec![0; extent[0] as usize * extent[1] as usize * bytes];
+        for (to, from) in texels.chunks_exact_mut(extent[0] as usize * bytes).zip(image.texels.chunks_exact(row)) {
+            to[..row].copy_from_slice(from);
+        }
+        let planes = decode::planes(image.format, &texels).unwrap_or_default();
         Ok(Layer::of_input(name, self.config.conventions.motion_depth, planes, (extent[0] * extent[1]) as usize))
     }
 
     pub(crate) fn error(&self, problem: String) -> Error {
         Error::Capture { path: self.folder.clone(), problem }
     }
+}
+
+fn refused_format(name: &str, given: vk::Format) -> Error {
+    Error::Format { resource: name.to_owned(), given, allowed: ALLOWED.to_owned() }
 }
 
 #[cfg(test)]

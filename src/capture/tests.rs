@@ -17,6 +17,10 @@ fn images<'a>(names: &[&'a str], texels: &'a [u8]) -> Vec<InputImage<'a>> {
     names.iter().map(|name| InputImage { name, format: vk::Format::R32G32B32A32_SFLOAT, texels }).collect()
 }
 
+fn write(writer: &mut SequenceWriter, params: &FrameParams, images: &[InputImage]) -> Result<(), Error> {
+    writer.write_frame(&InputFrame { params, tuning: &Tuning::default(), images, instance_transforms: None })
+}
+
 const NEEDED: [&str; 3] = ["depth", "normal", "noisy_radiance"];
 
 fn names_in(folder: &Path) -> Vec<String> {
@@ -34,7 +38,7 @@ fn a_sequence_can_be_replayed_after_every_frame() {
     for count in 1..=2 {
         let bytes = texels();
         let params = FrameParams::new(EXTENT);
-        writer.write_frame(&params, &Tuning::default(), &images(&NEEDED, &bytes)).expect("written");
+        write(&mut writer, &params, &images(&NEEDED, &bytes)).expect("written");
         assert_eq!(writer.frames_written(), count);
         let text = std::fs::read_to_string(path.join("sequence.json")).expect("a file");
         let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
@@ -48,9 +52,8 @@ fn what_does_not_fit_is_refused_and_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut writer = SequenceWriter::new(folder.path(), &config()).expect("a writer");
     let bytes = texels();
-    let mut refused = |params: FrameParams, images: &[InputImage]| {
-        writer.write_frame(&params, &Tuning::default(), images).expect_err("refused").to_string()
-    };
+    let mut refused =
+        |params: FrameParams, images: &[InputImage]| write(&mut writer, &params, images).expect_err("refused").to_string();
     let params = FrameParams::new(EXTENT);
     let message = refused(params, &images(&NEEDED[..2], &bytes));
     assert!(message.contains("`noisy_radiance`"), "{message}");
@@ -73,12 +76,12 @@ fn later_frames_are_like_the_first() {
     let mut writer = SequenceWriter::new(folder.path(), &config()).expect("a writer");
     let bytes = texels();
     let params = FrameParams::new(EXTENT);
-    writer.write_frame(&params, &Tuning::default(), &images(&NEEDED, &bytes)).expect("written");
+    write(&mut writer, &params, &images(&NEEDED, &bytes)).expect("written");
     let other = FrameParams::new([2, 3]);
-    let message = writer.write_frame(&other, &Tuning::default(), &images(&NEEDED, &bytes)).expect_err("extent").to_string();
+    let message = write(&mut writer, &other, &images(&NEEDED, &bytes)).expect_err("extent").to_string();
     assert!(message.contains("[2, 3]") && message.contains("[3, 2]"), "{message}");
     let more = images(&["depth", "normal", "noisy_radiance", "emission"], &bytes);
-    let message = writer.write_frame(&params, &Tuning::default(), &more).expect_err("images").to_string();
+    let message = write(&mut writer, &params, &more).expect_err("images").to_string();
     assert!(message.contains("emission"), "{message}");
     assert_eq!(names_in(folder.path()), ["frame_0000.exr", "sequence.json"]);
 }

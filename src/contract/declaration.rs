@@ -160,6 +160,12 @@ pub(crate) enum Work {
         /// Pixels a side of what an invocation covers; of either frame where it is not 1, since strata of the previous frame are walked, too.
         divisor: u32,
     },
+    /// The same, with the view of the frame for the first push constant.
+    DebugView {
+        shader: &'static Shader,
+        /// Bit i: binding i is what the shader calls it, and does not stand in for an image that the preset lacks.
+        available: u32,
+    },
 }
 
 /// Resources and passes: plain data, made without a device.

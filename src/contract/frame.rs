@@ -1,6 +1,6 @@
 //! What a host says once per frame, what is remembered of the frame before, and the block that every pass reads.
 
-use super::Tuning;
+use super::{DebugView, Tuning};
 use crate::config::{check_extent, Config};
 use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
@@ -46,6 +46,8 @@ pub struct FrameParams {
     /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous frame.
     /// Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
     pub reshaded: bool,
+    /// What the pass `debug_view` shows, with [`Config::debug_view`].
+    pub debug_view: DebugView,
 }
 
 impl FrameParams {
@@ -61,6 +63,7 @@ impl FrameParams {
             jitter: [0.0; 2],
             exposure_ratio: 1.0,
             reshaded: false,
+            debug_view: DebugView::default(),
         }
     }
 
@@ -105,6 +108,8 @@ pub struct FrameContext {
     pub render_extent: [u32; 2],
     /// Why history is dropped this frame, if it is.
     pub reset: Option<ResetReason>,
+    /// As in [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with another view.
+    pub debug_view: DebugView,
     /// What the first pass uploads.
     pub constants: FrameConstants,
 }
@@ -137,7 +142,8 @@ impl FrameState {
         let constants = constants(config, params, &before, tuning, index, reset.is_some());
         self.last = Some(*params);
         self.frames += 1;
-        Ok(FrameContext { index, slot: params.frame_slot, render_extent: params.render_extent, reset, constants })
+        let FrameParams { frame_slot: slot, render_extent, debug_view, .. } = *params;
+        Ok(FrameContext { index, slot, render_extent, reset, debug_view, constants })
     }
 
     /// The next frame drops all history: after images were re-created or lost.

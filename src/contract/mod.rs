@@ -3,6 +3,7 @@
 //! Nothing in here talks to Vulkan or contains `unsafe`: the types map one to one onto a host's own frame graph.
 
 mod access;
+mod debug_view;
 mod declaration;
 mod format;
 mod frame;
@@ -13,6 +14,7 @@ mod alias;
 pub(crate) use alias::{alias, Span};
 
 pub use access::{Access, BufferAccess, ImageAccess};
+pub use debug_view::DebugView;
 pub(crate) use declaration::Work;
 pub use declaration::{
     Boundary, BoundaryUse, Declaration, Lifetime, Memory, PassDecl, Phase, ResourceDecl, ResourceId, ResourceMemory, Shape, Use,

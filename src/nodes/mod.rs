@@ -5,6 +5,7 @@ mod adaptive_history;
 mod atrous;
 mod block_difference;
 mod block_percentiles;
+mod debug_view;
 mod demodulate;
 mod eaw;
 mod firefly;
@@ -24,6 +25,7 @@ pub(crate) use adaptive_history::{change_test, percentile_rule};
 pub(crate) use atrous::{atrous, Filtered, Kernel};
 pub(crate) use block_difference::block_difference;
 pub(crate) use block_percentiles::{block_percentiles, BLOCK_SIZE};
+pub(crate) use debug_view::{debug_view, Shown};
 pub(crate) use demodulate::demodulate;
 pub(crate) use eaw::eaw;
 pub(crate) use firefly::firefly;
@@ -135,6 +137,18 @@ impl Builder {
         uses: Vec<Use>,
     ) {
         self.pass(name, phase, Work::Dispatch { shader, level, divisor: strata.size }, uses);
+    }
+
+    /// A dispatch that shows the view of the frame. Bit i of `available`: use i does not stand in for another image.
+    pub fn dispatch_debug_view(
+        &mut self,
+        name: &'static str,
+        phase: Phase,
+        shader: &'static Shader,
+        available: u32,
+        uses: Vec<Use>,
+    ) {
+        self.pass(name, phase, Work::DebugView { shader, available }, uses);
     }
 
     /// Fills an image of unsigned integers with zeros.

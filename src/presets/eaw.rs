@@ -1,9 +1,9 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::{firefly_filter, post_process};
+use super::{debug_view, firefly_filter, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Signal};
+use crate::nodes::{self, Builder, Shown, Signal};
 
 pub(crate) fn eaw(config: &Config) -> Declaration {
     // Object-space normals serve the history alone.
@@ -13,9 +13,11 @@ pub(crate) fn eaw(config: &Config) -> Declaration {
     let guides = nodes::import(&mut b, frame, config);
     let signals = Signal::declare_without_history(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    firefly_filter(&mut b, frame, guides, config, &signals);
+    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
     let filtered = nodes::eaw(&mut b, frame, guides, &signals, config.levels);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
     post_process(&mut b, frame, guides, config, denoised);
+    let shown = Shown { signals: &signals, percentiles: &percentiles, ..Shown::default() };
+    debug_view(&mut b, frame, guides, config, shown);
     b.finish()
 }

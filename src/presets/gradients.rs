@@ -17,7 +17,15 @@ pub(super) fn before_lighting(b: &mut Builder, frame: Frame, guides: Guides, con
     }
 }
 
-/// Passes after lighting; returns `history_confidence`. `signals`: those whose noisy radiance is compared.
+/// How light changed.
+pub(super) struct Change {
+    /// `history_confidence`.
+    pub confidence: ResourceId,
+    /// The reconstructed gradients; `None`: the host's own confidence takes their place.
+    pub gradient: Option<ResourceId>,
+}
+
+/// Passes after lighting. `signals`: those whose noisy radiance is compared.
 pub(super) fn after_lighting(
     b: &mut Builder,
     frame: Frame,
@@ -25,11 +33,13 @@ pub(super) fn after_lighting(
     config: &Config,
     gradients: Option<Gradients>,
     signals: &[Signal],
-) -> ResourceId {
-    let Some(source) = gradients else { return nodes::host_confidence(b, frame) };
+) -> Change {
+    let Some(source) = gradients else {
+        return Change { confidence: nodes::host_confidence(b, frame), gradient: None };
+    };
     let images = nodes::gradient(b, frame, guides, signals, strata(config), source);
     let reconstructed = nodes::gradient_atrous(b, frame, guides, strata(config), images);
-    nodes::adaptive_alpha(b, frame, reconstructed)
+    Change { confidence: nodes::adaptive_alpha(b, frame, reconstructed), gradient: Some(reconstructed) }
 }
 
 fn strata(config: &Config) -> Strata {

@@ -15,7 +15,7 @@ pub(crate) use svgf::svgf;
 
 use crate::config::{Config, PostProcess};
 use crate::contract::{Lifetime, ResourceId};
-use crate::nodes::{self, Builder, Frame, Guides, Signal, HDR};
+use crate::nodes::{self, Builder, Frame, Guides, Shown, Signal, HDR};
 
 /// What every preset ends with.
 fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: ResourceId) {
@@ -32,10 +32,19 @@ fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, 
     }
 }
 
-/// Outliers leave before the history, where the configuration wants it.
-fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) {
-    if config.firefly_filter {
-        let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
-        nodes::firefly(b, frame, guides, signals, &percentiles);
+/// The last pass, where the configuration wants it.
+fn debug_view(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, shown: Shown) {
+    if config.debug_view {
+        nodes::debug_view(b, frame, guides, shown);
     }
+}
+
+/// Outliers leave before the history, where the configuration wants it. Returns the percentiles of every signal, or nothing.
+fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) -> Vec<ResourceId> {
+    if !config.firefly_filter {
+        return Vec::new();
+    }
+    let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
+    nodes::firefly(b, frame, guides, signals, &percentiles);
+    percentiles
 }

@@ -1,9 +1,9 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
-use super::post_process;
+use super::{debug_view, post_process};
 use crate::config::{AdaptiveRule, Config};
 use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
 
 pub(crate) fn percentile(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -26,5 +26,14 @@ pub(crate) fn percentile(config: &Config) -> Declaration {
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
     post_process(&mut b, frame, guides, config, denoised);
+    let shown = Shown {
+        signals: &signals,
+        moments: true,
+        deviation: true,
+        confidence: Some(confidence),
+        percentiles: &percentiles,
+        ..Shown::default()
+    };
+    debug_view(&mut b, frame, guides, config, shown);
     b.finish()
 }

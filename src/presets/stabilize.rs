@@ -1,9 +1,9 @@
 //! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\] 4).
 
-use super::{gradients, post_process};
+use super::{debug_view, gradients, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Signal, HOST_COLOUR};
+use crate::nodes::{self, Adaptation, Builder, Shown, Signal, HOST_COLOUR};
 
 /// `noisy_radiance` is compared, `other_denoised_radiance` is accumulated: divided by the albedo like every signal, so that textures stay.
 pub(crate) fn stabilize(config: &Config) -> Declaration {
@@ -13,11 +13,19 @@ pub(crate) fn stabilize(config: &Config) -> Declaration {
     let source = gradients::before_lighting(&mut b, frame, guides, config);
     let stabilized = [Signal::declare_stabilized(&mut b)];
     let compared = source.map(|_| Signal { noisy: b.input("noisy_radiance", HOST_COLOUR, false), ..stabilized[0] });
-    let confidence = gradients::after_lighting(&mut b, frame, guides, config, source, compared.as_slice());
+    let change = gradients::after_lighting(&mut b, frame, guides, config, source, compared.as_slice());
     nodes::demodulate(&mut b, frame, guides, &stabilized);
-    nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Adaptation::Alpha(confidence));
+    nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Adaptation::Alpha(change.confidence));
     let accumulated = vec![stabilized[0].history];
     let denoised = nodes::modulate(&mut b, frame, guides, &stabilized, &accumulated);
     post_process(&mut b, frame, guides, config, denoised);
+    let shown = Shown {
+        signals: &stabilized,
+        moments: true,
+        confidence: Some(change.confidence),
+        gradient: change.gradient,
+        ..Shown::default()
+    };
+    debug_view(&mut b, frame, guides, config, shown);
     b.finish()
 }

@@ -1,9 +1,9 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
-use super::{firefly_filter, post_process};
+use super::{debug_view, firefly_filter, post_process};
 use crate::config::Config;
 use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Signal};
+use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
 
 pub(crate) fn svgf(config: &Config) -> Declaration {
     let mut b = Builder::new(config.allocated_extent);
@@ -11,11 +11,13 @@ pub(crate) fn svgf(config: &Config) -> Declaration {
     let guides = nodes::import(&mut b, frame, config);
     let signals = Signal::declare(&mut b, config.signals);
     nodes::demodulate(&mut b, frame, guides, &signals);
-    firefly_filter(&mut b, frame, guides, config, &signals);
+    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
     nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::None);
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
     post_process(&mut b, frame, guides, config, denoised);
+    let shown = Shown { signals: &signals, moments: true, deviation: true, percentiles: &percentiles, ..Shown::default() };
+    debug_view(&mut b, frame, guides, config, shown);
     b.finish()
 }

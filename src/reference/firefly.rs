@@ -7,6 +7,7 @@ use super::guide::unpack_guide;
 use super::luminance::texel_luminance;
 use super::Image;
 use crate::FrameConstants;
+use glam::IVec2;
 
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]
@@ -21,22 +22,12 @@ pub struct FireflyInputs<'a> {
 
 /// rgb: irradiance without outliers, half precision; alpha as it came.
 pub fn firefly(frame: &FrameConstants, inputs: &FireflyInputs) -> Image<[f32; 4]> {
-    let rect = Blocks::new(frame.render_extent).rect();
-    let limit_of = |block| {
-        let percentiles = unpack_percentiles(inputs.block_percentiles.at(block));
-        // Next to all samples black: such a block does not say what is bright.
-        if percentiles.up > 0.0 {
-            frame.firefly_bias + percentiles.up + percentiles.range(frame)
-        } else {
-            0.0
-        }
-    };
     Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let texel = inputs.irradiance.at(p);
         if unpack_guide(inputs.guide.at(p)).is_background() {
             return texel;
         }
-        let limit = rect.window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max);
+        let limit = limit_around(frame, inputs.block_percentiles, p);
         let l = texel_luminance(texel);
         if limit == 0.0 || l <= limit {
             return texel;
@@ -44,6 +35,19 @@ pub fn firefly(frame: &FrameConstants, inputs: &FireflyInputs) -> Image<[f32; 4]
         let [r, g, b] = [0, 1, 2].map(|i| store(texel[i] * (limit / l)));
         [r, g, b, texel[3]]
     })
+}
+
+/// The largest limit of the 3×3 blocks around a pixel; 0: next to all samples are black, which does not say what is bright.
+pub(crate) fn limit_around(frame: &FrameConstants, block_percentiles: &Image<u32>, p: IVec2) -> f32 {
+    let limit_of = |block| {
+        let percentiles = unpack_percentiles(block_percentiles.at(block));
+        if percentiles.up > 0.0 {
+            frame.firefly_bias + percentiles.up + percentiles.range(frame)
+        } else {
+            0.0
+        }
+    };
+    Blocks::new(frame.render_extent).rect().window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //!
 //! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other.
 //! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
-//! [`Svgf`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an image that is
+//! [`Denoiser`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an image that is
 //! smaller than the render extent.
 //!
 //! | tag | source |
@@ -22,7 +22,9 @@ mod block_difference;
 mod block_percentiles;
 mod blocks;
 mod conventions;
+mod debug_view;
 mod demodulate;
+mod denoiser;
 mod eaw;
 mod firefly;
 mod forward_project;
@@ -44,7 +46,6 @@ mod reprojection;
 mod statistics;
 mod strata;
 mod surface_motion;
-mod svgf;
 mod taa;
 mod temporal_accumulation;
 #[cfg(test)]
@@ -59,7 +60,9 @@ pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
 pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
 pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
 pub use blocks::BLOCK_SIZE;
+pub use debug_view::{debug_view, DebugViewInputs, LONG_HISTORY, REASON_COLOURS};
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources};
 pub use eaw::{eaw, EawInputs, HOLE};
 pub use firefly::{firefly, FireflyInputs};
 pub use forward_project::{forward_project, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates};
@@ -80,7 +83,6 @@ pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};
 pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
 };
-pub use svgf::{Svgf, SvgfInputs, SvgfOutputs, SvgfViews};
 pub use taa::{taa, TaaInputs};
 pub use temporal_accumulation::{
     temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,

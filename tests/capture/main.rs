@@ -10,6 +10,8 @@ mod backend;
 mod backend_reference;
 #[path = "../../examples/denoise/camera.rs"]
 mod camera;
+#[path = "../../examples/denoise/captured_config.rs"]
+mod captured_config;
 #[path = "../../examples/denoise/conventions.rs"]
 mod conventions;
 #[path = "../../examples/denoise/error.rs"]

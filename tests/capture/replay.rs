@@ -1,12 +1,13 @@
 //! A replay of a capture gives what the engine had.
 
-use super::support::{assert_valid, rmse, scene::Scene, session, upload};
+use super::support::{assert_valid, random, rmse, scene::Scene, session, upload};
 use super::GpuTest;
 use crate::backend::{Backend, GpuBackend};
 use crate::backend_reference::ReferenceBackend;
 use crate::setup::{Setup, Wishes};
 use crate::{frame, frame_files};
-use atrous::config::{MotionDepth, MotionUnit, Signals};
+use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, MotionUnit, Preset, Sampling, Signals};
+use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use std::path::Path;
 
@@ -15,6 +16,9 @@ pub const TESTS: &[GpuTest] = &[
     ("a_part_of_larger_images_is_captured_alone", a_part_of_larger_images_is_captured_alone),
     ("conventions_tunables_and_resets_are_replayed", conventions_tunables_and_resets_are_replayed),
     ("values_that_are_not_finite_are_replayed", values_that_are_not_finite_are_replayed),
+    ("every_preset_is_replayed", every_preset_is_replayed),
+    ("every_source_of_gradients_is_replayed", every_source_of_gradients_is_replayed),
+    ("transforms_and_changing_tunables_are_replayed", transforms_and_changing_tunables_are_replayed),
 ];
 
 const EXTENT: [u32; 2] = [48, 27];
@@ -28,14 +32,22 @@ fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, chang
     s.capture(folder, FRAMES).expect("a capture");
     let mut pictures = Vec::new();
     for i in 0..FRAMES {
-        let mut inputs = Inputs { guides: scene.frame(i, i), params: scene.params(i) };
+        let mut inputs =
+            Inputs { guides: scene.frame(i, i), params: scene.params(i), tuning: *tuning, images: Vec::new(), transforms: None };
         change(i, &mut inputs);
         upload(&mut s, &inputs.guides);
+        for (name, texels) in &inputs.images {
+            s.upload(name, texels).expect(name);
+        }
+        if let Some(transforms) = &inputs.transforms {
+            s.upload_buffer("instance_transforms", bytemuck::cast_slice(transforms)).expect("transforms");
+            s.unbind("motion").expect("unbound");
+        }
         if config.signals == Signals::Together {
             let emission: Picture = inputs.guides.clean.iter().map(|c| [c[0] * 0.1, 0.0, 0.03, 1.0]).collect();
             s.upload("emission", &emission).expect("emission");
         }
-        s.run(&inputs.params, tuning).expect("a frame");
+        s.run(&inputs.params, &inputs.tuning).expect("a frame");
         let image = s.download("denoised_radiance").expect("a picture");
         let rows = image.chunks_exact(config.allocated_extent[0] as usize).take(scene.extent[1] as usize);
         pictures.push(rows.flat_map(|row| row[..scene.extent[0] as usize].to_vec()).collect());
@@ -49,6 +61,9 @@ fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, chang
 struct Inputs {
     guides: super::support::scene::Guides,
     params: FrameParams,
+    tuning: Tuning,
+    images: Vec<(&'static str, Vec<[f32; 4]>)>,
+    transforms: Option<Vec<InstanceTransform>>,
 }
 
 fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
@@ -66,12 +81,11 @@ fn replayed(backend: &mut dyn Backend, frames: &[frame::FrameInputs]) -> Vec<Pic
 
 fn assert_replays(folder: &Path, pictures: &[Picture]) {
     let (setup, frames) = load(folder);
-    let tuning = setup.tuning().expect("tunables");
-    let mut gpu = GpuBackend::new(None, &setup.config, tuning).expect("a device");
+    let mut gpu = GpuBackend::new(None, &setup.config).expect("a device");
     for (i, (again, before)) in replayed(&mut gpu, &frames).iter().zip(pictures).enumerate() {
         assert!(again == before, "frame {i} differs on the GPU, RMSE {}", rmse(again, before));
     }
-    let mut twin = ReferenceBackend::new(&setup.config, tuning).expect("the twin");
+    let mut twin = ReferenceBackend::new(&setup.config).expect("the twin");
     for (i, (again, before)) in replayed(&mut twin, &frames).iter().zip(pictures).enumerate() {
         let error = rmse(again, before);
         assert!(error < 2e-3, "frame {i} differs on the CPU twin, RMSE {error}");
@@ -120,7 +134,7 @@ fn conventions_tunables_and_resets_are_replayed() {
     assert_replays(folder.path(), &pictures);
     let (setup, frames) = load(folder.path());
     assert_eq!((setup.config.conventions, setup.config.levels), (config.conventions, 3));
-    assert_eq!(setup.tuning().expect("tunables"), tuning);
+    assert_eq!(setup.tuning(0).expect("tunables"), tuning);
     let resets: Vec<_> = frames.iter().map(|f| f.params.reset).collect();
     assert_eq!(resets, [Some(ResetReason::Created), None, Some(ResetReason::ExposureJump), None]);
     assert_eq!(frames[3].params.view_from_world, scene.params(3).view_from_world);
@@ -140,4 +154,83 @@ fn values_that_are_not_finite_are_replayed() {
     assert_replays(folder.path(), &pictures);
     let (_, frames) = load(folder.path());
     assert!(frames[0].images["motion"][48 * 13][0].is_nan(), "the texel is passed on as it was");
+}
+
+/// A camera that moves under a light that jumps, filtered as `config` says; `change` adds what else it takes.
+fn replay_of(config: Config, change: impl Fn(u32, &mut Inputs)) -> Setup {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+    let tuning = Tuning::for_preset(config.preset);
+    let pictures = capture(folder.path(), &config, &tuning, &scene, |i, inputs| {
+        if i == 2 {
+            inputs.guides.noisy_radiance.iter_mut().for_each(|t| *t = t.map(|c| 0.2 * c));
+        }
+        change(i, inputs);
+    });
+    assert_replays(folder.path(), &pictures);
+    let (setup, _) = load(folder.path());
+    // What cannot be seen in a file is not asked for.
+    let seen = Config { allocated_extent: EXTENT, frames_in_flight: setup.config.frames_in_flight, ..config };
+    assert_eq!(setup.config, seen);
+    setup
+}
+
+fn every_preset_is_replayed() {
+    let base = Config { firefly_filter: true, levels: 3, ..Config::new(EXTENT) };
+    for signals in [Signals::Together, Signals::Apart] {
+        replay_of(Config { signals, ..base }, |_, _| {});
+        replay_of(Config { signals, preset: Preset::Asvgf, stratum_size: 4, ..base }, |i, inputs| inputs.params.reshaded = i != 3);
+        for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
+            replay_of(Config { signals, preset: Preset::Percentile, adaptive_rule, ..base }, |_, _| {});
+        }
+    }
+    let eaw = Config { preset: Preset::Eaw, eaw_weights: EawWeights::first(2), sampling: Sampling::OneOf2x2, ..base };
+    replay_of(eaw, |_, inputs| {
+        for (i, texel) in inputs.guides.noisy_radiance.iter_mut().enumerate() {
+            if i % 4 != 0 {
+                *texel = [f32::NAN; 4];
+            }
+        }
+    });
+}
+
+fn every_source_of_gradients_is_replayed() {
+    let base = Config { preset: Preset::Asvgf, ..Config::new(EXTENT) };
+    replay_of(Config { gradient_source: GradientSource::Reshaded, ..base }, |_, inputs| {
+        inputs.images.push(("reshaded_radiance", inputs.guides.noisy_radiance.iter().map(|t| t.map(|c| 0.9 * c)).collect()));
+    });
+    replay_of(Config { gradient_source: GradientSource::Sparse, ..base }, |i, inputs| {
+        let texels = (0..16 * 9).map(|k| [random(k, i, 0) - 0.5, random(k, i, 1), 0.0, 0.0]).collect();
+        inputs.images.push(("sparse_gradient", texels));
+    });
+    let texels = |i: u32, scale: f32| (0..EXTENT[0] * EXTENT[1]).map(|k| [scale * random(k, i, 3); 4]).collect();
+    replay_of(Config { gradient_source: GradientSource::Confidence, ..base }, |i, inputs| {
+        inputs.images.push(("confidence", texels(i, 1.0)));
+    });
+    replay_of(Config { forward_motion: true, ..base }, |i, inputs| {
+        inputs.params.reshaded = true;
+        inputs.images.push(("forward_motion", texels(i, 0.02)));
+    });
+    for gradient_source in [GradientSource::ForwardProjected, GradientSource::Confidence] {
+        replay_of(Config { preset: Preset::Stabilize, gradient_source, ..base }, |i, inputs| {
+            inputs.params.reshaded = true;
+            inputs.images.push(("other_denoised_radiance", texels(i, 2.0)));
+            if gradient_source == GradientSource::Confidence {
+                inputs.images.push(("confidence", texels(i, 1.0)));
+            }
+        });
+    }
+}
+
+fn transforms_and_changing_tunables_are_replayed() {
+    let setup = replay_of(Config { preset: Preset::Asvgf, ..Config::new(EXTENT) }, |i, inputs| {
+        inputs.params.reshaded = true;
+        inputs.tuning.alpha = [0.1, 0.3, 0.1, 0.7][i as usize];
+        let identity = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+        let mut moved = identity;
+        moved[0][3] = 0.02 * i as f32;
+        inputs.transforms = Some(vec![identity, moved, identity]);
+    });
+    let alphas: Vec<f32> = (0..4).map(|i| setup.tuning(i).expect("tunables").alpha).collect();
+    assert_eq!(alphas, [0.1, 0.3, 0.1, 0.7]);
 }

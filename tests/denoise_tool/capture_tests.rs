@@ -3,7 +3,7 @@
 use crate::frame_files;
 use crate::setup::{Setup, Wishes};
 use ash::vk::Format;
-use atrous::capture::{InputImage, SequenceWriter};
+use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
@@ -37,11 +37,12 @@ fn every_convention_and_texel_arrives_as_it_was() {
         let params = FrameParams { jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new([2, 1]) };
         let tuning = Tuning { alpha: 0.05, ..Tuning::default() };
         let mut writer = SequenceWriter::new(folder.path(), &config).expect("a writer");
-        writer.write_frame(&params, &tuning, &images).expect("written");
+        let input = InputFrame { params: &params, tuning: &tuning, images: &images, instance_transforms: None };
+        writer.write_frame(&input).expect("written");
         let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
         let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
         assert_eq!(setup.config.conventions, conventions);
-        assert_eq!(setup.tuning().expect("tunables"), tuning);
+        assert_eq!(setup.tuning(0).expect("tunables"), tuning);
         let frame = crate::frame::load(&files[0], &setup).expect("a frame");
         assert_eq!(frame.params, params);
         let z = if conventions.motion_depth == MotionDepth::None { [0.0; 2] } else { [f32::INFINITY, -7.0] };

@@ -6,6 +6,8 @@ mod backend;
 mod backend_reference;
 #[path = "../../examples/denoise/camera.rs"]
 mod camera;
+#[path = "../../examples/denoise/captured_config.rs"]
+mod captured_config;
 #[path = "../../examples/denoise/cli.rs"]
 mod cli;
 #[path = "../../examples/denoise/conventions.rs"]

@@ -66,7 +66,6 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
         strip: None,
         score: true,
         exposure: 1.0,
-        alpha: 0.2,
         preset: "copy".into(),
     };
     let saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), indicatif::ProgressBar::hidden());

@@ -6,6 +6,7 @@ mod atrous;
 mod block_difference;
 mod block_percentiles;
 mod compare;
+mod debug_view;
 mod demodulate;
 mod eaw;
 mod firefly;
@@ -56,6 +57,9 @@ pub const TESTS: &[GpuTest] = &[
     ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: 2, ..Config::new([64, 40]) }, [37, 21])),
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
+    ("normals_switched_off", || {
+        tuned_sequence(&Config::new([40, 23]), [40, 23], Tuning { sigma_n: 0.0, edge_falloff: 0.3, ..Tuning::default() });
+    }),
     ("tone_map_curves", tone_map::curves),
     ("asvgf_forward_projected", asvgf::forward_projected),
     ("asvgf_strata_of_every_size", asvgf::strata_of_every_size),
@@ -65,6 +69,7 @@ pub const TESTS: &[GpuTest] = &[
     ("asvgf_one_pixel", asvgf::one_pixel),
     ("asvgf_other_resolutions", asvgf::other_resolutions),
     ("stabilize", asvgf::stabilize),
+    ("debug_views", debug_view::every_view),
 ];
 
 fn percentile(extent: [u32; 2]) -> Config {
@@ -177,8 +182,12 @@ fn sequence(config: &Config) {
     sequence_of(config, config.allocated_extent);
 }
 
-/// A few frames with a moving camera and a reset, every pass of each against its twin.
 fn sequence_of(config: &Config, extent: [u32; 2]) {
+    tuned_sequence(config, extent, Tuning::for_preset(config.preset));
+}
+
+/// A few frames with a moving camera and a reset, every pass of each against its twin.
+fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
     let config = Config { post_process: PostProcess::ToneMapTaa, ..*config };
     let scene = Scene { speed: 0.12, allocated: config.allocated_extent, ..Scene::new(extent) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
@@ -191,7 +200,7 @@ fn sequence_of(config: &Config, extent: [u32; 2]) {
         let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
-        run(&mut s, &config, &params, &Tuning::for_preset(config.preset));
+        run(&mut s, &config, &params, &tuning);
     }
     assert_valid();
 }
@@ -238,7 +247,7 @@ fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result<Res
     let mut captured = BTreeMap::new();
     for u in declaration.passes()[pass].uses.iter().filter(|u| want(u.access)) {
         let resource = declaration.resource(u.resource);
-        if matches!(resource.shape, Shape::Image { .. }) || resource.name == "instance_transforms" {
+        if matches!(resource.shape, Shape::Image { .. }) || ["instance_transforms", "statistics"].contains(&resource.name) {
             // An optional input that nothing is bound to has no bytes.
             if let Ok(bytes) = s.download_bytes(resource.name, u.frame) {
                 captured.insert((resource.name.to_owned(), u.frame), bytes);
@@ -264,6 +273,7 @@ fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
         "modulate" => modulate::check(captured),
         "tone_map" => tone_map::check(captured),
         "taa" => taa::check(captured),
+        "debug_view" => debug_view::check(captured),
         "adaptive_history" => adaptive_history::check(captured),
         name if name.starts_with("block_percentiles") => block_percentiles::check(captured, &name["block_percentiles".len()..]),
         name if name.starts_with("block_difference") => block_difference::check(captured, &name["block_difference".len()..]),

@@ -37,10 +37,20 @@ impl Host {
     }
 }
 
-fn first_frame(config: &Config, inputs: &SvgfInputs) -> SvgfOutputs {
+/// Frames accumulated, of the first signal.
+pub(super) fn history_length(views: &DenoiserViews) -> Image<f32> {
+    views.moments[0].map(|m| unpack_moments(*m).history_length)
+}
+
+/// A [`Reason`] as a number, of the first signal.
+pub(super) fn reasons(views: &DenoiserViews) -> Image<u16> {
+    views.moments[0].map(|m| unpack_moments(*m).reason)
+}
+
+fn first_frame(config: &Config, inputs: &DenoiserInputs) -> DenoiserOutputs {
     let params = camera(config.allocated_extent, glam::Vec3::ZERO);
     let context = FrameState::default().begin(config, &params, &Tuning::default()).expect("usable");
-    Svgf::new(*config).expect("usable").frame(&context, inputs, true).expect("usable")
+    Denoiser::new(*config).expect("usable").frame(&context, inputs, true).expect("usable")
 }
 
 #[test]
@@ -48,7 +58,13 @@ fn the_sky_passes_untouched() {
     let mut host = Host::new(EXTENT, 1);
     host.depth = paint(EXTENT, |x, _| [if x < 6 { f32::INFINITY } else { 4.0 }; 4]);
     let noisy = round_image_to_half(&host.noisy);
-    let inputs = SvgfInputs { guides: host.guides(), noisy: &[&noisy], albedo: Some(&host.albedo), emission: None };
+    let inputs = DenoiserInputs {
+        guides: host.guides(),
+        noisy: &[&noisy],
+        albedo: Some(&host.albedo),
+        emission: None,
+        gradients: GradientSources::default(),
+    };
     let output = first_frame(&Config::new(EXTENT), &inputs).denoised_radiance;
     let mut changed = 0;
     for y in 0..9 {
@@ -81,13 +97,19 @@ fn no_bad_value_of_any_input_reaches_an_output() {
         instance_transforms: Some(&[[[f32::NAN; 4]; 3]; 2]),
     };
     let noisy = [&images[4], &images[5]];
-    let inputs = SvgfInputs { guides, noisy: &noisy, albedo: Some(&images[6]), emission: Some(&images[7]) };
+    let inputs = DenoiserInputs {
+        guides,
+        noisy: &noisy,
+        albedo: Some(&images[6]),
+        emission: Some(&images[7]),
+        gradients: GradientSources::default(),
+    };
     let config = Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
-    let (mut state, mut svgf) = (FrameState::default(), Svgf::new(config).expect("usable"));
+    let (mut state, mut denoiser) = (FrameState::default(), Denoiser::new(config).expect("usable"));
     for i in 0..3 {
         let params = FrameParams { exposure_ratio: 1e30, ..camera(extent, glam::Vec3::splat(i as f32)) };
         let context = state.begin(&config, &params, &Tuning::default()).expect("usable");
-        let output = svgf.frame(&context, &inputs, true).expect("usable");
+        let output = denoiser.frame(&context, &inputs, true).expect("usable");
         assert!(all_finite(&output.denoised_radiance) && all_finite(output.display.as_ref().expect("asked for")));
         let views = output.views.expect("asked for");
         assert!(views.levels.iter().flatten().chain(&views.accumulated).chain(&views.demodulated).all(all_finite));
@@ -105,29 +127,41 @@ fn a_wrong_image_is_named() {
     let (host, small) = (Host::new(EXTENT, 1), Image::new([4, 4], [1.0; 4]));
     let config = Config::new(EXTENT);
     let context = FrameState::default().begin(&config, &FrameParams::new(EXTENT), &Tuning::default()).expect("usable");
-    let mut svgf = Svgf::new(config).expect("usable");
-    let good = SvgfInputs { guides: host.guides(), noisy: &[&host.noisy], albedo: None, emission: None };
-    let mut message = |inputs: &SvgfInputs| svgf.frame(&context, inputs, false).expect_err("wrong").to_string();
-    assert!(message(&SvgfInputs { albedo: Some(&small), ..good }).contains("albedo"));
-    assert!(message(&SvgfInputs { noisy: &[&small], ..good }).contains("noisy"));
-    assert!(message(&SvgfInputs { noisy: &[&host.noisy, &host.noisy], ..good }).contains("2 images"));
+    let mut denoiser = Denoiser::new(config).expect("usable");
+    let good = DenoiserInputs {
+        guides: host.guides(),
+        noisy: &[&host.noisy],
+        albedo: None,
+        emission: None,
+        gradients: GradientSources::default(),
+    };
+    let mut message = |inputs: &DenoiserInputs| denoiser.frame(&context, inputs, false).expect_err("wrong").to_string();
+    assert!(message(&DenoiserInputs { albedo: Some(&small), ..good }).contains("albedo"));
+    assert!(message(&DenoiserInputs { noisy: &[&small], ..good }).contains("noisy"));
+    assert!(message(&DenoiserInputs { noisy: &[&host.noisy, &host.noisy], ..good }).contains("2 images"));
     let depth = ImportInputs { depth: &small, ..host.guides() };
-    assert!(message(&SvgfInputs { guides: depth, ..good }).contains("depth"));
+    assert!(message(&DenoiserInputs { guides: depth, ..good }).contains("depth"));
     let larger = FrameState::default().begin(&Config::new([99, 99]), &FrameParams::new([99, 99]), &Tuning::default());
-    assert!(svgf.frame(&larger.expect("usable"), &good, false).is_err());
-    assert!(Svgf::new(Config::new([0, 1])).is_err());
+    assert!(denoiser.frame(&larger.expect("usable"), &good, false).is_err());
+    assert!(Denoiser::new(Config::new([0, 1])).is_err());
 }
 
 #[test]
 fn views_and_post_process_come_when_asked_for() {
     let host = Host::new(EXTENT, 1);
-    let inputs = SvgfInputs { guides: host.guides(), noisy: &[&host.noisy], albedo: Some(&host.albedo), emission: None };
+    let inputs = DenoiserInputs {
+        guides: host.guides(),
+        noisy: &[&host.noisy],
+        albedo: Some(&host.albedo),
+        emission: None,
+        gradients: GradientSources::default(),
+    };
     let config = Config { levels: 3, ..Config::new(EXTENT) };
     let output = first_frame(&config, &inputs);
     let views = output.views.expect("asked for");
     assert_eq!(views.levels.len(), 3);
-    assert!(views.history_length.texels().iter().all(|n| *n == 1.0));
-    assert!(views.reasons.texels().iter().all(|r| *r == Reason::Reset as u16));
+    assert!(history_length(&views).texels().iter().all(|n| *n == 1.0));
+    assert!(reasons(&views).texels().iter().all(|r| *r == Reason::Reset as u16));
     assert!(views.standard_deviation[0].texels().iter().all(|d| *d > 0.0));
     assert!(output.display.is_none());
     let mapped = first_frame(&Config { post_process: PostProcess::ToneMap, ..config }, &inputs);
@@ -138,7 +172,13 @@ fn views_and_post_process_come_when_asked_for() {
 #[test]
 fn one_pixel_is_an_image() {
     let host = Host::new([1, 1], 1);
-    let inputs = SvgfInputs { guides: host.guides(), noisy: &[&host.noisy], albedo: None, emission: None };
+    let inputs = DenoiserInputs {
+        guides: host.guides(),
+        noisy: &[&host.noisy],
+        albedo: None,
+        emission: None,
+        gradients: GradientSources::default(),
+    };
     let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([1, 1]) };
     let output = first_frame(&config, &inputs);
     assert_eq!(output.denoised_radiance.texels()[0][0], round_to_half(host.noisy.texels()[0][0]));

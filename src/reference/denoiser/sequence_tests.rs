@@ -1,6 +1,7 @@
 //! Several frames: noise falls, resets, allocations, motion.
 
 use super::super::test_scene::*;
+use super::tests::{history_length, reasons};
 use super::*;
 use crate::{FrameParams, FrameState, ResetReason, Tuning};
 use glam::Vec3;
@@ -15,16 +16,16 @@ fn config(allocated: [u32; 2]) -> Config {
 struct Sequence {
     config: Config,
     state: FrameState,
-    svgf: Svgf,
+    denoiser: Denoiser,
 }
 
 impl Sequence {
     fn new(allocated: [u32; 2]) -> Self {
         let config = config(allocated);
-        Self { config, state: FrameState::default(), svgf: Svgf::new(config).expect("usable") }
+        Self { config, state: FrameState::default(), denoiser: Denoiser::new(config).expect("usable") }
     }
 
-    fn frame(&mut self, params: &FrameParams, noisy: &Image<[f32; 4]>) -> SvgfOutputs {
+    fn frame(&mut self, params: &FrameParams, noisy: &Image<[f32; 4]>) -> DenoiserOutputs {
         let allocated = self.config.allocated_extent;
         let context = self.state.begin(&self.config, params, &Tuning::default()).expect("usable");
         let fill = |texel: [f32; 4]| embed(&Image::new(params.render_extent, texel), allocated, [f32::NAN; 4]);
@@ -38,7 +39,13 @@ impl Sequence {
             object_normal: None,
             instance_transforms: None,
         };
-        self.svgf.frame(&context, &SvgfInputs { guides, noisy: &[&noisy], albedo: None, emission: None }, true).expect("usable")
+        self.denoiser
+            .frame(
+                &context,
+                &DenoiserInputs { guides, noisy: &[&noisy], albedo: None, emission: None, gradients: GradientSources::default() },
+                true,
+            )
+            .expect("usable")
     }
 }
 
@@ -53,7 +60,7 @@ fn noise_falls_and_the_mean_stays() {
     let mut output = None;
     for i in 0..12 {
         let denoised = sequence.frame(&camera(EXTENT, Vec3::ZERO), &noise(EXTENT, i));
-        assert!(denoised.views.as_ref().expect("asked for").history_length.texels().iter().all(|n| *n == (i + 1) as f32));
+        assert!(history_length(denoised.views.as_ref().expect("asked for")).texels().iter().all(|n| *n == (i + 1) as f32));
         output = Some(denoised.denoised_radiance);
     }
     let output = output.expect("twelve frames");
@@ -82,7 +89,7 @@ fn a_reset_frame_is_a_first_frame() {
     }
     let params = FrameParams { reset: Some(ResetReason::CameraCut), ..camera(EXTENT, Vec3::ONE) };
     // Poisoned history: it must not even be read.
-    let history = sequence.svgf.history.as_mut().expect("three frames");
+    let history = sequence.denoiser.history.as_mut().expect("three frames");
     history.guide = Image::new(EXTENT, [0xffff; 4]);
     history.irradiance[0] = Image::new(EXTENT, [f32::NAN; 4]);
     history.moments[0] = Image::new(EXTENT, [0x7e00; 4]);
@@ -103,7 +110,7 @@ fn an_allocation_may_be_larger_and_the_render_extent_may_change() {
         assert_eq!(b.display.map(|d| crop(&d, extent)), a.display.map(|d| crop(&d, extent)));
         let (a, b) = (a.views.expect("asked for"), b.views.expect("asked for"));
         assert_eq!(crop(&b.moments[0], extent), crop(&a.moments[0], extent));
-        assert!(i == 0 || crop(&a.history_length, extent).texels().iter().any(|n| *n > 1.5), "history survives the change");
+        assert!(i == 0 || crop(&history_length(&a), extent).texels().iter().any(|n| *n > 1.5), "history survives the change");
     }
 }
 
@@ -125,8 +132,9 @@ fn what_comes_into_view_has_no_history() {
     // A shift by 8 of the 32 columns: 90 degrees over 18 pixels at depth 4 are 2.25 pixels a unit.
     let output = sequence.frame(&camera(EXTENT, Vec3::new(8.0 / 2.25, 0.0, 0.0)), &noise(EXTENT, 1));
     let views = output.views.expect("asked for");
+    let (lengths, reasons) = (history_length(&views), reasons(&views));
     for x in 0..32 {
-        let (length, reason) = (views.history_length.get(x, 9), views.reasons.get(x, 9));
+        let (length, reason) = (lengths.get(x, 9), reasons.get(x, 9));
         if x < 23 {
             assert_eq!((length, reason), (Some(&2.0), Some(&0)), "{x}");
         } else if x > 24 {

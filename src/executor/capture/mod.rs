@@ -1,15 +1,17 @@
 //! Captures frames on their way through the executor: copies of the inputs are recorded behind the passes that read them, and written when the
 //! frame slot comes round again. See [`crate::capture`].
 
-use super::barriers::{buffer_barrier, Scope};
 use super::transfer::Staging;
 use super::Executor;
-use crate::capture::{texel_bytes, InputImage, SequenceWriter, ALLOWED};
-use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
+use crate::capture::{texel_bytes, InputFrame, InputImage, SequenceWriter, ALLOWED};
+use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, ResourceId, Tuning};
 use crate::error::Error;
+use crate::reference::InstanceTransform;
 use ash::vk;
 use std::collections::{BTreeMap, VecDeque};
 use std::path::Path;
+
+mod recording;
 
 /// The state of a capture, if there is one.
 pub(super) struct Capturing {
@@ -48,12 +50,16 @@ struct Slot {
     copies: Vec<Copied>,
 }
 
-/// An image that was copied into the buffer of its name.
+/// An input that was copied into the buffer of its name.
 struct Copied {
     name: &'static str,
+    /// Of a buffer undefined.
     format: vk::Format,
     bytes: usize,
 }
+
+/// Bytes of an entry of `instance_transforms`.
+const TRANSFORM_BYTES: usize = size_of::<InstanceTransform>();
 
 impl Capturing {
     pub fn new(host: crate::Device<'_>) -> Self {
@@ -117,12 +123,14 @@ impl Capturing {
         let copies = std::mem::take(&mut slot.copies);
         let number = frame.index - self.first_index.unwrap_or(frame.index);
         let result = if std::mem::take(&mut slot.complete) {
-            let images = slot.buffers.iter_mut().filter_map(|(name, buffer)| {
+            let inputs = slot.buffers.iter_mut().filter_map(|(name, buffer)| {
                 let Copied { format, bytes, .. } = copies.iter().find(|c| c.name == *name)?;
                 Some(InputImage { name, format: *format, texels: &buffer.bytes()[..*bytes] })
             });
-            let images: Vec<_> = images.collect();
-            writer.write_numbered(number, &frame.params, &frame.tuning, &images)
+            let (buffers, images): (Vec<_>, Vec<_>) = inputs.partition(|input| input.format == vk::Format::UNDEFINED);
+            let transforms: Option<Vec<_>> = buffers.first().map(|b| bytemuck::allocation::pod_collect_to_vec(b.texels));
+            let (params, tuning, instance_transforms) = (&frame.params, &frame.tuning, transforms.as_deref());
+            writer.write_numbered(number, &InputFrame { params, tuning, images: &images, instance_transforms })
         } else {
             let problem =
                 format!("frame {number} was begun, and not all of its phases were recorded; record each phase of each frame");
@@ -178,7 +186,7 @@ impl Executor {
     /// again, which takes as long as compressing it does; the last ones when recording goes on, in [`Self::finish_capture`], or when the executor is
     /// dropped. An error on the way ends the capture and never a frame: it is logged, and [`Self::finish_capture`] returns it.
     ///
-    /// Every bound input image needs `TRANSFER_SRC` usage, and every frame the same inputs and render extent.
+    /// Every bound input needs `TRANSFER_SRC` usage, and every frame the same inputs and render extent.
     ///
     /// # Errors
     /// [`Error::Capture`] for 0 frames, while another capture is in progress, for a folder that cannot be written or that holds a sequence;
@@ -195,14 +203,10 @@ impl Executor {
             return refused(format!("a capture to {to} lacks {outstanding} frames; wait for them, or call finish_capture first"));
         }
         let declaration = self.denoiser.declaration();
-        for (id, name) in input_images(declaration) {
-            if let Some(storage) = self.memory.storages.storage(id, 0) {
+        for (id, name) in inputs(declaration) {
+            if let Some(storage) = self.memory.storages.storage(id, 0).filter(|s| s.image != vk::Image::null()) {
                 check_format(name, storage.format)?;
             }
-        }
-        let transforms = declaration.find("instance_transforms").and_then(|id| self.memory.storages.storage(id, 0));
-        if transforms.is_some() {
-            log::warn!("atrous: instance_transforms are not captured; a replay takes what they move to stand still, unless motion is bound");
         }
         let writer = SequenceWriter::new(folder, self.denoiser.config())?;
         self.capture.failure = None;
@@ -226,75 +230,14 @@ impl Executor {
         // SAFETY: the caller's.
         unsafe { self.capture.finish() }
     }
-
-    /// Copies the inputs that no later phase reads.
-    ///
-    /// # Safety
-    /// As [`Self::record`].
-    pub(super) unsafe fn record_capture(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) {
-        let captured = self.capture.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index == frame.index);
-        if !captured {
-            return;
-        }
-        let declaration = self.denoiser.declaration();
-        let last_phase = |id| declaration.life(id).map(|(_, last)| declaration.passes()[last].phase);
-        let inputs: Vec<_> = input_images(declaration).collect();
-        let here: Vec<_> = inputs.iter().copied().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
-        let is_last = inputs.iter().filter_map(|(id, _)| last_phase(*id)).max() == Some(phase);
-        for (id, name) in here {
-            // SAFETY: the caller's.
-            if let Err(error) = unsafe { self.copy_input(cmd, frame, id, name) } {
-                return self.capture.fail(error);
-            }
-        }
-        if let Some(slot) = self.capture.slots.get_mut(&frame.slot) {
-            slot.complete |= is_last;
-        }
-    }
-
-    unsafe fn copy_input(
-        &mut self,
-        cmd: vk::CommandBuffer,
-        frame: &FrameContext,
-        id: ResourceId,
-        name: &'static str,
-    ) -> Result<(), Error> {
-        let Some(storage) = self.memory.storages.storage_mut(id, 0) else { return Ok(()) };
-        let [width, height] = frame.render_extent;
-        let bytes = width as usize * height as usize * check_format(name, storage.format)?;
-        let capture = &mut self.capture;
-        let slot = capture.slots.entry(frame.slot).or_default();
-        if slot.buffers.get(name).is_none_or(|b| b.size < bytes as u64) {
-            // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is complete.
-            let staging = unsafe { Staging::of_types(&capture.device, &capture.memory_types, bytes as u64)? };
-            slot.buffers.insert(name, staging);
-        }
-        let Some(buffer) = slot.buffers.get(name).map(|b| b.buffer) else { return Ok(()) };
-        slot.copies.push(Copied { name, format: storage.format, bytes });
-        // Of a depth-stencil image the depth.
-        let aspect_mask = storage.aspect() & !vk::ImageAspectFlags::STENCIL;
-        let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
-        let region =
-            vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 });
-        let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
-        let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
-        // SAFETY: the caller's; image and buffer are live and large enough, and the image is handed back at the end of the phase.
-        unsafe {
-            self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
-            self.device.cmd_copy_image_to_buffer(cmd, storage.image, Scope::COPY_SOURCE.layout, buffer, &[region]);
-            buffer_barrier(&self.device, cmd, buffer, copied, read);
-        }
-        Ok(())
-    }
 }
 
-/// Every input image.
-fn input_images(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &'static str)> + '_ {
-    let is_image = |shape: &Shape| matches!(shape, Shape::Image { .. });
+/// Every input.
+fn inputs(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &'static str)> + '_ {
     (0..)
         .map(ResourceId)
         .zip(declaration.resources())
-        .filter_map(move |(id, r)| (matches!(r.lifetime, Lifetime::Input { .. }) && is_image(&r.shape)).then_some((id, r.name)))
+        .filter_map(|(id, r)| matches!(r.lifetime, Lifetime::Input { .. }).then_some((id, r.name)))
 }
 
 /// Bytes of a texel.

@@ -1,0 +1,184 @@
+#version 450
+// What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
+// Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
+// In:  guide, surface_motion, statistics; moments, block_percentiles and irradiance_history per signal, history_confidence, gradient, noisy
+//      radiance per signal and albedo, each where the preset has it: what is not present stands in for another image and is not read.
+// Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it.
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+#include "frame.glsl"
+#include "push_constants.glsl"
+#include "finite.glsl"
+#include "surface_motion.glsl"
+#include "moments.glsl"
+#include "luminance.glsl"
+#include "demodulation.glsl"
+#include "blocks.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[8]; } statistics;
+layout(set = 0, binding = 2) uniform utexture2D guide;
+layout(set = 0, binding = 3) uniform utexture2D surface_motion;
+layout(set = 0, binding = 4) uniform utexture2D moments_0;
+layout(set = 0, binding = 5) uniform utexture2D moments_1;
+layout(set = 0, binding = 6) uniform utexture2D block_percentiles_0;
+layout(set = 0, binding = 7) uniform utexture2D block_percentiles_1;
+layout(set = 0, binding = 8) uniform texture2D history_0;
+layout(set = 0, binding = 9) uniform texture2D history_1;
+layout(set = 0, binding = 10) uniform texture2D history_confidence;
+layout(set = 0, binding = 11) uniform texture2D gradient;
+layout(set = 0, binding = 12) uniform texture2D noisy_0;
+layout(set = 0, binding = 13) uniform texture2D noisy_1;
+layout(set = 0, binding = 14) uniform texture2D albedo;
+layout(set = 0, binding = 15, rgba16f) uniform writeonly image2D debug_view;
+
+// In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; 0: none.
+const uint NEEDED[14] = uint[](4u, 8u, 4u, 11u, 10u, 4u, 6u, 6u, 4u, 0u, 0u, 0u, 0u, 0u);
+const uint VIEW_HISTORY_LENGTH = 0u;
+const uint VIEW_VARIANCE = 1u;
+const uint VIEW_MOMENTS = 2u;
+const uint VIEW_GRADIENT = 3u;
+const uint VIEW_LAMBDA = 4u;
+const uint VIEW_ALPHA = 5u;
+const uint VIEW_PERCENTILES = 6u;
+const uint VIEW_FIREFLIES = 7u;
+const uint VIEW_DISOCCLUSION = 8u;
+const uint VIEW_MOTION = 9u;
+const uint VIEW_NORMAL = 10u;
+const uint VIEW_DEPTH = 11u;
+const uint VIEW_SURFACE_ID = 12u;
+const uint VIEW_BAD_VALUES = 13u;
+
+const float LONG_HISTORY = 32.0;    // frames; from here on histories look alike
+const float LARGE_MOTION = 64.0;    // pixels; from here on motions look alike
+const float VARIANCE_SCALE = 4.0;   // deviations of 1/4 are in the middle of the colours
+const uint BAD_KINDS = 7u;
+
+const vec3 VIRIDIS[9] = vec3[](vec3(68, 1, 84), vec3(71, 45, 123), vec3(59, 82, 139), vec3(44, 114, 142), vec3(33, 145, 140),
+                               vec3(40, 174, 128), vec3(94, 201, 98), vec3(173, 220, 48), vec3(253, 231, 37));
+// Okabe and Ito's: history, off screen, background or id, depth, normal, reset.
+const vec3 REASON_COLOURS[6] = vec3[](vec3(60, 60, 60), vec3(230, 159, 0), vec3(86, 180, 233), vec3(0, 158, 115), vec3(240, 228, 66), vec3(213, 94, 0));
+
+// Of a colour in sRGB, 0..255; every component is beyond the linear part of its curve or black.
+vec3 from_srgb(vec3 c) { return pow((c / 255.0 + 0.055) / 1.055, vec3(2.4)); }
+
+vec3 false_colour(float t) {
+    float x = clamp(t, 0.0, 1.0) * 8.0;
+    int i = min(int(x), 7);
+    return from_srgb(mix(VIRIDIS[i], VIRIDIS[i + 1], x - float(i)));
+}
+
+float compressed(float x) { return x / (1.0 + x); }
+
+float change_at(ivec2 p) { return is_present(10u) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
+
+float history_length_at(ivec2 p) { return unpack_moments(texelFetch(moments_0, p, 0)).history_length; }
+
+// The signals add up: their means, and as independent ones their variances.
+vec2 mean_and_deviation(ivec2 p) {
+    Moments m = unpack_moments(texelFetch(moments_0, p, 0));
+    vec2 sum = vec2(m.mean, m.deviation * m.deviation);
+    if (is_present(5u)) {
+        m = unpack_moments(texelFetch(moments_1, p, 0));
+        sum += vec2(m.mean, m.deviation * m.deviation);
+    }
+    return vec2(sum.x, sqrt(sum.y));
+}
+
+float filter_deviation(ivec2 p) {
+    float first = texelFetch(history_0, p, 0).a, second = is_present(9u) ? texelFetch(history_1, p, 0).a : 0.0;
+    return sqrt(first * first + second * second);
+}
+
+vec4 percentiles_at(ivec2 p) {
+    vec2 low_up = unpackHalf2x16(texelFetch(block_percentiles_0, p / BLOCK_SIZE, 0).x);
+    float other = is_present(7u) ? unpackHalf2x16(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).y : 0.0;
+    return vec4(compressed(low_up.x), compressed(low_up.y), compressed(other), low_up.y);
+}
+
+// The part of the luminance that is above the limit of firefly.comp.
+float excess(ivec2 p, texture2D noisy, utexture2D percentiles) {
+    vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
+    if (!is_finite(radiance)) return 0.0;
+    if (is_present(14u)) {
+        divisor = texelFetch(albedo, p, 0).rgb;
+        for (int i = 0; i < 3; ++i) divisor[i] = is_finite(divisor[i]) ? max(divisor[i], ALBEDO_EPSILON) : 1.0;
+    }
+    float l = luminance(storable(radiance / divisor)), limit = firefly_limit(percentiles, p / BLOCK_SIZE);
+    return limit > 0.0 && l > limit ? 1.0 - limit / l : 0.0;
+}
+
+vec4 fireflies_at(ivec2 p) {
+    float share = excess(p, noisy_0, block_percentiles_0);
+    if (is_present(7u)) share = max(share, excess(p, noisy_1, block_percentiles_1));
+    return vec4(false_colour(share), share);
+}
+
+// Red: brighter than before; blue: darker.
+vec4 gradient_at(ivec2 p) {
+    vec2 value = texelFetch(gradient, p / int(frame.stratum_size), 0).xy;
+    float t = value.y > 0.0 ? clamp(value.x / value.y, -1.0, 1.0) : 0.0;
+    return vec4(max(t, 0.0), 0.15 * abs(t), max(-t, 0.0), value.x);
+}
+
+vec4 motion_at(ivec2 p) {
+    vec2 motion = unpack_surface_motion(texelFetch(surface_motion, p, 0)).motion;
+    float pixels = length(motion), t = min(log2(1.0 + pixels) / log2(1.0 + LARGE_MOTION), 1.0);
+    vec2 direction = pixels > 0.0 ? motion / pixels : vec2(0.0);
+    return vec4(0.5 + 0.5 * t * direction, 0.5 - 0.5 * t, pixels);
+}
+
+vec4 id_at(uint id) {
+    uint hash = pcg(id);
+    return vec4(vec3(hash & 255u, hash >> 8 & 255u, hash >> 16 & 255u) / 255.0, float(id));
+}
+
+// One bar for each kind of input, as long as the logarithm of what was not finite, against that of all pixels.
+vec4 bad_values_at(ivec2 p) {
+    uint kind = min(uint(p.y) * BAD_KINDS / frame.render_extent.y, BAD_KINDS - 1u);
+    float count = float(statistics.counts[kind]), pixels = float(frame.render_extent.x) * float(frame.render_extent.y);
+    bool lit = (float(p.x) + 0.5) / float(frame.render_extent.x) < log2(1.0 + count) / log2(1.0 + pixels);
+    vec3 ground = vec3((kind & 1u) == 0u ? 0.02 : 0.04);
+    return vec4(lit ? from_srgb(REASON_COLOURS[5]) : ground, count);
+}
+
+vec4 shown(ivec2 p, uvec4 packed, uint view) {
+    float value = 0.0;
+    switch (view) {
+    case VIEW_HISTORY_LENGTH: value = history_length_at(p); return vec4(false_colour(value / LONG_HISTORY), value);
+    case VIEW_VARIANCE: value = filter_deviation(p); return vec4(false_colour(compressed(VARIANCE_SCALE * value)), value);
+    case VIEW_MOMENTS: {
+        vec2 m = mean_and_deviation(p);
+        return vec4(compressed(m.x), compressed(m.y), 0.0, m.x);
+    }
+    case VIEW_GRADIENT: return gradient_at(p);
+    case VIEW_LAMBDA: value = change_at(p); return vec4(false_colour(value), value);
+    case VIEW_ALPHA: {
+        value = max(frame.alpha + change_at(p) * (1.0 - frame.alpha), 1.0 / history_length_at(p));
+        return vec4(false_colour(value), value);
+    }
+    case VIEW_PERCENTILES: return percentiles_at(p);
+    case VIEW_FIREFLIES: return fireflies_at(p);
+    case VIEW_DISOCCLUSION: {
+        uint reason = min(texelFetch(moments_0, p, 0).w, REASON_RESET);
+        return vec4(from_srgb(REASON_COLOURS[reason]), float(reason));
+    }
+    case VIEW_MOTION: return motion_at(p);
+    case VIEW_NORMAL: return vec4(unpack_normal(packed) * 0.5 + 0.5, 0.0);
+    case VIEW_DEPTH: value = unpack_depth(packed); return vec4(false_colour(compressed(value)), value);
+    default: return id_at(unpack_id(packed));
+    }
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    uint view = min(push.level, VIEW_BAD_VALUES);
+    uvec4 packed = texelFetch(guide, p, 0);
+    vec4 value = vec4(0.0);
+    if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);
+    else if (view == VIEW_BAD_VALUES) value = bad_values_at(p);
+    else if (unpack_depth(packed) > 0.0) value = shown(p, packed, view);
+    imageStore(debug_view, p, vec4(clamp(value.rgb, 0.0, 1.0), clamp(value.a, -65504.0, 65504.0)));
+}

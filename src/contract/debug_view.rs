@@ -1,0 +1,133 @@
+//! What the stage `debug_view` can show.
+
+use super::{Declaration, Work};
+
+/// What `debug_view` shows, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the number behind
+/// the colour. Surfaces only: the background is black. A view that the preset has nothing for is a dark chequer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[repr(u32)]
+pub enum DebugView {
+    /// Frames accumulated, 0 to 32 in false colours.
+    #[default]
+    HistoryLength = 0,
+    /// Standard deviation of luminance that guides the filter (after its first level), x/(0.25 + x) in false colours.
+    Variance = 1,
+    /// Mean of luminance over the history in red, its standard deviation in green, both x/(1 + x). a: the mean.
+    Moments = 2,
+    /// Change of luminance of the re-shaded samples δ, against the larger luminance Δ: red is brighter than before, blue darker. a: δ.
+    Gradient = 3,
+    /// λ, how far light changed: 0 (history is kept) to 1 (dropped).
+    Lambda = 4,
+    /// Weight of the new sample in the accumulated irradiance, 0 to 1.
+    Alpha = 5,
+    /// Low percentile of the first signal's luminance in red, upper one in green, upper one of the second signal in blue; x/(1 + x). a: the upper one.
+    Percentiles = 6,
+    /// Share of the luminance that the firefly filter took away, 0 to 1.
+    Fireflies = 7,
+    /// Why there is no history. Grey: there is. Orange: off screen; light blue: background or another id; green: depth; yellow: normal; red: reset.
+    /// a: a [`crate::reference::Reason`] as a number.
+    Disocclusion = 8,
+    /// Motion: red to the right, green downwards, less blue the longer, logarithmic up to 64 pixels. a: its length, pixels.
+    Motion = 9,
+    /// World-space normal, n·0.5 + 0.5. a: 0.
+    Normal = 10,
+    /// Linear depth, x/(1 + x) in false colours. a: scene units.
+    Depth = 11,
+    /// A colour for every surface id as the filters see it (8 bits). a: the id.
+    SurfaceId = 12,
+    /// Values of this frame that were not finite: one bar each, from the top, for depth, normal, motion, radiance, albedo, emission, forward motion;
+    /// the logarithm of their number against that of all pixels. a: the number.
+    BadValues = 13,
+}
+
+impl DebugView {
+    /// Every view, in the order of its number.
+    pub const ALL: [Self; 14] = [
+        Self::HistoryLength,
+        Self::Variance,
+        Self::Moments,
+        Self::Gradient,
+        Self::Lambda,
+        Self::Alpha,
+        Self::Percentiles,
+        Self::Fireflies,
+        Self::Disocclusion,
+        Self::Motion,
+        Self::Normal,
+        Self::Depth,
+        Self::SurfaceId,
+        Self::BadValues,
+    ];
+
+    /// For menus and files, `snake_case`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::HistoryLength => "history_length",
+            Self::Variance => "variance",
+            Self::Moments => "moments",
+            Self::Gradient => "gradient",
+            Self::Lambda => "lambda",
+            Self::Alpha => "alpha",
+            Self::Percentiles => "percentiles",
+            Self::Fireflies => "fireflies",
+            Self::Disocclusion => "disocclusion",
+            Self::Motion => "motion",
+            Self::Normal => "normal",
+            Self::Depth => "depth",
+            Self::SurfaceId => "surface_id",
+            Self::BadValues => "bad_values",
+        }
+    }
+
+    /// The binding of the shader without which there is nothing to show, as `NEEDED` in `glsl/debug_view.comp`; 0: none.
+    pub(crate) const fn needs(self) -> u32 {
+        match self {
+            Self::HistoryLength | Self::Moments | Self::Alpha | Self::Disocclusion => 4,
+            Self::Percentiles | Self::Fireflies => 6,
+            Self::Variance => 8,
+            Self::Lambda => 10,
+            Self::Gradient => 11,
+            Self::Motion | Self::Normal | Self::Depth | Self::SurfaceId | Self::BadValues => 0,
+        }
+    }
+}
+
+impl Declaration {
+    /// The views that this denoiser has something for; none without [`crate::Config::debug_view`].
+    pub fn debug_views(&self) -> Vec<DebugView> {
+        let available = self.passes.iter().find_map(|p| match p.work {
+            Work::DebugView { available, .. } => Some(available),
+            _ => None,
+        });
+        let shows = |view: &DebugView| available.is_some_and(|bits| bits >> view.needs() & 1 != 0);
+        DebugView::ALL.into_iter().filter(shows).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::{Config, Preset};
+
+    #[test]
+    fn a_number_is_a_place_and_a_name_belongs_to_one_view() {
+        for (i, view) in DebugView::ALL.into_iter().enumerate() {
+            assert_eq!(view as usize, i);
+            assert_eq!(DebugView::ALL.iter().filter(|v| v.name() == view.name()).count(), 1);
+        }
+    }
+
+    #[test]
+    fn a_preset_shows_what_it_has() {
+        let views = |preset| Config { preset, debug_view: true, ..Config::new([16, 16]) }.declare().expect("valid").debug_views();
+        let guides = [DebugView::Motion, DebugView::Normal, DebugView::Depth, DebugView::SurfaceId, DebugView::BadValues];
+        assert_eq!(views(Preset::Eaw), guides);
+        assert!(!views(Preset::Svgf).contains(&DebugView::Lambda) && views(Preset::Svgf).contains(&DebugView::Variance));
+        assert!(views(Preset::Asvgf).contains(&DebugView::Gradient) && !views(Preset::Asvgf).contains(&DebugView::Fireflies));
+        assert!(
+            views(Preset::Percentile).contains(&DebugView::Fireflies) && !views(Preset::Percentile).contains(&DebugView::Gradient)
+        );
+        assert!(!views(Preset::Stabilize).contains(&DebugView::Variance) && views(Preset::Stabilize).contains(&DebugView::Alpha));
+        assert_eq!(Config::new([16, 16]).declare().expect("valid").debug_views(), []);
+    }
+}

@@ -1,0 +1,288 @@
+//! A preset over a sequence of frames: the stages chained as the passes are, with the history between them.
+
+use super::*;
+use crate::config::{PostProcess, Preset, Signals};
+use crate::{Config, Error, FrameConstants, FrameContext};
+
+mod adaptation;
+mod check;
+#[cfg(test)]
+mod sequence_tests;
+#[cfg(test)]
+mod tests;
+
+/// What the host gives for one frame; every image has the allocated extent, where nothing else is said.
+#[derive(Clone, Copy, Debug)]
+pub struct DenoiserInputs<'a> {
+    /// Depth, normals, motion and ids.
+    pub guides: ImportInputs<'a>,
+    /// rgb: noisy radiance of every signal: one, or direct and indirect.
+    pub noisy: &'a [&'a Image<[f32; 4]>],
+    /// rgb: albedo at the primary hit.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// rgb: radiance that is not filtered.
+    pub emission: Option<&'a Image<[f32; 4]>>,
+    /// For presets with gradients.
+    pub gradients: GradientSources<'a>,
+}
+
+/// What the presets `Asvgf` and `Stabilize` take besides; which of it is read, [`Config::gradient_source`] says.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct GradientSources<'a> {
+    /// At the pixels of the previous frame its motion to this one: see [`ForwardProjectInputs::forward_motion`].
+    pub forward_motion: Option<&'a Image<[f32; 4]>>,
+    /// rgb: the paths of the previous frame in the scene of this one, at the pixels of the previous frame.
+    pub reshaded_radiance: Option<&'a Image<[f32; 4]>>,
+    /// One texel a stratum: x: δ, y: Δ.
+    pub sparse_gradient: Option<&'a Image<[f32; 4]>>,
+    /// x: 1 keeps the history, 0 drops it.
+    pub confidence: Option<&'a Image<[f32; 4]>>,
+    /// rgb: the picture that `Stabilize` accumulates.
+    pub other_denoised_radiance: Option<&'a Image<[f32; 4]>>,
+}
+
+/// What one frame gives back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DenoiserOutputs {
+    /// rgb: linear radiance; alpha 1.
+    pub denoised_radiance: Image<[f32; 4]>,
+    /// rgb: 0..1, where the configuration has a post-process.
+    pub display: Option<Image<[f32; 4]>>,
+    /// Bad input, summed over the stages.
+    pub statistics: Statistics,
+    /// What is between the stages, where it was asked for.
+    pub views: Option<DenoiserViews>,
+}
+
+/// The images between the stages, one for every signal where they are in a `Vec`. Empty or `None` where the preset has no such stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DenoiserViews {
+    /// See [`unpack_guide`].
+    pub guide: Image<[u16; 4]>,
+    /// See [`unpack_surface_motion`].
+    pub surface_motion: Image<[u16; 4]>,
+    /// See [`unpack_depth_gradient`].
+    pub depth_gradient: Image<u32>,
+    /// rgb: irradiance before any filter, outliers scaled down where the preset does so.
+    pub demodulated: Vec<Image<[f32; 4]>>,
+    /// 1: keep the history, 0: drop it.
+    pub history_confidence: Option<Image<f32>>,
+    /// rgb: irradiance after temporal accumulation.
+    pub accumulated: Vec<Image<[f32; 4]>>,
+    /// See [`unpack_moments`].
+    pub moments: Vec<Image<[u16; 4]>>,
+    /// Standard deviation of luminance after the stage `variance`.
+    pub standard_deviation: Vec<Image<f32>>,
+    /// `levels[level][signal]`: rgb irradiance, alpha standard deviation of luminance.
+    pub levels: Vec<Vec<Image<[f32; 4]>>>,
+}
+
+/// What the next frame needs of this one.
+#[derive(Clone, Debug)]
+struct History {
+    guide: Image<[u16; 4]>,
+    object_normal_guide: Option<Image<u32>>,
+    irradiance: Vec<Image<[f32; 4]>>,
+    moments: Vec<Image<[u16; 4]>>,
+    noisy_luminance: Option<Image<u32>>,
+    gradient_candidates: Option<Image<[u16; 4]>>,
+    display: Option<Image<[f32; 4]>>,
+}
+
+/// A preset on the CPU.
+#[derive(Clone, Debug)]
+pub struct Denoiser {
+    config: Config,
+    history: Option<History>,
+}
+
+/// Irradiance on its way through a frame.
+#[derive(Default)]
+struct Filtered {
+    accumulated: Vec<Image<[f32; 4]>>,
+    moments: Vec<Image<[u16; 4]>>,
+    with_deviation: Vec<Image<[f32; 4]>>,
+    levels: Vec<Vec<Image<[f32; 4]>>>,
+}
+
+impl Filtered {
+    /// What the next frame accumulates onto: the first level, as \[SVGF\] 4.1 has it.
+    fn history(&self) -> &[Image<[f32; 4]>] {
+        [self.levels.first(), Some(&self.with_deviation), Some(&self.accumulated)]
+            .into_iter()
+            .flatten()
+            .find(|i| !i.is_empty())
+            .map_or(&[], Vec::as_slice)
+    }
+
+    fn result(&self) -> &[Image<[f32; 4]>] {
+        self.levels.last().map_or(self.history(), Vec::as_slice)
+    }
+}
+
+impl Denoiser {
+    /// A denoiser without history.
+    ///
+    /// # Errors
+    /// As [`Config::validate`].
+    pub fn new(config: Config) -> Result<Self, Error> {
+        config.validate()?;
+        Ok(Self { config, history: None })
+    }
+
+    /// Denoises one frame; `frame` comes from [`crate::FrameState::begin`] with the same configuration, in order.
+    ///
+    /// # Errors
+    /// [`Error::Size`] for an image that has not the allocated extent, or a wrong number of signals; [`Error::RenderExtent`] for a frame of
+    /// another configuration; [`Error::NotBound`] for an image that the configuration asks for. The history is unchanged then.
+    pub fn frame(&mut self, frame: &FrameContext, inputs: &DenoiserInputs, with_views: bool) -> Result<DenoiserOutputs, Error> {
+        check::check(&self.config, frame, inputs)?;
+        let constants = &frame.constants;
+        let guides = if self.config.preset == Preset::Eaw {
+            // Object-space normals serve the history alone.
+            ImportInputs { object_normal: None, ..inputs.guides }
+        } else {
+            inputs.guides
+        };
+        let imported = import(constants, &guides);
+        let gradients = self.gradients(constants, &imported, inputs);
+        let stabilized = inputs.gradients.other_denoised_radiance.filter(|_| self.config.preset == Preset::Stabilize);
+        let noisy = stabilized.as_ref().map_or(inputs.noisy, std::slice::from_ref);
+        let demodulated = demodulate(constants, &DemodulateInputs { guide: &imported.guide, noisy, albedo: inputs.albedo });
+        let outliers = self.outliers(constants, &imported, demodulated.irradiance);
+        let confidence = gradients.confidence.or_else(|| self.confidence(constants, &imported, &outliers));
+        let filtered = self.filter(constants, &imported, &outliers.irradiance, confidence.as_ref());
+        let irradiance = each(filtered.result());
+        let modulated = modulate(
+            constants,
+            &ModulateInputs { guide: &imported.guide, irradiance: &irradiance, albedo: inputs.albedo, emission: inputs.emission },
+        );
+        let display = self.post_process(constants, &imported, &modulated.denoised_radiance);
+        let stages = [imported.statistics, gradients.statistics, demodulated.statistics, modulated.statistics];
+        self.history = Some(History {
+            guide: imported.guide.clone(),
+            object_normal_guide: imported.object_normal_guide.clone(),
+            irradiance: filtered.history().to_vec(),
+            moments: filtered.moments.clone(),
+            noisy_luminance: gradients.noisy_luminance,
+            gradient_candidates: gradients.candidates,
+            display: display.clone(),
+        });
+        Ok(DenoiserOutputs {
+            denoised_radiance: modulated.denoised_radiance,
+            display,
+            statistics: std::array::from_fn(|i| stages.iter().map(|s| s[i]).sum()),
+            views: with_views.then(|| views(imported, outliers.irradiance, confidence, filtered)),
+        })
+    }
+
+    fn filter(
+        &self,
+        frame: &FrameConstants,
+        imported: &ImportOutputs,
+        irradiance: &[Image<[f32; 4]>],
+        confidence: Option<&Image<f32>>,
+    ) -> Filtered {
+        if self.config.preset == Preset::Eaw {
+            let level = |level, irradiance: &[&_]| eaw(frame, level, &EawInputs { guide: &imported.guide, irradiance });
+            return Filtered { levels: self.levels(irradiance, level), ..Filtered::default() };
+        }
+        let accumulated = self.accumulate(frame, imported, irradiance, confidence);
+        if self.config.preset == Preset::Stabilize {
+            return Filtered { accumulated: accumulated.irradiance, moments: accumulated.moments, ..Filtered::default() };
+        }
+        let (guide, depth_gradient) = (&imported.guide, &imported.depth_gradient);
+        let estimate = if self.config.preset == Preset::Percentile { fading_variance } else { variance };
+        let (irradiance, moments) = (each(&accumulated.irradiance), each(&accumulated.moments));
+        let inputs = VarianceInputs { guide, depth_gradient, irradiance: &irradiance, moments: &moments };
+        let with_deviation = estimate(frame, &inputs);
+        let kernel = if self.config.preset == Preset::Svgf { atrous } else { box_atrous };
+        let level = |level, irradiance: &[&_]| kernel(frame, level, &AtrousInputs { guide, depth_gradient, irradiance });
+        let levels = self.levels(&with_deviation, level);
+        Filtered { accumulated: accumulated.irradiance, moments: accumulated.moments, with_deviation, levels }
+    }
+
+    fn levels(
+        &self,
+        input: &[Image<[f32; 4]>],
+        filter: impl Fn(u32, &[&Image<[f32; 4]>]) -> Vec<Image<[f32; 4]>>,
+    ) -> Vec<Vec<Image<[f32; 4]>>> {
+        let mut levels: Vec<Vec<_>> = Vec::with_capacity(self.config.levels as usize);
+        for level in 0..self.config.levels {
+            let filtered = filter(level, &each(levels.last().map_or(input, Vec::as_slice)));
+            levels.push(filtered);
+        }
+        levels
+    }
+
+    fn accumulate(
+        &self,
+        frame: &FrameConstants,
+        imported: &ImportOutputs,
+        irradiance: &[Image<[f32; 4]>],
+        history_confidence: Option<&Image<f32>>,
+    ) -> TemporalAccumulationOutputs {
+        let signals: Vec<_> = self.history.iter().flat_map(|history| history.irradiance.iter().zip(&history.moments)).collect();
+        let signals: Vec<_> = signals.into_iter().map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
+        let inputs = TemporalAccumulationInputs {
+            guide: &imported.guide,
+            surface_motion: &imported.surface_motion,
+            depth_gradient: &imported.depth_gradient,
+            irradiance: &each(irradiance),
+            history_confidence,
+            repair: self.config.preset == Preset::Percentile,
+            object_normals: imported
+                .object_normal_guide
+                .as_ref()
+                .zip(self.history.as_ref().and_then(|history| history.object_normal_guide.as_ref()))
+                .map(|(current, previous)| ObjectNormals { current, previous }),
+            previous: self.history.as_ref().map(|history| PreviousFrame { guide: &history.guide, signals: &signals }),
+        };
+        temporal_accumulation(frame, &inputs)
+    }
+
+    fn post_process(
+        &self,
+        frame: &FrameConstants,
+        imported: &ImportOutputs,
+        radiance: &Image<[f32; 4]>,
+    ) -> Option<Image<[f32; 4]>> {
+        if self.config.post_process == PostProcess::None {
+            return None;
+        }
+        let tone_mapped = tone_map(frame, radiance);
+        if self.config.post_process == PostProcess::ToneMap {
+            return Some(tone_mapped);
+        }
+        let inputs = TaaInputs {
+            tone_mapped: &tone_mapped,
+            guide: &imported.guide,
+            surface_motion: &imported.surface_motion,
+            previous: self.history.as_ref().and_then(|history| history.display.as_ref()),
+        };
+        Some(taa(frame, &inputs))
+    }
+}
+
+fn each<T>(images: &[Image<T>]) -> Vec<&Image<T>> {
+    images.iter().collect()
+}
+
+fn views(
+    imported: ImportOutputs,
+    demodulated: Vec<Image<[f32; 4]>>,
+    history_confidence: Option<Image<f32>>,
+    filtered: Filtered,
+) -> DenoiserViews {
+    DenoiserViews {
+        guide: imported.guide,
+        surface_motion: imported.surface_motion,
+        depth_gradient: imported.depth_gradient,
+        demodulated,
+        history_confidence,
+        accumulated: filtered.accumulated,
+        moments: filtered.moments,
+        standard_deviation: filtered.with_deviation.iter().map(|image| image.map(|t| t[3])).collect(),
+        levels: filtered.levels,
+    }
+}
