@@ -43,7 +43,8 @@ fn compile(source: &str, stratum_size: u32) -> Result<(), String> {
         "gradient_sample.glsl" => Ok(ResolvedInclude { resolved_name: name.into(), content: HEADER.into() }),
         _ => Err(format!("the example includes {name}")),
     });
-    let compiled = Compiler::new().expect("shaderc").compile_into_spirv(source, ShaderKind::Compute, "example", "main", Some(&options));
+    let compiled =
+        Compiler::new().expect("shaderc").compile_into_spirv(source, ShaderKind::Compute, "example", "main", Some(&options));
     compiled.map(|_| ()).map_err(|e| e.to_string())
 }
 

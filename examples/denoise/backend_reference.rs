@@ -69,6 +69,7 @@ impl Backend for ReferenceBackend {
                 confidence: confidence.as_ref(),
                 other_denoised_radiance: other.as_ref(),
             },
+            volume: None,
         };
         let context = self.state.begin(&self.config, &frame.params, &frame.tuning)?;
         let outputs = self.denoiser.frame(&context, &inputs, views)?;

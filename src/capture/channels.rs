@@ -27,6 +27,7 @@ fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'sta
         "other_denoised_radiance" => (OTHER_DENOISED, RGB),
         "surface_id" => ("id", &["I"]),
         "roughness" => ("roughness", &["Y"]),
+        "scattering_depth" => ("scattering_depth", &["Z"]),
         "albedo" => ("albedo", RGB),
         "emission" => (EMISSION, RGB),
         "noisy_direct" => ("direct", RGB),

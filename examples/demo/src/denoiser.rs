@@ -7,7 +7,7 @@ use atrous::{Config, Device, FrameContext, FrameParams, Phase, ResetReason, Tuni
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
-use crate::{Outputs, PathTracer, Result, View};
+use crate::{PathTracer, Result, View};
 
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,8 @@ pub struct DenoiserOptions {
     pub signals: Signals,
     /// Edge-stopping functions of the preset `Eaw`.
     pub eaw_weights: EawWeights,
+    /// Whether fog has motion of its own; else it moves as the surfaces behind it.
+    pub volume_motion: bool,
     /// Tone map and temporal anti-aliasing after it.
     pub taa: bool,
     /// Per-frame numbers to start with.
@@ -29,15 +31,24 @@ impl DenoiserOptions {
     /// cost no more than SVGF on one signal.
     pub fn new(preset: Preset) -> Self {
         let signals = if preset == Preset::Svgf { Signals::Apart } else { Signals::Together };
-        Self { preset, signals, eaw_weights: EawWeights::default(), taa: false, tuning: Tuning::for_preset(preset) }
+        Self {
+            preset,
+            signals,
+            eaw_weights: EawWeights::default(),
+            volume_motion: true,
+            taa: false,
+            tuning: Tuning::for_preset(preset),
+        }
     }
 
-    fn config(&self, extent: vk::Extent2D) -> Config {
+    fn config(&self, tracer: &PathTracer) -> Config {
+        let extent = tracer.extent();
         Config {
             frames_in_flight: 1,
             preset: self.preset,
             signals: self.signals,
             eaw_weights: self.eaw_weights,
+            volume: tracer.volume().is_some(),
             post_process: if self.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
             conventions: Conventions {
                 motion_unit: MotionUnit::Pixels,
@@ -73,7 +84,7 @@ impl FrameDenoiser {
     /// # Errors
     /// A device without what the denoiser needs, or no memory.
     pub fn new(gpu: &Gpu, tracer: &PathTracer, options: &DenoiserOptions) -> Result<Self> {
-        let config = options.config(tracer.extent());
+        let config = options.config(tracer);
         let host = Device { instance: gpu.instance(), physical_device: gpu.physical_device(), device: gpu.device() };
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
@@ -83,7 +94,7 @@ impl FrameDenoiser {
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
         let mut executor = unsafe { Executor::new(host, &config, wanted)? };
-        for (name, image) in inputs(tracer.outputs(), options.signals) {
+        for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }
         let transforms = tracer.previous_from_current();
@@ -251,6 +262,25 @@ impl FrameDenoiser {
         Ok(copy.to_floats(&buffer.bytes()[..copy.bytes as usize]))
     }
 
+    /// Writes the inputs of the next frames as an EXR sequence: see [`atrous::capture`].
+    ///
+    /// # Errors
+    /// A folder that cannot be written, or that holds a sequence.
+    #[cfg(feature = "capture")]
+    pub fn capture(&mut self, folder: &std::path::Path, frames: u32) -> Result<()> {
+        Ok(self.executor.capture(folder, frames)?)
+    }
+
+    /// Writes what is left of a capture.
+    ///
+    /// # Errors
+    /// What ended the capture early.
+    #[cfg(feature = "capture")]
+    pub fn finish_capture(&mut self) -> Result<u32> {
+        // SAFETY: every submission of the engine is waited for.
+        Ok(unsafe { self.executor.finish_capture()? })
+    }
+
     /// GPU time of each pass in the frame before the last.
     pub fn times(&self) -> Vec<PassTime> {
         self.executor.times()
@@ -265,7 +295,8 @@ impl FrameDenoiser {
 /// Where the last of the five passes of `gradient_atrous` leaves the reconstructed gradient.
 const GRADIENT: &str = "gradient_pong";
 
-fn inputs(outputs: &Outputs, signals: Signals) -> Vec<(&'static str, &Image)> {
+fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'static str, &'a Image)> {
+    let outputs = tracer.outputs();
     let mut inputs = vec![
         ("depth", &outputs.depth),
         ("normal", &outputs.normal),
@@ -274,9 +305,13 @@ fn inputs(outputs: &Outputs, signals: Signals) -> Vec<(&'static str, &Image)> {
         ("albedo", &outputs.albedo),
         ("emission", &outputs.emission),
     ];
-    match signals {
+    match options.signals {
         Signals::Apart => inputs.extend([("noisy_direct", &outputs.direct), ("noisy_indirect", &outputs.indirect)]),
         Signals::Together => inputs.push(("noisy_radiance", &outputs.scattered)),
+    }
+    if let Some(volume) = tracer.volume() {
+        inputs.push(("noisy_volume", &volume.noisy_volume));
+        inputs.extend(options.volume_motion.then_some(("scattering_depth", &volume.scattering_depth)));
     }
     inputs
 }

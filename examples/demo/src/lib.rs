@@ -14,10 +14,12 @@ pub mod report;
 pub mod scene;
 pub mod tracer;
 pub mod view;
+pub mod volume;
 
 pub use denoiser::{DenoiserOptions, FrameDenoiser};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
-pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions};
+pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions, Volume};
 pub use view::View;
+pub use volume::VolumeFrame;

@@ -22,7 +22,7 @@ fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &DenoiserOption
     }
     let mut frame = Frame::read(&gpu.0, &tracer, [&mut denoiser]).expect("pictures");
     let reference = tracer.render_reference(512, |_, _| {}).expect("a reference");
-    frame.reference = Some(reference.radiance());
+    frame.set_reference(reference);
     let scores = frame.scores(None).expect("finite pictures").expect("a reference");
     println!("{name}, frame {}: noisy {:?}, denoised {:?}", frame.index, scores[0], scores[1]);
     scores

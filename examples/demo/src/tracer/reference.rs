@@ -27,6 +27,8 @@ pub struct Reference {
     pub indirect: Vec<[f32; 3]>,
     /// Emitters and environment seen directly.
     pub emission: Vec<[f32; 3]>,
+    /// Light that the medium scattered once towards the eye, where the scene has one.
+    pub volume: Option<Vec<[f32; 3]>>,
     /// Samples for each pixel.
     pub samples: u32,
 }
@@ -34,8 +36,12 @@ pub struct Reference {
 impl Reference {
     /// The picture: all light together.
     pub fn radiance(&self) -> Vec<[f32; 3]> {
-        let sum = |((d, i), e): ((&[f32; 3], &[f32; 3]), &[f32; 3])| [0, 1, 2].map(|c| d[c] + i[c] + e[c]);
-        self.direct.iter().zip(&self.indirect).zip(&self.emission).map(sum).collect()
+        let of_medium = |i: usize| self.volume.as_ref().map_or([0.0; 3], |volume| volume[i]);
+        let sum = |(i, ((d, e), n)): (usize, ((&[f32; 3], &[f32; 3]), &[f32; 3]))| {
+            let v = of_medium(i);
+            [0, 1, 2].map(|c| d[c] + n[c] + e[c] + v[c])
+        };
+        self.direct.iter().zip(&self.emission).zip(&self.indirect).enumerate().map(sum).collect()
     }
 }
 
@@ -64,6 +70,25 @@ impl PathTracer {
             general_barrier(gpu.device(), cmd, &[&sums[0], &sums[1]]);
             Ok(())
         })?;
+        self.accumulate(&pipeline, &set, samples, |done| progress(done, samples))?;
+        Ok(Reference {
+            direct: self.mean(&sums[0], samples)?,
+            indirect: self.mean(&sums[1], samples)?,
+            emission: self.mean(&self.outputs.emission, 1)?,
+            volume: self.volume_reference(samples)?,
+            samples,
+        })
+    }
+
+    /// Adds samples to sums, in submits of a bearable length. The pipeline's constants: first sample, their number, seed.
+    pub(super) fn accumulate(
+        &self,
+        pipeline: &Pipeline,
+        set: &DescriptorSet,
+        samples: u32,
+        mut progress: impl FnMut(u32),
+    ) -> Result<()> {
+        let gpu = &self.gpu;
         let (mut done, mut batch) = (0, 1);
         while done < samples {
             let count = batch.min(samples - done);
@@ -73,23 +98,19 @@ impl PathTracer {
                 let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
                 let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
                 memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
-                pipeline.record(cmd, &[&self.scene_set, &set], bytemuck::cast_slice(&constants), self.extent);
+                pipeline.record(cmd, &[&self.scene_set, set], bytemuck::cast_slice(&constants), self.extent);
                 Ok(())
             })?;
             done += count;
-            progress(done, samples);
+            progress(done);
             batch = next_batch(count, start.elapsed());
         }
-        let mean = |image: &Image, count: u32| -> Result<Vec<[f32; 3]>> {
-            let scale = 1.0 / count as f32;
-            Ok(gpu.read_image(image)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect())
-        };
-        Ok(Reference {
-            direct: mean(&sums[0], samples)?,
-            indirect: mean(&sums[1], samples)?,
-            emission: mean(&self.outputs.emission, 1)?,
-            samples,
-        })
+        Ok(())
+    }
+
+    pub(super) fn mean(&self, sum: &Image, samples: u32) -> Result<Vec<[f32; 3]>> {
+        let scale = 1.0 / samples as f32;
+        Ok(self.gpu.read_image(sum)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect())
     }
 }
 
