@@ -16,6 +16,9 @@
 // Most uses that a pass has.
 #define ATROUS_MAX_USES 32
 
+// Bytes of the text of a report, with its null.
+#define ATROUS_REPORT_SIZE 4096
+
 // What a function of the C ABI returns.
 enum AtrousStatus
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -294,6 +297,43 @@ typedef struct AtrousBinding {
   uint64_t range;
 } AtrousBinding;
 
+// What the host gave for one frame, read back: tightly packed rows of width texels, each four floats.
+typedef struct AtrousGuides {
+  // sizeof(AtrousGuides).
+  uint32_t struct_size;
+  // Width of the images; at least the render width.
+  uint32_t width;
+  // Height of the images.
+  uint32_t height;
+  // Matrices, jitter and render extent of the frame.
+  const struct AtrousFrameParams *params;
+  // x: depth. width * height * 4 floats.
+  const float *depth;
+  // xyz, or octahedral xy. NULL: none.
+  const float *normal;
+  // xy. NULL: none.
+  const float *motion;
+  // One number a texel, 0 is the background. NULL: none.
+  const uint32_t *surface_id;
+} AtrousGuides;
+
+// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the frames cannot tell;
+// 4 not given.
+typedef struct AtrousConventionReport {
+  // sizeof(AtrousConventionReport), set by the host.
+  uint32_t struct_size;
+  // Verdict on depth, matrices and jitter.
+  uint32_t geometry;
+  // Verdict on motion, x and y.
+  uint32_t motion;
+  // Verdict on z of the motion.
+  uint32_t motion_depth;
+  // Verdict on normals.
+  uint32_t normals;
+  // The mistakes, the evidence in pixels and degrees, and what to change.
+  char text[ATROUS_REPORT_SIZE];
+} AtrousConventionReport;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -409,6 +449,16 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            uint32_t pass,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
+
+// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names the likely
+// mistake. Needs no denoiser and no device.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; images have as many texels as their extent says.
+AtrousStatus atrous_check_conventions(const struct AtrousConfig *config,
+                                      const struct AtrousGuides *previous,
+                                      const struct AtrousGuides *current,
+                                      struct AtrousConventionReport *report);
 
 #ifdef __cplusplus
 }  // extern "C"

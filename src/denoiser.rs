@@ -1,30 +1,12 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
-use crate::config::{Config, Preset};
+use crate::config::Config;
 use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Grid, Lifetime, PassDecl, Shape, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
 use crate::requirements::{Requirements, WORKGROUP_SIDE};
 use crate::shaders::{BindingKind, PushConstants, Shader};
 use ash::vk;
-
-impl Config {
-    /// Declares every resource and pass, without a device.
-    ///
-    /// # Errors
-    /// As [`Config::validate`].
-    pub fn declare(&self) -> Result<Declaration, Error> {
-        self.validate()?;
-        Ok(match self.preset {
-            Preset::Svgf => crate::presets::svgf(self),
-            Preset::Percentile => crate::presets::percentile(self),
-            Preset::Eaw => crate::presets::eaw(self),
-            Preset::Asvgf => crate::presets::asvgf(self),
-            Preset::Stabilize => crate::presets::stabilize(self),
-            Preset::Volume => crate::presets::volume(self),
-        })
-    }
-}
 
 impl PassDecl {
     pub(crate) fn shader(&self) -> Option<&'static Shader> {

@@ -76,6 +76,12 @@ impl Setup {
                 mapping.roles.extend(second.roles.into_iter().filter(|(role, _)| is_about_previous(*role)));
             }
         }
+        // References are dear: not every frame need have one.
+        if let (false, Some(with)) = (mapping.has(Role::Reference), frames.iter().find(|f| f.guides.iter().any(|g| g.0 == "ref"))) {
+            let named =
+                Mapping::choose(&with.colour, &frame_source::header(with)?, &wishes.channels, wishes.view_layer.as_deref())?;
+            mapping.roles.extend(named.roles.into_iter().filter(|(role, _)| *role == Role::Reference));
+        }
         let folder = first.colour.parent().unwrap_or(Path::new("."));
         let sequence = camera::find(wishes.camera.as_deref(), folder)?;
         let mut config = Config::new(header.extent);

@@ -8,17 +8,36 @@ mod stabilize;
 mod svgf;
 mod volume;
 
-pub(crate) use asvgf::asvgf;
-pub(crate) use eaw::eaw;
-pub(crate) use percentile::percentile;
-pub(crate) use stabilize::stabilize;
-pub(crate) use svgf::svgf;
-pub(crate) use volume::volume;
+use asvgf::asvgf;
+use eaw::eaw;
+use percentile::percentile;
+use stabilize::stabilize;
+use svgf::svgf;
+use volume::volume;
 use volume::FilteredVolume;
 
-use crate::config::{Config, PostProcess};
+use crate::config::{Config, PostProcess, Preset};
 use crate::contract::{Declaration, Lifetime, ResourceId};
+use crate::error::Error;
 use crate::nodes::{self, Builder, Frame, Guides, Shown, Signal, HDR};
+
+impl Config {
+    /// Declares every resource and pass, without a device.
+    ///
+    /// # Errors
+    /// As [`Config::validate`].
+    pub fn declare(&self) -> Result<Declaration, Error> {
+        self.validate()?;
+        Ok(match self.preset {
+            Preset::Svgf => svgf(self),
+            Preset::Percentile => percentile(self),
+            Preset::Eaw => eaw(self),
+            Preset::Asvgf => asvgf(self),
+            Preset::Stabilize => stabilize(self),
+            Preset::Volume => volume(self),
+        })
+    }
+}
 
 /// What every preset ends with: the volume, where there is one, the post-process over the sum of surfaces and volume, and the debug view.
 /// `surfaces`: where they were denoised, and what can be shown of them.

@@ -262,6 +262,25 @@ impl FrameDenoiser {
         Ok(copy.to_floats(&buffer.bytes()[..copy.bytes as usize]))
     }
 
+    /// Writes the inputs of the next frames as an EXR sequence: see [`atrous::capture`].
+    ///
+    /// # Errors
+    /// A folder that cannot be written, or that holds a sequence.
+    #[cfg(feature = "capture")]
+    pub fn capture(&mut self, folder: &std::path::Path, frames: u32) -> Result<()> {
+        Ok(self.executor.capture(folder, frames)?)
+    }
+
+    /// Writes what is left of a capture.
+    ///
+    /// # Errors
+    /// What ended the capture early.
+    #[cfg(feature = "capture")]
+    pub fn finish_capture(&mut self) -> Result<u32> {
+        // SAFETY: every submission of the engine is waited for.
+        Ok(unsafe { self.executor.finish_capture()? })
+    }
+
     /// GPU time of each pass in the frame before the last.
     pub fn times(&self) -> Vec<PassTime> {
         self.executor.times()

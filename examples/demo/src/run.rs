@@ -9,6 +9,7 @@ use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{report, volume, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::capture;
 use crate::options::Options;
 use crate::times::Times;
 
@@ -31,8 +32,19 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let mut contenders = options.presets().into_iter().map(contender).collect::<Result<Vec<_>>>()?;
     let folder = options.out.join(&scene.name);
     make(&folder.join("sequence"))?;
+    let captured = |name: &str| folder.join(format!("capture_{name}"));
+    if options.capture {
+        for c in &mut contenders {
+            capture::start(&mut c.denoiser, &captured(c.name), options.frames)?;
+        }
+    }
     let mut measured = sequence(options, gpu, &scene.name, &mut tracer, &mut contenders, &folder)?;
     references(options, &scene.name, &mut tracer, &mut measured)?;
+    if options.capture {
+        for c in &mut contenders {
+            capture::finish(&mut c.denoiser, &captured(c.name), &measured)?;
+        }
+    }
     let text = tables(options, &scene.name, &measured, &contenders, &folder)?;
     println!("\n{}\n\n{text}", scene.name);
     let path = folder.join("table.md");
