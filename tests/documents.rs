@@ -40,7 +40,7 @@ fn the_guide_shows_parts_of_the_hosts() {
 /// What a host can configure, as far as it changes the declaration.
 fn configurations() -> Vec<Config> {
     let mut all = Vec::new();
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw] {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume] {
         for signals in [Signals::Together, Signals::Apart] {
             use GradientSource as G;
             for gradient_source in [G::ForwardProjected, G::Reshaded, G::Sparse, G::Confidence] {
@@ -50,6 +50,7 @@ fn configurations() -> Vec<Config> {
                     post_process: PostProcess::ToneMapTaa,
                     object_normal: true,
                     debug_view: true,
+                    volume: true,
                     forward_motion: true,
                     firefly_filter: true,
                     sampling: Sampling::OneOf2x2,
@@ -74,7 +75,6 @@ fn the_guide_names_every_input_and_output() {
 }
 
 fn the_guide_has_the_memory_of_every_preset() {
-    let bytes_per_pixel = |bytes: u64| format!("{:.1}", bytes as f64 / (1920.0 * 1080.0));
     let variants = [
         (Preset::Svgf, Signals::Together),
         (Preset::Svgf, Signals::Apart),
@@ -82,12 +82,20 @@ fn the_guide_has_the_memory_of_every_preset() {
         (Preset::Stabilize, Signals::Together),
         (Preset::Percentile, Signals::Together),
         (Preset::Eaw, Signals::Together),
+        (Preset::Volume, Signals::Together),
     ];
+    let with_volume = Config { volume: true, ..Config::new([1920, 1080]) };
+    needs_rows([memory_row("`Svgf` with `Config::volume`, `Together`", &with_volume)]);
     needs_rows(variants.map(|(preset, signals)| {
-        let memory = Config { preset, signals, ..Config::new([1920, 1080]) }.declare().expect("valid").memory();
-        let of = [memory.history, memory.transient, memory.transient_unaliased].map(bytes_per_pixel).join(" | ");
-        format!("| `{preset:?}`, `{signals:?}` | {of} | {:.0} MB |", (memory.history + memory.transient) as f64 / 1e6)
+        memory_row(&format!("`{preset:?}`, `{signals:?}`"), &Config { preset, signals, ..Config::new([1920, 1080]) })
     }));
+}
+
+fn memory_row(what: &str, config: &Config) -> String {
+    let bytes_per_pixel = |bytes: u64| format!("{:.1}", bytes as f64 / (1920.0 * 1080.0));
+    let memory = config.declare().expect("valid").memory();
+    let of = [memory.history, memory.transient, memory.transient_unaliased].map(bytes_per_pixel).join(" | ");
+    format!("| {what} | {of} | {:.0} MB |", (memory.history + memory.transient) as f64 / 1e6)
 }
 
 fn needs_rows(rows: impl IntoIterator<Item = String>) {
