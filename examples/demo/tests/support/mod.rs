@@ -18,7 +18,7 @@ impl Validated {
     /// `None`, said on the terminal, where there is no device or no validation layer: the test is skipped then. An error with
     /// `ATROUS_REQUIRE_DEVICE=1`.
     pub fn new() -> Option<Self> {
-        match Gpu::new(&GpuOptions { device: None, validation: true }) {
+        match Gpu::new(&GpuOptions { validation: true, ..GpuOptions::default() }) {
             Ok(gpu) => Some(Self(gpu)),
             Err(error) => {
                 assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
