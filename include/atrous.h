@@ -141,7 +141,7 @@ typedef struct AtrousFrameParams {
   float exposure_ratio;
   // 1: the host re-shades this frame's `gradient_samples`.
   uint32_t reshaded;
-  // What the pass `debug_view` shows: a number of `atrous::DebugView`, 0 to 13.
+  // What the pass `debug_view` shows: a number of `atrous::DebugView` plus 1. 0: the host leaves the pass out.
   uint32_t debug_view;
 } AtrousFrameParams;
 
