@@ -75,7 +75,6 @@ fn the_guide_names_every_input_and_output() {
 }
 
 fn the_guide_has_the_memory_of_every_preset() {
-    let bytes_per_pixel = |bytes: u64| format!("{:.1}", bytes as f64 / (1920.0 * 1080.0));
     let variants = [
         (Preset::Svgf, Signals::Together),
         (Preset::Svgf, Signals::Apart),
@@ -85,11 +84,18 @@ fn the_guide_has_the_memory_of_every_preset() {
         (Preset::Eaw, Signals::Together),
         (Preset::Volume, Signals::Together),
     ];
+    let with_volume = Config { volume: true, ..Config::new([1920, 1080]) };
+    needs_rows([memory_row("`Svgf` with `Config::volume`, `Together`", &with_volume)]);
     needs_rows(variants.map(|(preset, signals)| {
-        let memory = Config { preset, signals, ..Config::new([1920, 1080]) }.declare().expect("valid").memory();
-        let of = [memory.history, memory.transient, memory.transient_unaliased].map(bytes_per_pixel).join(" | ");
-        format!("| `{preset:?}`, `{signals:?}` | {of} | {:.0} MB |", (memory.history + memory.transient) as f64 / 1e6)
+        memory_row(&format!("`{preset:?}`, `{signals:?}`"), &Config { preset, signals, ..Config::new([1920, 1080]) })
     }));
+}
+
+fn memory_row(what: &str, config: &Config) -> String {
+    let bytes_per_pixel = |bytes: u64| format!("{:.1}", bytes as f64 / (1920.0 * 1080.0));
+    let memory = config.declare().expect("valid").memory();
+    let of = [memory.history, memory.transient, memory.transient_unaliased].map(bytes_per_pixel).join(" | ");
+    format!("| {what} | {of} | {:.0} MB |", (memory.history + memory.transient) as f64 / 1e6)
 }
 
 fn needs_rows(rows: impl IntoIterator<Item = String>) {

@@ -140,7 +140,7 @@ pub struct Config {
     pub levels: u32,
     /// Whether the host has a volume (fog, smoke), whose radiance is filtered apart, with motion of its own \[PSVGF\]: an input `noisy_volume`, an output
     /// `denoised_volume`. It is what the medium itself scatters towards the camera; the surfaces' radiance is what reaches the camera through it. The
-    /// two add up to the picture, and the post-process has their sum. Costs 64 bytes a pixel. Default: false.
+    /// two add up to the picture, and the post-process has their sum. Costs 40 bytes a pixel, and 8 of the output. Default: false.
     ///
     /// The optional input `scattering_depth` says where: for every pixel the linear depth (scene units, along the view axis, as `guide` has it) of one
     /// point that contributes much, as a distance that was chosen by transmittance does. 0, infinite or NaN: none. It is carried to the next frame to

@@ -11,6 +11,8 @@ mod sequence_tests;
 #[cfg(test)]
 mod tests;
 mod volume;
+#[cfg(test)]
+mod volume_tests;
 
 use volume::VolumeHistory;
 pub use volume::VolumeInputs;

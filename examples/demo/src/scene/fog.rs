@@ -19,7 +19,7 @@ pub fn scene() -> Scene {
     shell(&mut scene);
     arcade(&mut scene);
     let lamp = quad(vec3(-0.3, 3.7, -3.2), Vec3::X * 0.6, Vec3::Y * 0.5);
-    scene.place(lamp, Material::emitter(vec3(420.0, 340.0, 240.0)), Affine3A::IDENTITY);
+    scene.place(lamp, Material::emitter(vec3(900.0, 730.0, 520.0)), Affine3A::IDENTITY);
     scene.medium = Some(Medium { scattering: vec3(0.105, 0.11, 0.115), extinction: 0.12, anisotropy: 0.3 });
     scene.set_camera(view);
     scene
