@@ -1,6 +1,7 @@
 #version 450
 // Motion of what a volume scatters towards the camera: its points of the previous frame, carried forward to this one.
-// Source: [PSVGF], volumes. Deviation: of several points in a pixel the one that contributes most wins, whatever the order of execution.
+// Source: [PSVGF], volumes. Deviations: of several points in a pixel the one that contributes most wins, whatever the order of execution; the
+// motion is the mean over 3x3 pixels, since a single point is anywhere along its ray.
 // In:  volume_points of the previous frame; claim (RESOLVE 0): guide, which hides points; resolve: surface_motion, for pixels without a point.
 // Out: claim: volume_claims. Resolve: volume_motion, half2, pixels of the previous frame.
 // variants: RESOLVE=0 RESOLVE=1
@@ -36,6 +37,11 @@ ForwardPosition carried(ivec2 q, uvec4 point) { return project_world(previous_wo
 // Steps of a pixel in which a motion is found. By comparison of products as all of the projection, so that no device rounds it otherwise.
 const float STEPS = 64.0;
 
+int nearest_quotient(float numerator, float denominator) {
+    precise float shifted = numerator + 0.5 * denominator;
+    return floor_quotient(shifted, denominator);
+}
+
 // Motion that a point had from q to its position in this frame, unjittered: the nearest step on one axis.
 int motion_steps(ivec2 q, ForwardPosition position, int axis) {
     float w = position.denominator[axis], side = float(frame.render_extent[axis]);
@@ -45,8 +51,7 @@ int motion_steps(ivec2 q, ForwardPosition position, int axis) {
     now = now * float(frame.previous_render_extent[axis]);
     precise float denominator = side * w;
     precise float numerator = (before - now) * STEPS;
-    numerator = numerator + 0.5 * denominator;
-    return floor_quotient(numerator, denominator);
+    return nearest_quotient(numerator, denominator);
 }
 
 // Exact as a half float: of a longer motion the low bits are cut.
@@ -56,16 +61,39 @@ float representable(int steps) {
     return float(sign(steps) * (magnitude >> excess << excess)) / STEPS;
 }
 
+// A black point counts next to nothing, but more than none.
+const float SMALLEST_LUMINANCE = 1.0 / 1048576.0;
+const float LARGEST_DEPTH = 1.0e6;
+
+// Adds the point that won a pixel. Motion falls with depth, so its mean with the weight luminance * depth is the motion at the mean depth,
+// in proportion to luminance; points just before the camera move far and would spoil any other mean.
+void add_point(uint key, inout vec2 sum, inout float weight_sum) {
+    uint index = (key & key_mask()) - 1u;
+    ivec2 q = ivec2(index % frame.previous_render_extent.x, index / frame.previous_render_extent.x);
+    uvec4 point = texelFetch(previous_points, q, 0);
+    ForwardPosition position = carried(q, point);
+    precise float weight = max(uintBitsToFloat(point.z << 16), SMALLEST_LUMINANCE) * min(unpack_depth(point), LARGEST_DEPTH);
+    precise vec2 part = vec2(motion_steps(q, position, 0), motion_steps(q, position, 1)) * weight;
+    precise vec2 total = sum + part;
+    precise float weight_total = weight_sum + weight;
+    sum = total;
+    weight_sum = weight_total;
+}
+
 uint motion_at(ivec2 p) {
-    uint key = texelFetch(claims, p, 0).x;
-    if (key == 0u) {
+    vec2 sum = vec2(0.0);
+    float weight_sum = 0.0;
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            ivec2 at = p + ivec2(x, y);
+            uint key = is_inside(at) ? texelFetch(claims, at, 0).x : 0u;
+            if (key != 0u) add_point(key, sum, weight_sum);
+        }
+    if (weight_sum == 0.0) {
         uvec2 motion = texelFetch(surface_motion, p, 0).xy;
         return motion.x | motion.y << 16;
     }
-    uint index = (key & key_mask()) - 1u;
-    ivec2 q = ivec2(index % frame.previous_render_extent.x, index / frame.previous_render_extent.x);
-    ForwardPosition position = carried(q, texelFetch(previous_points, q, 0));
-    return packHalf2x16(vec2(representable(motion_steps(q, position, 0)), representable(motion_steps(q, position, 1))));
+    return packHalf2x16(vec2(representable(nearest_quotient(sum.x, weight_sum)), representable(nearest_quotient(sum.y, weight_sum))));
 }
 
 void main() {

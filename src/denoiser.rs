@@ -169,7 +169,8 @@ impl Denoiser {
                 unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, grid), push)? };
             }
             Work::DebugView { available, .. } => {
-                let push = PushConstants { level: frame.debug_view as u32, present: present(bindings) & available };
+                let push =
+                    PushConstants { level: frame.debug_view.unwrap_or_default() as u32, present: present(bindings) & available };
                 // SAFETY: as above.
                 unsafe { self.record_dispatch(cmd, frame, pass, bindings, frame.render_extent, push)? };
             }

@@ -40,7 +40,7 @@ fn the_guide_shows_parts_of_the_hosts() {
 /// What a host can configure, as far as it changes the declaration.
 fn configurations() -> Vec<Config> {
     let mut all = Vec::new();
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw] {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume] {
         for signals in [Signals::Together, Signals::Apart] {
             use GradientSource as G;
             for gradient_source in [G::ForwardProjected, G::Reshaded, G::Sparse, G::Confidence] {
@@ -50,6 +50,7 @@ fn configurations() -> Vec<Config> {
                     post_process: PostProcess::ToneMapTaa,
                     object_normal: true,
                     debug_view: true,
+                    volume: true,
                     forward_motion: true,
                     firefly_filter: true,
                     sampling: Sampling::OneOf2x2,
@@ -82,6 +83,7 @@ fn the_guide_has_the_memory_of_every_preset() {
         (Preset::Stabilize, Signals::Together),
         (Preset::Percentile, Signals::Together),
         (Preset::Eaw, Signals::Together),
+        (Preset::Volume, Signals::Together),
     ];
     needs_rows(variants.map(|(preset, signals)| {
         let memory = Config { preset, signals, ..Config::new([1920, 1080]) }.declare().expect("valid").memory();

@@ -128,6 +128,13 @@ impl AtrousConfig {
     }
 }
 
+/// 0: none; else a view by its number plus 1.
+fn debug_view(given: u32) -> Result<Option<DebugView>, Failure> {
+    let mut views = vec![None];
+    views.extend(DebugView::ALL.map(Some));
+    pick("debug_view", given, &views)
+}
+
 fn matrix(m: [f32; 16]) -> [[f32; 4]; 4] {
     std::array::from_fn(|column| std::array::from_fn(|row| m[column * 4 + row]))
 }
@@ -152,7 +159,7 @@ impl AtrousFrameParams {
             jitter: self.jitter,
             exposure_ratio: self.exposure_ratio,
             reshaded: pick("reshaded", self.reshaded, &[false, true])?,
-            debug_view: pick("debug_view", self.debug_view, &DebugView::ALL)?,
+            debug_view: debug_view(self.debug_view)?,
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }

@@ -123,7 +123,7 @@ pub struct AtrousFrameParams {
     pub exposure_ratio: f32,
     /// 1: the host re-shades this frame's `gradient_samples`.
     pub reshaded: u32,
-    /// What the pass `debug_view` shows: a number of `atrous::DebugView`, 0 to 13.
+    /// What the pass `debug_view` shows: a number of `atrous::DebugView` plus 1. 0: the host leaves the pass out.
     pub debug_view: u32,
 }
 

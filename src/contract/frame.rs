@@ -46,8 +46,8 @@ pub struct FrameParams {
     /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous frame.
     /// Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
     pub reshaded: bool,
-    /// What the pass `debug_view` shows, with [`Config::debug_view`].
-    pub debug_view: DebugView,
+    /// What the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame. Default: `None`.
+    pub debug_view: Option<DebugView>,
 }
 
 impl FrameParams {
@@ -63,7 +63,7 @@ impl FrameParams {
             jitter: [0.0; 2],
             exposure_ratio: 1.0,
             reshaded: false,
-            debug_view: DebugView::default(),
+            debug_view: None,
         }
     }
 
@@ -109,7 +109,7 @@ pub struct FrameContext {
     /// Why history is dropped this frame, if it is.
     pub reset: Option<ResetReason>,
     /// As in [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with another view.
-    pub debug_view: DebugView,
+    pub debug_view: Option<DebugView>,
     /// What the first pass uploads.
     pub constants: FrameConstants,
 }

@@ -117,11 +117,11 @@ tuning! {
     /// Smallest weight of the new sample in the accumulated radiance of a volume, and in its moments. Raising it reacts faster and leaves more noise.
     volume_alpha: "1", 0.0 ..= 1.0, 0.1;
     /// Luminance edge stopping of a volume: tolerated difference in standard deviations. Raising it blurs the edges of light shafts more.
-    volume_sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
+    volume_sigma_l: "standard deviations", 0.0 ..= 128.0, 2.0;
     /// Depth edge stopping of a volume: tolerated difference between the surfaces behind, as a share of the larger depth (PSVGF). Raising it blurs more over the outlines of surfaces.
-    volume_sigma_z: "depths", 0.001 ..= 64.0, 0.25;
+    volume_sigma_z: "depths", 0.001 ..= 64.0, 0.1;
     /// Largest difference between the surfaces behind a pixel of a volume and behind its history, as a share of the larger depth (PSVGF). Raising it keeps more history; at 1 it is not tested.
-    volume_depth_tolerance: "depths", 0.0 ..= 1.0, 0.5;
+    volume_depth_tolerance: "depths", 0.0 ..= 1.0, 0.25;
     /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 5 a change by a fifth drops all of it. Raising it lags less and leaves more noise where light changes a little.
     gradient_scale: "1", 0.0 ..= 16.0, 5.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.

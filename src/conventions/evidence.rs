@@ -140,13 +140,13 @@ impl<'a> Scene<'a> {
     /// encoded.
     fn depth_residual(&self, position: Vec2, expected: f32, id: Option<u32>) -> f32 {
         let at = position - Vec2::from(self.constants[0].jitter) - 0.5;
-        let (cell, part) = (at.floor().as_ivec2(), at - at.floor());
-        let [width, height] = self.constants[0].render_extent.map(|side| side as i32);
-        if cell.x < 0 || cell.y < 0 || cell.x + 1 >= width || cell.y + 1 >= height {
+        let [width, height] = self.constants[0].render_extent.map(|side| side as f32);
+        let is_within = |from: f32, to: Vec2| at.cmpge(Vec2::splat(from)).all() && at.cmplt(to).all();
+        if !is_within(0.0, Vec2::new(width - 1.0, height - 1.0)) {
             // On the border, nothing can be interpolated; that is no contradiction.
-            let is_near = at.cmpge(Vec2::splat(-1.0)).all() && at.cmple(Vec2::new(width as f32, height as f32)).all();
-            return if is_near { f32::NAN } else { f32::INFINITY };
+            return if is_within(-1.0, Vec2::new(width, height)) { f32::NAN } else { f32::INFINITY };
         }
+        let (cell, part) = (at.floor().as_ivec2(), at - at.floor());
         let corners = [IVec2::ZERO, IVec2::X, IVec2::Y, IVec2::ONE].map(|o| cell + o);
         let z = corners.map(|q| self.depth(0, q));
         let (least, most) = (z.iter().copied().fold(f32::INFINITY, f32::min), z.iter().copied().fold(0.0, f32::max));

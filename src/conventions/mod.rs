@@ -12,7 +12,7 @@
 //! said to be inconclusive: take two frames between which the camera moves **and turns**, in a scene with slanted surfaces, with a few pixels of
 //! motion, and with jitter on if the engine has jitter.
 //!
-//! It runs on the CPU in some 100 ms and needs no device. Of an engine's frames it is had by a capture (`Executor::capture`, feature `capture`)
+//! It runs on the CPU in a fraction of a second and needs no device. Of an engine's frames it is had by a capture (`Executor::capture`, feature `capture`)
 //! and `cargo run --example denoise -- FOLDER --check`; or directly:
 //!
 //! ```

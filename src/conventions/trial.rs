@@ -178,7 +178,7 @@ pub(super) struct Contest {
 
 impl Contest {
     pub(super) fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
-        let outcome = |a, b| {
+        let outcome = |a: usize, b: usize| {
             let votes = pairwise(a, b);
             judge(votes.for_first, votes.for_second, pixels)
         };

@@ -20,7 +20,7 @@ pub use profiler::PassTime;
 pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
 
-use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
+use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning, Work};
 use crate::denoiser::{Binding, Denoiser, Device};
 use crate::error::Error;
 use crate::requirements::Requirements;
@@ -226,7 +226,7 @@ impl Executor {
         self.denoiser.invalidate();
     }
 
-    /// Records every pass of a phase with its barriers.
+    /// Records every pass of a phase with its barriers; `debug_view` in frames with a view.
     ///
     /// # Errors
     /// As [`Denoiser::record`].
@@ -241,9 +241,19 @@ impl Executor {
             self.capture.collect(frame)
         };
         for pass in 0..self.denoiser.declaration().passes().len() {
-            if self.denoiser.declaration().passes()[pass].phase == phase {
+            if self.denoiser.declaration().passes()[pass].phase != phase {
+                continue;
+            }
+            if !self.is_left_out(frame, pass) {
                 // SAFETY: the caller's.
                 unsafe { self.record_pass(cmd, frame, pass)? };
+            } else if let Some(profiler) = &self.profiler {
+                // Times of a frame are read together, so there has to be one.
+                // SAFETY: the caller's.
+                unsafe {
+                    profiler.before_pass(cmd, frame.slot, pass);
+                    profiler.after_pass(cmd, frame.slot, pass);
+                }
             }
         }
         #[cfg(feature = "capture")]
@@ -254,6 +264,35 @@ impl Executor {
         // SAFETY: the caller's.
         unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())
+    }
+
+    /// Records the pass `debug_view` once more, with another view: in a submission after that of the frame. Nothing, without
+    /// [`Config::debug_view`] or a view.
+    ///
+    /// # Errors
+    /// As [`Denoiser::record`].
+    ///
+    /// # Safety
+    /// As [`Self::record`].
+    pub unsafe fn record_debug_view(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) -> Result<(), Error> {
+        let passes = self.denoiser.declaration().passes();
+        let Some(pass) = passes.iter().position(|p| matches!(p.work, Work::DebugView { .. })) else { return Ok(()) };
+        if self.is_left_out(frame, pass) {
+            return Ok(());
+        }
+        // The time of the first one counts.
+        let profiler = self.profiler.take();
+        // SAFETY: the caller's.
+        let result = unsafe { self.record_pass(cmd, frame, pass) };
+        self.profiler = profiler;
+        result?;
+        // SAFETY: the caller's.
+        unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
+        Ok(())
+    }
+
+    fn is_left_out(&self, frame: &FrameContext, pass: usize) -> bool {
+        frame.debug_view.is_none() && matches!(self.denoiser.declaration().passes()[pass].work, Work::DebugView { .. })
     }
 
     pub(crate) unsafe fn record_pass(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, pass: usize) -> Result<(), Error> {

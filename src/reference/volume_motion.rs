@@ -5,7 +5,7 @@ use super::conventions::is_reset;
 use super::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
 use super::guide::unpack_guide;
 use super::volume_points::unpack_volume_point;
-use super::Image;
+use super::{render_rect::RenderRect, Image};
 use crate::FrameConstants;
 use glam::IVec2;
 
@@ -36,9 +36,24 @@ pub struct VolumeMotionInputs<'a> {
     pub previous_points: Option<&'a Image<[u16; 4]>>,
 }
 
-/// For every pixel the motion of the point in it that contributes most, else that of its surface; see [`unpack_volume_motion`].
+/// The point that contributes most in a pixel.
+#[derive(Clone, Copy, Default)]
+struct Winner {
+    /// 0: there is none.
+    key: u32,
+    /// In steps.
+    motion: [f32; 2],
+    weight: f32,
+}
+
+/// A black point counts next to nothing, but more than none.
+const SMALLEST_LUMINANCE: f32 = 1.0 / 1_048_576.0;
+const LARGEST_DEPTH: f32 = 1e6;
+
+/// For every pixel the mean motion of the points that contribute most in the 3×3 pixels around, else that of its surface; see
+/// [`unpack_volume_motion`].
 pub fn volume_motion(frame: &FrameConstants, inputs: &VolumeMotionInputs) -> Image<u32> {
-    let mut winners: Image<(u32, [f32; 2])> = Image::new(inputs.guide.extent(), (0, [0.0; 2]));
+    let mut winners = Image::new(inputs.guide.extent(), Winner::default());
     if let Some(points) = inputs.previous_points.filter(|_| !is_reset(frame)) {
         let [width, height] = frame.previous_render_extent;
         for index in 0..width * height {
@@ -54,18 +69,38 @@ pub fn volume_motion(frame: &FrameConstants, inputs: &VolumeMotionInputs) -> Ima
                 continue;
             }
             let key = key_of(index, width * height, point.contribution);
-            if let Some(winner) = winners.get_mut(p.x, p.y).filter(|winner| key > winner.0) {
-                *winner = (key, [0, 1].map(|axis| representable(motion_steps(frame, q, &position, axis))));
+            if let Some(winner) = winners.get_mut(p.x, p.y).filter(|winner| key > winner.key) {
+                let luminance = f32::from_bits(u32::from(point.contribution) << 16).max(SMALLEST_LUMINANCE);
+                let motion = [0, 1].map(|axis| motion_steps(frame, q, &position, axis) as f32);
+                *winner = Winner { key, motion, weight: luminance * point.linear_depth.min(LARGEST_DEPTH) };
             }
         }
     }
-    Image::compute(inputs.guide.extent(), frame.render_extent, |p| match winners.at(p) {
-        (0, _) => {
+    Image::compute(inputs.guide.extent(), frame.render_extent, |p| match mean_motion(frame, &winners, p) {
+        Some(motion) => pack_volume_motion(motion),
+        None => {
             let [x, y, ..] = inputs.surface_motion.at(p);
             u32::from(x) | u32::from(y) << 16
         }
-        (_, motion) => pack_volume_motion(motion),
     })
+}
+
+/// Since a single point is anywhere along its ray. Motion falls with depth, so its mean with the weight luminance·depth is the motion at the
+/// mean depth, in proportion to luminance; points just before the camera move far and would spoil any other mean.
+fn mean_motion(frame: &FrameConstants, winners: &Image<Winner>, p: IVec2) -> Option<[f32; 2]> {
+    let (mut sum, mut weight) = ([0.0_f32; 2], 0.0_f32);
+    for (_, at) in RenderRect::new(frame.render_extent).window(p, 1, 1) {
+        let winner = winners.at(at);
+        if winner.key != 0 {
+            sum = [0, 1].map(|axis| sum[axis] + winner.motion[axis] * winner.weight);
+            weight += winner.weight;
+        }
+    }
+    (weight > 0.0).then(|| sum.map(|sum| representable(nearest_quotient(sum, weight))))
+}
+
+fn nearest_quotient(numerator: f32, denominator: f32) -> i32 {
+    floor_quotient(numerator + 0.5 * denominator, denominator)
 }
 
 /// By which the points in a pixel are ranked: as much of the contribution as there is room for, and the number of the pixel plus 1 below.
@@ -80,7 +115,7 @@ fn motion_steps(frame: &FrameConstants, q: IVec2, position: &ForwardPosition, ax
     let before = (q[axis] as f32 + 0.5 + frame.previous_jitter[axis]) * side * w;
     let now = (position.numerator[axis] + frame.jitter[axis] * w) * frame.previous_render_extent[axis] as f32;
     let denominator = side * w;
-    floor_quotient((before - now) * STEPS + 0.5 * denominator, denominator)
+    nearest_quotient((before - now) * STEPS, denominator)
 }
 
 /// Exact as a half float, which has 11 bits: of a longer motion the low ones are cut.

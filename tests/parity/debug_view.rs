@@ -32,7 +32,7 @@ pub fn every_view() {
             if config.preset == Preset::Stabilize {
                 s.upload("other_denoised_radiance", &guides.noisy_radiance).expect("other_denoised_radiance");
             }
-            let params = FrameParams { debug_view: view, reshaded: true, ..scene.params(i) };
+            let params = FrameParams { debug_view: Some(view), reshaded: true, ..scene.params(i) };
             run(&mut s, &config, &params, &Tuning::for_preset(config.preset));
             shows_something(&mut s, view);
         }
@@ -76,8 +76,9 @@ pub fn check(c: &Captured) {
         noisy: &each(&noisy),
         albedo: albedo.as_ref(),
     };
-    let twin = debug_view(&c.frame.constants, &inputs, c.frame.debug_view);
-    let what = format!("debug_view {:?} of {:?}", c.frame.debug_view, c.config.preset);
+    let view = c.frame.debug_view.unwrap_or_default();
+    let twin = debug_view(&c.frame.constants, &inputs, view);
+    let what = format!("debug_view {view:?} of {:?}", c.config.preset);
     // Colours go through a power, which devices round each in its own way.
     halves(&what, c, &c.written_halves("debug_view"), &twin, Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF });
 }

@@ -3,7 +3,7 @@
 use ash::vk;
 use atrous::config::{Conventions, EawWeights, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
-use atrous::{Config, Device, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
+use atrous::{Config, DebugView, Device, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
@@ -24,6 +24,8 @@ pub struct DenoiserOptions {
     pub taa: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
+    /// The output `debug_view`: see [`FrameDenoiser::record_debug_view`].
+    pub debug_view: bool,
 }
 
 impl DenoiserOptions {
@@ -37,6 +39,7 @@ impl DenoiserOptions {
             eaw_weights: EawWeights::default(),
             volume_motion: true,
             taa: false,
+            debug_view: false,
             tuning: Tuning::for_preset(preset),
         }
     }
@@ -49,6 +52,7 @@ impl DenoiserOptions {
             signals: self.signals,
             eaw_weights: self.eaw_weights,
             volume: tracer.volume().is_some(),
+            debug_view: self.debug_view,
             post_process: if self.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
             conventions: Conventions {
                 motion_unit: MotionUnit::Pixels,
@@ -168,6 +172,25 @@ impl FrameDenoiser {
     /// From the next frame on. Drops no history.
     pub fn set_tuning(&mut self, tuning: Tuning) {
         self.tuning = tuning;
+    }
+
+    /// Records the output `debug_view` of the last frame, with [`DenoiserOptions::debug_view`]: as often as there are views to show.
+    ///
+    /// # Errors
+    /// None in practice.
+    pub fn record_debug_view(&mut self, cmd: vk::CommandBuffer, view: DebugView) -> Result<()> {
+        let Some(frame) = self.frame else { return Ok(()) };
+        // SAFETY: as in `record_phase`; the frame was waited for.
+        unsafe { self.executor.record_debug_view(cmd, &FrameContext { debug_view: Some(view), ..frame })? };
+        Ok(())
+    }
+
+    /// Has an output written into an image of the engine, in layout `GENERAL` when a frame is recorded and after.
+    ///
+    /// # Errors
+    /// A name that does not exist, another format, or an image that is too small.
+    pub fn bind_output(&mut self, name: &str, image: &Image) -> Result<()> {
+        Ok(self.executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?)
     }
 
     /// The filter.

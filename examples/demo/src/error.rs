@@ -26,6 +26,39 @@ pub enum Error {
     /// The Khronos validation layer was asked for and is not installed.
     #[error("validation was asked for, but the layer VK_LAYER_KHRONOS_validation is not installed (Debian, Ubuntu: `apt install vulkan-validationlayers`)")]
     NoValidationLayer,
+    /// Something that a window needs is not there.
+    #[error("no Vulkan device here has the extension {name}, which a window needs: run without --window, which writes pictures to a folder")]
+    NoExtension {
+        /// Its name.
+        name: String,
+    },
+    /// There is nothing to open a window on.
+    #[error("no window can be opened: {problem}. Start it from a desktop session (DISPLAY or WAYLAND_DISPLAY set), or leave --window out: then pictures and tables are written to a folder")]
+    NoDisplay {
+        /// What the window system said.
+        problem: String,
+    },
+    /// The program was built without its window.
+    #[error("this program was built without its window: run scripts/demo.sh --window, or build with `cargo build --release --package atrous-demo --features window`. Without --window pictures and tables are written to a folder")]
+    NoWindowBuilt,
+    /// The window cannot be drawn.
+    #[error("the window: {problem}")]
+    Window {
+        /// Why.
+        problem: String,
+    },
+    /// A file of settings, or of a camera path, cannot be used.
+    #[error("{}: {problem}. Correct the file, or delete it to start anew", path.display())]
+    SettingsFile {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// The panel could not be drawn.
+    #[cfg(feature = "window")]
+    #[error("drawing the panel: {0}")]
+    Panel(#[from] egui_ash_renderer::RendererError),
     /// A Vulkan call failed.
     #[error("Vulkan failed to {doing}: {result}")]
     Vulkan {

@@ -15,6 +15,8 @@ pub mod scene;
 pub mod tracer;
 pub mod view;
 pub mod volume;
+#[cfg(feature = "window")]
+pub mod window;
 
 pub use denoiser::{DenoiserOptions, FrameDenoiser};
 pub use error::{Error, Result};

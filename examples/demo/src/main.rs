@@ -25,6 +25,16 @@ fn main() -> ExitCode {
     }
 }
 
+#[cfg(feature = "window")]
+fn window(options: &Options) -> Result<usize> {
+    atrous_demo::window::run(options.window())
+}
+
+#[cfg(not(feature = "window"))]
+fn window(_: &Options) -> Result<usize> {
+    Err(atrous_demo::Error::NoWindowBuilt)
+}
+
 /// Gives the number of validation messages.
 fn demo(options: &Options) -> Result<usize> {
     if options.list_devices {
@@ -32,10 +42,13 @@ fn demo(options: &Options) -> Result<usize> {
         return Ok(0);
     }
     options.check()?;
-    let gpu = Gpu::new(&GpuOptions { device: options.device.clone(), validation: options.validate })?;
+    if options.window {
+        return window(options);
+    }
+    let gpu = Gpu::new(&GpuOptions { device: options.device.clone(), validation: options.validate, ..GpuOptions::default() })?;
     println!("device {}", gpu.info());
-    for scene in &options.scenes {
-        run::run(options, &gpu, scene)?;
+    for scene in options.scenes() {
+        run::run(options, &gpu, &scene)?;
     }
     println!("pictures and tables are in {}", options.out.display());
     let messages = gpu.validation_messages();

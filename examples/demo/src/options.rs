@@ -13,18 +13,18 @@ use clap::{Parser, ValueEnum};
 #[derive(Parser)]
 #[command(version)]
 pub struct Options {
-    /// Scenes: cornell, pillars, glossy, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times
-    #[arg(long = "scene", default_values_t = ["cornell".to_owned(), "pillars".to_owned()])]
+    /// Scenes: cornell, pillars, glossy, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    #[arg(long = "scene")]
     pub scenes: Vec<String>,
-    /// Width and height in pixels
-    #[arg(long, default_value = "320x180", value_parser = parse_size)]
-    pub size: (u32, u32),
+    /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
+    #[arg(long, value_parser = parse_size)]
+    pub size: Option<(u32, u32)>,
     /// Frames of the animation
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: u32,
-    /// Filter
-    #[arg(long, value_enum, default_value_t = PresetName::Svgf)]
-    pub preset: PresetName,
+    /// Filter; default: svgf, in a window asvgf
+    #[arg(long, value_enum)]
+    pub preset: Option<PresetName>,
     /// Every filter on the same frames: one strip and one table. A-SVGF has lighting of its own, since it has some samples shaded again
     #[arg(long, conflicts_with = "preset")]
     pub compare: bool,
@@ -36,7 +36,7 @@ pub struct Options {
     pub eaw_weights: EawWeights,
     /// A number of the filter, for example alpha=0.1; may be given several times. Unknown names list the known ones
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse_setting)]
-    pub settings: Vec<(String, f32)>,
+    pub numbers: Vec<(String, f32)>,
     /// Folder for pictures and tables
     #[arg(long, default_value = "out")]
     pub out: PathBuf,
@@ -73,6 +73,18 @@ pub struct Options {
     /// Jitter the primary rays, and resolve them by temporal anti-aliasing
     #[arg(long)]
     pub taa: bool,
+    /// Open a window, and render until it is closed: split screen, every number of the filters, magnifier. F1 shows the keys
+    #[arg(long)]
+    pub window: bool,
+    /// Width and height of the window in pixels
+    #[arg(long, default_value = "1320x760", value_parser = parse_size, requires = "window")]
+    pub window_size: (u32, u32),
+    /// File that the window's settings are read from, and saved into
+    #[arg(long, requires = "window")]
+    pub settings: Option<PathBuf>,
+    /// File that the window writes what it does into, line by line, for tests
+    #[arg(long, requires = "window")]
+    pub window_log: Option<PathBuf>,
     /// Another seed gives other noise
     #[arg(long, default_value_t = 0)]
     pub seed: u32,
@@ -122,6 +134,35 @@ pub enum SignalsName {
 }
 
 impl Options {
+    /// The scenes whose pictures go to files.
+    pub fn scenes(&self) -> Vec<String> {
+        match self.scenes.is_empty() {
+            true => ["cornell", "pillars"].map(String::from).to_vec(),
+            false => self.scenes.clone(),
+        }
+    }
+
+    /// What the window is asked for.
+    #[cfg(feature = "window")]
+    pub fn window(&self) -> atrous_demo::window::WindowOptions {
+        atrous_demo::window::WindowOptions {
+            device: self.device.clone(),
+            validation: self.validate,
+            size: self.size,
+            window_size: self.window_size,
+            settings_file: self.settings.clone(),
+            scene: self.scenes.first().cloned(),
+            shown: self.preset.map(PresetName::preset),
+            out: self.out.clone(),
+            log: self.window_log.clone(),
+        }
+    }
+
+    /// Width and height of pictures that go to files.
+    pub fn picture_size(&self) -> (u32, u32) {
+        self.size.unwrap_or((320, 180))
+    }
+
     /// What clap cannot check.
     pub fn check(&self) -> Result<()> {
         self.set(&mut Tuning::default())?;
@@ -154,7 +195,7 @@ impl Options {
     pub fn presets(&self) -> Vec<PresetName> {
         match self.compare {
             true => vec![PresetName::Svgf, PresetName::Asvgf, PresetName::Percentile, PresetName::Eaw],
-            false => vec![self.preset],
+            false => vec![self.preset.unwrap_or(PresetName::Svgf)],
         }
     }
 
@@ -179,7 +220,7 @@ impl Options {
     }
 
     fn set(&self, tuning: &mut Tuning) -> Result<()> {
-        for (name, value) in &self.settings {
+        for (name, value) in &self.numbers {
             tuning.set(name, *value)?;
         }
         Ok(())

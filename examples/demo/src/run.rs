@@ -23,7 +23,8 @@ struct Contender {
 /// Renders, denoises and measures one scene, and writes what came out.
 pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let scene = Arc::new(Scene::load(name, &options.scene())?);
-    let extent = ash::vk::Extent2D { width: options.size.0, height: options.size.1 };
+    let (width, height) = options.picture_size();
+    let extent = ash::vk::Extent2D { width, height };
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
     let contender = |preset: crate::options::PresetName| {
         let denoiser = FrameDenoiser::new(gpu, &tracer, &options.denoiser(preset)?)?;

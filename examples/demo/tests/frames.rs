@@ -99,7 +99,7 @@ fn wrong_requests_are_errors() {
     let Some(gpu) = Validated::new() else { return };
     let mut tracer = tracer(&gpu, &built_in("cornell", SceneOptions::default()), TracerOptions::default());
     assert!(matches!(tracer.render_reference(0, |_, _| ()), Err(Error::NoSamples)));
-    let options = GpuOptions { device: Some("no such device".into()), validation: false };
+    let options = GpuOptions { device: Some("no such device".into()), ..GpuOptions::default() };
     let error = Gpu::new(&options).map(|_| ()).expect_err("no such device");
     assert!(error.to_string().contains("no such device") && error.to_string().contains("0: "), "{error}");
     let error = Scene::load("kornell", &SceneOptions::default()).map(|_| ()).expect_err("no such scene");

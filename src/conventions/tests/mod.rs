@@ -204,3 +204,41 @@ fn images_that_do_not_fit_are_errors() {
     now.motion = Some(&small);
     assert!(check(&Conventions::default(), &before, &now).is_err());
 }
+
+#[test]
+fn garbage_is_answered() {
+    let mut state = 1_u32;
+    let mut bits = move || {
+        state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+        state ^ state >> 15
+    };
+    for (allocated, render, before) in [([1, 1], [1, 1], [1, 1]), ([2, 1], [2, 1], [1, 1]), ([19, 11], [17, 9], [5, 11])] {
+        for round in 0..20 {
+            let count = (allocated[0] * allocated[1]) as usize;
+            let mut image = || {
+                let texels =
+                    (0..count).map(|i| [0; 4].map(|_: u32| if i % 2 == 0 { f32::from_bits(bits()) } else { 4.0 })).collect();
+                Image::from_texels(allocated, texels).expect("as many texels as pixels")
+            };
+            let images = [image(), image(), image(), image(), image()];
+            let surface_id = images[0].map(|v| v[1].to_bits() & 3);
+            let mut params = Scene::default().params(round % 2);
+            params.view_from_world[3] = [f32::from_bits(bits() & 0x4fff_ffff), 0.0, 0.0, 1.0];
+            let guides = |render_extent, i: usize| Guides {
+                params: FrameParams { render_extent, ..params },
+                depth: &images[i],
+                normal: Some(&images[2]),
+                motion: Some(&images[3]),
+                surface_id: (round % 3 == 0).then_some(&surface_id),
+            };
+            for (_, declared) in encodings() {
+                let mut previous = guides(before, 0);
+                // Far beyond the image.
+                previous.params.view_from_world[3] = [1e12, 0.0, 0.0, 1.0];
+                if let Ok(report) = check(&declared, &previous, &guides(render, 1)) {
+                    assert!(report.to_string().contains("depth and matrices"));
+                }
+            }
+        }
+    }
+}

@@ -43,24 +43,44 @@ fn nearer_points_move_farther() {
 }
 
 #[test]
-fn the_point_that_contributes_most_gives_the_motion() {
-    // The bright points lie at depth 1 and move by three pixels, those around them at depth 3 by one.
+fn of_two_points_in_a_pixel_the_brighter_one_counts() {
+    // Columns 20 at depth 1 and 18 at depth 3 move by three pixels and by one, both to column 17.
+    let bright = |near: u16, far: u16| {
+        points(EXTENT, move |x, _| match x {
+            20 => VolumePoint { linear_depth: 1.0, contribution: near },
+            18 => VolumePoint { linear_depth: 3.0, contribution: far },
+            _ => VolumePoint::default(),
+        })
+    };
+    let x = |points| moved(at(0.0), at(0.2), 0.0, &points).get(17, 10).expect("inside")[0];
+    assert_eq!((x(bright(500, 499)), x(bright(499, 500))), (3.0, 1.0));
+}
+
+#[test]
+fn the_motion_is_that_of_the_mean_depth_by_luminance() {
+    // Neighbouring columns at depth 1 and 3, the farther one three times as bright: the mean depth is 2.5, at which 1.2 pixels are moved.
+    let luminance = |l: f32| (l.to_bits() >> 16) as u16;
     let points = points(EXTENT, |x, _| match x {
-        20 => VolumePoint { linear_depth: 1.0, contribution: 500 },
-        _ => VolumePoint { linear_depth: 3.0, contribution: 499 },
+        20 => VolumePoint { linear_depth: 1.0, contribution: luminance(1.0) },
+        19 => VolumePoint { linear_depth: 3.0, contribution: luminance(3.0) },
+        _ => VolumePoint::default(),
     });
     let motion = moved(at(0.0), at(0.2), 0.0, &points);
-    let x = |x| motion.get(x, 10).expect("inside")[0].round();
-    // Where column 20 was, nothing lands but what moved there from column 21.
-    assert_eq!((x(17), x(16), x(18), x(20)), (3.0, 1.0, 1.0, 1.0));
+    let x = |x| motion.get(x, 10).expect("inside")[0];
+    // They land in columns 17 and 18, and are seen from one further on either side.
+    assert_eq!((x(15), x(16), x(19), x(20)), (9.0, 3.0, 1.0, 9.0));
+    assert!((x(17) - 1.2).abs() < 1.0 / 64.0 && x(17) == x(18), "{} {}", x(17), x(18));
 }
 
 #[test]
 fn surface_motion_stays_where_no_point_lands() {
     let one = points(EXTENT, |x, y| VolumePoint { linear_depth: if (x, y) == (20, 15) { 3.0 } else { 0.0 }, contribution: 1 });
     let motion = moved(at(0.0), at(0.2), 0.0, &one);
-    let landed: Vec<_> = motion.texels().iter().filter(|m| **m != [9.0, -9.0]).collect();
-    assert_eq!(landed, [&[1.0, 0.0]]);
+    // It is at 19, 15 now, and counts in the 3x3 pixels around.
+    for (i, m) in motion.texels().iter().enumerate() {
+        let near = (18..=20).contains(&(i % 40)) && (14..=16).contains(&(i / 40));
+        assert_eq!(*m, if near { [1.0, 0.0] } else { [9.0, -9.0] }, "{} {}", i % 40, i / 40);
+    }
 }
 
 #[test]

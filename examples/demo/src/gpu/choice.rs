@@ -5,6 +5,7 @@ use std::fmt;
 
 use ash::vk;
 
+use super::GpuOptions;
 use crate::error::{Doing, Error, Result};
 
 /// A device of this machine.
@@ -42,10 +43,17 @@ pub fn list(instance: &ash::Instance) -> Result<Vec<DeviceInfo>> {
 }
 
 /// The device that `wanted` names, else the best.
-pub fn choose(instance: &ash::Instance, wanted: Option<&str>) -> Result<Chosen> {
+pub fn choose(instance: &ash::Instance, options: &GpuOptions) -> Result<Chosen> {
+    let wanted = options.device.as_deref();
     let mut all = candidates(instance)?;
     if all.is_empty() {
         return Err(Error::NoDevice);
+    }
+    for name in &options.device_extensions {
+        all.retain(|c| has_extension(instance, c.physical_device, name));
+        if all.is_empty() {
+            return Err(Error::NoExtension { name: name.to_string_lossy().into_owned() });
+        }
     }
     let position = match wanted {
         None => all.iter().enumerate().min_by_key(|(index, c)| (rank(c.info.kind), *index)).map(|(index, _)| index),
@@ -61,7 +69,7 @@ pub fn choose(instance: &ash::Instance, wanted: Option<&str>) -> Result<Chosen> 
 }
 
 /// Opens the device with synchronization2 and the storage image features that it has.
-pub fn create_device(instance: &ash::Instance, chosen: &Chosen) -> Result<ash::Device> {
+pub fn create_device(instance: &ash::Instance, chosen: &Chosen, extensions: &[&CStr]) -> Result<ash::Device> {
     let priorities = [1.0];
     let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(chosen.queue_family).queue_priorities(&priorities)];
     let available = chosen.features;
@@ -73,13 +81,14 @@ pub fn create_device(instance: &ash::Instance, chosen: &Chosen) -> Result<ash::D
     };
     let mut synchronization2 = vk::PhysicalDeviceSynchronization2Features::default().synchronization2(true);
     let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_features(&features);
-    let extensions = [ash::khr::synchronization2::NAME.as_ptr()];
+    let mut extensions: Vec<_> = extensions.iter().map(|name| name.as_ptr()).collect();
     if chosen.synchronization2 {
         info = info.push_next(&mut synchronization2);
         if chosen.version < vk::API_VERSION_1_3 {
-            info = info.enabled_extension_names(&extensions);
+            extensions.push(ash::khr::synchronization2::NAME.as_ptr());
         }
     }
+    info = info.enabled_extension_names(&extensions);
     // SAFETY: the physical device is one of this instance's; features and extensions asked for were found on it.
     unsafe { instance.create_device(chosen.physical_device, &info, None) }.doing("create a device")
 }
@@ -141,13 +150,14 @@ fn inspect(instance: &ash::Instance, index: usize, physical_device: vk::Physical
     })
 }
 
+fn has_extension(instance: &ash::Instance, device: vk::PhysicalDevice, name: &CStr) -> bool {
+    // SAFETY: a plain query of a physical device of this instance.
+    let extensions = unsafe { instance.enumerate_device_extension_properties(device) }.unwrap_or_default();
+    extensions.iter().any(|extension| extension.extension_name_as_c_str() == Ok(name))
+}
+
 fn has_synchronization2(instance: &ash::Instance, device: vk::PhysicalDevice, version: u32) -> bool {
-    let named = |name: &CStr| {
-        // SAFETY: a plain query of a physical device of this instance.
-        let extensions = unsafe { instance.enumerate_device_extension_properties(device) }.unwrap_or_default();
-        extensions.iter().any(|extension| extension.extension_name_as_c_str() == Ok(name))
-    };
-    if version < vk::API_VERSION_1_3 && !named(ash::khr::synchronization2::NAME) {
+    if version < vk::API_VERSION_1_3 && !has_extension(instance, device, ash::khr::synchronization2::NAME) {
         return false;
     }
     let mut synchronization2 = vk::PhysicalDeviceSynchronization2Features::default();

@@ -1,7 +1,7 @@
 //! The Vulkan instance, with validation and a place for its messages.
 
 use std::ffi::{c_void, CStr};
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 
 use ash::vk;
 
@@ -13,21 +13,33 @@ const MESSAGE_LIMIT: usize = 200;
 
 type Messages = Mutex<Vec<String>>;
 
+/// What the validation layers said. Outlives the instance.
+#[derive(Clone, Default)]
+pub struct MessageLog(Arc<Messages>);
+
+impl MessageLog {
+    /// So far.
+    pub fn messages(&self) -> Vec<String> {
+        self.0.lock().map(|messages| messages.clone()).unwrap_or_default()
+    }
+}
+
 /// An instance that destroys itself.
 pub struct Instance {
     pub raw: ash::Instance,
     pub entry: ash::Entry,
     messenger: Option<(ash::ext::debug_utils::Instance, vk::DebugUtilsMessengerEXT)>,
-    // Boxed: the messenger holds its address.
-    messages: Box<Messages>,
+    // The messenger holds the address of what is in it.
+    pub log: MessageLog,
 }
 
 impl Instance {
-    pub fn new(validation: bool) -> Result<Self> {
+    pub fn new(validation: bool, wanted: &[&'static CStr]) -> Result<Self> {
         // SAFETY: the system's Vulkan loader is trusted to initialise as specified.
         let entry = unsafe { ash::Entry::load() }?;
         let mut layers = Vec::new();
-        let mut extensions = Vec::new();
+        let mut extensions: Vec<_> = wanted.iter().map(|name| name.as_ptr()).collect();
+        require_extensions(&entry, wanted)?;
         if validation {
             require_layer(&entry)?;
             layers.push(VALIDATION_LAYER.as_ptr());
@@ -42,8 +54,8 @@ impl Instance {
             .application_info(&application)
             .enabled_layer_names(&layers)
             .enabled_extension_names(&extensions);
-        let messages: Box<Messages> = Box::default();
-        let mut messenger_info = messenger_info(&messages);
+        let log = MessageLog::default();
+        let mut messenger_info = messenger_info(&log.0);
         if validation {
             info = info.push_next(&mut features).push_next(&mut messenger_info);
         }
@@ -54,20 +66,27 @@ impl Instance {
             return Err(Error::NoDevice);
         }
         let raw = created.doing("create an instance")?;
-        let mut instance = Self { raw, entry, messenger: None, messages };
+        let mut instance = Self { raw, entry, messenger: None, log };
         if validation {
             let functions = ash::ext::debug_utils::Instance::new(&instance.entry, &instance.raw);
-            let info = self::messenger_info(&instance.messages);
-            // SAFETY: the extension is enabled, and `messages` is boxed and lives until the messenger is destroyed.
+            let info = self::messenger_info(&instance.log.0);
+            // SAFETY: the extension is enabled, and the log lives until the messenger is destroyed.
             let handle = unsafe { functions.create_debug_utils_messenger(&info, None) }.doing("create a debug messenger")?;
             instance.messenger = Some((functions, handle));
         }
         Ok(instance)
     }
 
-    pub fn messages(&self) -> Vec<String> {
-        self.messages.lock().map(|messages| messages.clone()).unwrap_or_default()
+    pub fn has_extension(name: &CStr) -> Result<bool> {
+        // SAFETY: the system's Vulkan loader is trusted to initialise as specified.
+        let entry = unsafe { ash::Entry::load() }?;
+        Ok(extensions(&entry)?.iter().any(|e| e.extension_name_as_c_str() == Ok(name)))
     }
+}
+
+fn extensions(entry: &ash::Entry) -> Result<Vec<vk::ExtensionProperties>> {
+    // SAFETY: a plain query of the loader.
+    unsafe { entry.enumerate_instance_extension_properties(None) }.doing("list the instance's extensions")
 }
 
 impl Drop for Instance {
@@ -80,7 +99,9 @@ impl Drop for Instance {
             self.raw.destroy_instance(None);
         }
         // What the layers say of leaks comes too late for anyone to ask.
-        for message in self.messages().iter().filter(|message| message.contains("OBJ ERROR") || message.contains("DestroyDevice")) {
+        for message in
+            self.log.messages().iter().filter(|message| message.contains("OBJ ERROR") || message.contains("DestroyDevice"))
+        {
             eprintln!("{message}");
         }
     }
@@ -100,6 +121,15 @@ fn require_layer(entry: &ash::Entry) -> Result<()> {
     found.then_some(()).ok_or(Error::NoValidationLayer)
 }
 
+fn require_extensions(entry: &ash::Entry, wanted: &[&'static CStr]) -> Result<()> {
+    let found = extensions(entry)?;
+    let missing = wanted.iter().find(|&&name| !found.iter().any(|e| e.extension_name_as_c_str() == Ok(name)));
+    match missing {
+        Some(name) => Err(Error::NoExtension { name: name.to_string_lossy().into_owned() }),
+        None => Ok(()),
+    }
+}
+
 fn messenger_info(messages: &Messages) -> vk::DebugUtilsMessengerCreateInfoEXT<'static> {
     vk::DebugUtilsMessengerCreateInfoEXT::default()
         .message_severity(vk::DebugUtilsMessageSeverityFlagsEXT::ERROR | vk::DebugUtilsMessageSeverityFlagsEXT::WARNING)
@@ -114,7 +144,7 @@ unsafe extern "system" fn on_message(
     data: *const vk::DebugUtilsMessengerCallbackDataEXT<'_>,
     user_data: *mut c_void,
 ) -> vk::Bool32 {
-    // SAFETY: the layers pass valid callback data for the time of the call, and `user_data` is the boxed `Messages`
+    // SAFETY: the layers pass valid callback data for the time of the call, and `user_data` is the `Messages`
     // of an `Instance` that still lives.
     let (text, messages) = unsafe {
         let text = (*data).message_as_c_str().unwrap_or(c"(no text)").to_string_lossy().into_owned();

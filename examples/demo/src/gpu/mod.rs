@@ -12,9 +12,11 @@ pub use buffer::{Buffer, MemoryKind};
 pub use choice::DeviceInfo;
 pub use image::Image;
 pub(crate) use image::WHOLE_IMAGE;
+pub use instance::MessageLog;
 pub(crate) use pipeline::{storage_images, Bound, DescriptorSet, Pipeline, SetLayout};
 pub use upload::Upload;
 
+use std::ffi::CStr;
 use std::mem::ManuallyDrop;
 use std::sync::{Arc, Mutex, MutexGuard};
 
@@ -31,6 +33,10 @@ pub struct GpuOptions {
     pub device: Option<String>,
     /// Khronos validation with synchronisation validation; messages are counted, see [`Gpu::validation_messages`].
     pub validation: bool,
+    /// Instance extensions beyond the engine's own, for a window system.
+    pub instance_extensions: Vec<&'static CStr>,
+    /// Device extensions beyond the engine's own; a device without them is not chosen.
+    pub device_extensions: Vec<&'static CStr>,
 }
 
 /// The device, one queue with compute, and the allocator. Clones share the same device.
@@ -43,7 +49,8 @@ pub(crate) struct Shared {
     pub(crate) device: ash::Device,
     pub(crate) allocator: ManuallyDrop<Mutex<Allocator>>,
     pub(crate) command_pool: Mutex<vk::CommandPool>,
-    queue: vk::Queue,
+    /// Submitting and presenting need it to themselves.
+    queue: Mutex<vk::Queue>,
     queue_family: u32,
     chosen: choice::Chosen,
     // Last: the instance outlives the device.
@@ -56,10 +63,10 @@ impl Gpu {
     /// # Errors
     /// No loader, no device, no such device, or no validation layer: the message says what to install.
     pub fn new(options: &GpuOptions) -> Result<Self> {
-        let instance = Instance::new(options.validation)?;
-        let chosen = choice::choose(&instance.raw, options.device.as_deref())?;
+        let instance = Instance::new(options.validation, &options.instance_extensions)?;
+        let chosen = choice::choose(&instance.raw, options)?;
         let queue_family = chosen.queue_family;
-        let device = choice::create_device(&instance.raw, &chosen)?;
+        let device = choice::create_device(&instance.raw, &chosen, &options.device_extensions)?;
         // SAFETY: the device was created with one queue of this family.
         let queue = unsafe { device.get_device_queue(queue_family, 0) };
         let pool_info = vk::CommandPoolCreateInfo::default().queue_family_index(queue_family);
@@ -78,7 +85,7 @@ impl Gpu {
             device,
             allocator: ManuallyDrop::new(Mutex::new(allocator)),
             command_pool: Mutex::new(pool),
-            queue,
+            queue: Mutex::new(queue),
             queue_family,
             chosen,
             instance,
@@ -91,7 +98,15 @@ impl Gpu {
     /// # Errors
     /// No loader.
     pub fn list_devices() -> Result<Vec<DeviceInfo>> {
-        choice::list(&Instance::new(false)?.raw)
+        choice::list(&Instance::new(false, &[])?.raw)
+    }
+
+    /// Whether an extension of instances is there.
+    ///
+    /// # Errors
+    /// No loader.
+    pub fn has_instance_extension(name: &CStr) -> Result<bool> {
+        Instance::has_extension(name)
     }
 
     /// The loader's entry points.
@@ -114,9 +129,9 @@ impl Gpu {
         self.shared.chosen.physical_device
     }
 
-    /// The queue: it has compute (graphics, too, where the device has such a family).
-    pub fn queue(&self) -> vk::Queue {
-        self.shared.queue
+    /// The queue, locked for as long as the guard lives: it has compute (graphics, too, where the device has such a family).
+    pub fn queue(&self) -> MutexGuard<'_, vk::Queue> {
+        self.shared.queue.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
     }
 
     /// The family of [`Gpu::queue`].
@@ -151,7 +166,12 @@ impl Gpu {
 
     /// Warnings and errors of the validation layers so far.
     pub fn validation_messages(&self) -> Vec<String> {
-        self.shared.instance.messages()
+        self.message_log().messages()
+    }
+
+    /// The same, to be asked again when the device and the instance are gone: what was not freed is known then.
+    pub fn message_log(&self) -> MessageLog {
+        self.shared.instance.log.clone()
     }
 }
 

@@ -34,11 +34,16 @@ impl Gpu {
         unsafe { device.end_command_buffer(cmd) }.doing("end a command buffer")?;
         let commands = [cmd];
         let submits = [vk::SubmitInfo::default().command_buffers(&commands)];
-        // SAFETY: the queue belongs to the device, and the pool's lock keeps other threads from submitting.
-        unsafe {
-            device.queue_submit(self.queue(), &submits, vk::Fence::null()).doing("submit")?;
-            device.queue_wait_idle(self.queue()).doing("wait for the device")?;
-        }
+        // SAFETY: the device is alive.
+        let fence = unsafe { device.create_fence(&vk::FenceCreateInfo::default(), None) }.doing("create a fence")?;
+        // SAFETY: the queue belongs to the device and is locked; another thread may submit while this one waits.
+        let done = unsafe {
+            let submitted = device.queue_submit(*self.queue(), &submits, fence);
+            submitted.and_then(|()| device.wait_for_fences(&[fence], true, u64::MAX))
+        };
+        // SAFETY: nothing waits for it any more.
+        unsafe { device.destroy_fence(fence, None) };
+        done.doing("submit and wait for the device")?;
         Ok(value)
     }
 
@@ -76,13 +81,30 @@ impl Gpu {
         let size = u64::from(image.extent.width) * u64::from(image.extent.height) * image.texel_bytes();
         let target = Buffer::new(self, "readback", size, MemoryKind::Readback)?;
         self.submit(|cmd| {
-            self.record_readback(cmd, image, &target);
+            self.record_readback(cmd, image, vk::Offset3D::default(), image.extent.into(), &target);
             Ok(())
         })?;
         Ok(target.bytes()[..size as usize].to_vec())
     }
 
-    fn record_readback(&self, cmd: vk::CommandBuffer, image: &Image, target: &Buffer) {
+    /// One texel of an image of half floats in layout `GENERAL`; zeros outside of it.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn read_half_texel(&self, image: &Image, [x, y]: [u32; 2]) -> Result<[f32; 4]> {
+        if x >= image.extent.width || y >= image.extent.height {
+            return Ok([0.0; 4]);
+        }
+        let target = Buffer::new(self, "texel", 8, MemoryKind::Readback)?;
+        let (offset, extent) = (vk::Offset3D { x: x as i32, y: y as i32, z: 0 }, vk::Extent3D { width: 1, height: 1, depth: 1 });
+        self.submit(|cmd| {
+            self.record_readback(cmd, image, offset, extent, &target);
+            Ok(())
+        })?;
+        Ok(half_texel(&target.bytes()[..8]))
+    }
+
+    fn record_readback(&self, cmd: vk::CommandBuffer, image: &Image, offset: vk::Offset3D, extent: vk::Extent3D, target: &Buffer) {
         let device = self.device();
         let before = vk::MemoryBarrier::default()
             .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
@@ -96,11 +118,12 @@ impl Gpu {
                 layer_count: 1,
                 ..Default::default()
             })
-            .image_extent(image.extent.into());
+            .image_offset(offset)
+            .image_extent(extent);
         let (all, copy, host) =
             (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::HOST);
         let none = vk::DependencyFlags::empty();
-        // SAFETY: `cmd` is recording; the image is in GENERAL, and the buffer has room for all of its texels.
+        // SAFETY: `cmd` is recording; the image is in GENERAL, and the part lies in it, and the buffer has room for its texels.
         unsafe {
             device.cmd_pipeline_barrier(cmd, all, copy, none, &[before], &[], &[]);
             device.cmd_copy_image_to_buffer(cmd, image.handle, vk::ImageLayout::GENERAL, target.handle, &[region]);

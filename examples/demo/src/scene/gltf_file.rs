@@ -134,7 +134,7 @@ impl Reader<'_> {
 /// Looks at everything, a little from above and from the side.
 fn framing_view(scene: &Scene) -> View {
     let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-    for (instance, transform) in scene.instances.iter().zip(scene.transforms(0)) {
+    for (instance, transform) in scene.instances.iter().zip(scene.transforms(0.0)) {
         for position in &scene.meshes[instance.mesh].positions {
             let world = transform.transform_point3(*position);
             low = low.min(world);

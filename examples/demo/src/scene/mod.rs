@@ -71,6 +71,17 @@ pub struct View {
     pub vertical_fov: f32,
 }
 
+/// A world at one time: who draws decides how time passes for the camera, the objects and the lights.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// The camera.
+    pub view: View,
+    /// Where the objects are on their ways, seconds.
+    pub object_time: f32,
+    /// Factor of all lights and emitters (not of the environment).
+    pub light_scale: f32,
+}
+
 /// A world, as a function of the frame index.
 pub struct Scene {
     /// What to call it.
@@ -141,9 +152,19 @@ impl Scene {
         (self.light_scale)(if self.options.static_light { 0 } else { frame })
     }
 
-    /// `world_from_object` of each instance at a frame.
-    pub fn transforms(&self, frame: u32) -> Vec<Affine3A> {
-        let time = seconds(if self.options.static_objects { 0 } else { frame });
+    /// The world at a frame.
+    pub fn moment(&self, frame: u32) -> Moment {
+        let object_time = seconds(if self.options.static_objects { 0 } else { frame });
+        Moment { view: self.view(frame), object_time, light_scale: self.light_scale(frame) }
+    }
+
+    /// The view at a time in seconds, whatever the options say.
+    pub fn view_at(&self, time: f32) -> View {
+        (self.camera)(time)
+    }
+
+    /// `world_from_object` of each instance at a time in seconds.
+    pub fn transforms(&self, time: f32) -> Vec<Affine3A> {
         self.instances
             .iter()
             .map(|instance| match &instance.placement {

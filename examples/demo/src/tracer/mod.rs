@@ -1,6 +1,6 @@
 //! The path tracer: visibility, lighting, and the ground truth.
 
-mod barriers;
+pub(crate) mod barriers;
 mod bvh;
 mod camera;
 mod layout;
@@ -13,7 +13,7 @@ mod volume;
 
 pub use camera::Camera;
 pub use outputs::Outputs;
-pub use reference::Reference;
+pub use reference::{Reference, ReferenceSums};
 pub use reshading::Reshading;
 pub use volume::Volume;
 
@@ -23,7 +23,7 @@ use ash::vk;
 
 use crate::error::Result;
 use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
-use crate::scene::{Environment, Scene};
+use crate::scene::{Environment, Moment, Scene, View};
 use barriers::{general_barrier, memory_barrier};
 use layout::FrameConstants;
 use scene_buffers::SceneBuffers;
@@ -62,6 +62,7 @@ pub struct PathTracer {
     extent: vk::Extent2D,
     options: TracerOptions,
     frame: u32,
+    view: View,
     buffers: SceneBuffers,
     outputs: Outputs,
     scene_set: DescriptorSet,
@@ -97,6 +98,7 @@ impl PathTracer {
             extent,
             options,
             frame: 0,
+            view: scene.view(0),
             buffers,
             volume: scene.medium.map(|_| Volume::new(gpu, &scene_layout, &outputs)).transpose()?,
             outputs,
@@ -112,18 +114,26 @@ impl PathTracer {
     /// # Errors
     /// A BVH that becomes too deep for the shaders.
     pub fn begin_frame(&mut self, frame: u32) -> Result<()> {
+        let (now, before) = (self.scene.moment(frame), self.scene.moment(frame.saturating_sub(1)));
+        self.begin_moment(frame, &now, &before)
+    }
+
+    /// The same at any time: `frame` seeds the random numbers, and motion is from `before` to `now`.
+    ///
+    /// # Errors
+    /// As [`Self::begin_frame`].
+    pub fn begin_moment(&mut self, frame: u32, now: &Moment, before: &Moment) -> Result<()> {
         self.frame = frame;
-        let state = self.buffers.animate(&self.scene, frame)?;
-        let view = self.scene.view(frame);
-        let previous = self.scene.view(frame.saturating_sub(1));
+        self.view = now.view;
+        let state = self.buffers.animate(&self.scene, now, before)?;
         let jitter = self.jitter(frame);
         let Environment { zenith, horizon, ground } = self.scene.environment;
         let lit = (zenith + horizon + ground).max_element() > 0.0;
         // Two parts in a hundred thousand of the scene: above float32's error at its edge, below what the eye sees.
         let epsilon = 2.0e-5 * state.diagonal;
         let constants = FrameConstants {
-            camera: camera::camera_frame(&view, self.extent),
-            previous_camera: camera::camera_frame(&previous, self.extent),
+            camera: camera::camera_frame(&now.view, self.extent),
+            previous_camera: camera::camera_frame(&before.view, self.extent),
             extent_frame_seed: [self.extent.width, self.extent.height, frame, self.options.seed],
             jitter_epsilon_weight: [jitter[0], jitter[1], epsilon, state.total_weight],
             sky_zenith: layout::with(zenith, f32::from(u8::from(lit))),
@@ -196,9 +206,10 @@ impl PathTracer {
         &self.buffers.current_from_previous.buffer
     }
 
-    /// The camera of any frame.
+    /// The camera of any frame; that of the last frame that was begun is where it was then.
     pub fn camera(&self, frame: u32) -> Camera {
-        Camera::new(&self.scene.view(frame), self.extent, self.jitter(frame))
+        let view = if frame == self.frame { self.view } else { self.scene.view(frame) };
+        Camera::new(&view, self.extent, self.jitter(frame))
     }
 
     /// The frame of the last [`Self::begin_frame`].

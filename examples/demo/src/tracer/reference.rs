@@ -10,7 +10,7 @@ use ash::vk;
 use super::barriers::{general_barrier, memory_barrier};
 use super::{shaders, PathTracer};
 use crate::error::{Error, Result};
-use crate::gpu::{storage_images, DescriptorSet, Image, Pipeline, SetLayout};
+use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
 
 /// A submit should take about this long: short enough for a driver's watchdog, long enough to waste nothing.
 const SUBMIT_TIME: Duration = Duration::from_millis(300);
@@ -36,16 +36,96 @@ pub struct Reference {
 impl Reference {
     /// The picture: all light together.
     pub fn radiance(&self) -> Vec<[f32; 3]> {
-        let of_medium = |i: usize| self.volume.as_ref().map_or([0.0; 3], |volume| volume[i]);
-        let sum = |(i, ((d, e), n)): (usize, ((&[f32; 3], &[f32; 3]), &[f32; 3]))| {
-            let v = of_medium(i);
-            [0, 1, 2].map(|c| d[c] + n[c] + e[c] + v[c])
-        };
-        self.direct.iter().zip(&self.emission).zip(&self.indirect).enumerate().map(sum).collect()
+        let mut layers = vec![&self.direct, &self.indirect, &self.emission];
+        layers.extend(&self.volume);
+        let sum = |i: usize| [0, 1, 2].map(|c| layers.iter().map(|layer| layer[i][c]).sum());
+        (0..self.direct.len()).map(sum).collect()
+    }
+}
+
+/// A reference that grows.
+pub struct ReferenceSums<const N: usize> {
+    /// Sums of radiance, `R32G32B32A32_SFLOAT`.
+    pub sums: [Image; N],
+    /// Samples for each pixel in them.
+    pub samples: u32,
+    batch: u32,
+    set: DescriptorSet,
+    pipeline: Pipeline,
+}
+
+impl<const N: usize> ReferenceSums<N> {
+    /// Adds samples of the tracer's frame, whose G-buffer was drawn: as many as take about `time`, at most `limit` in all. Waits for them.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn add(&mut self, tracer: &PathTracer, time: Duration, limit: u32) -> Result<()> {
+        let count = self.batch.min(limit.saturating_sub(self.samples));
+        if count == 0 {
+            return Ok(());
+        }
+        let constants = [self.samples, count, REFERENCE_SEED];
+        let (gpu, start) = (&tracer.gpu, Instant::now());
+        gpu.submit(|cmd| {
+            let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
+            let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
+            memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
+            self.pipeline.record(cmd, &[&tracer.scene_set, &self.set], bytemuck::cast_slice(&constants), tracer.extent);
+            Ok(())
+        })?;
+        self.samples += count;
+        self.batch = next_batch(count, start.elapsed(), time);
+        Ok(())
+    }
+
+    /// Linear radiance, row by row.
+    fn means(&self, gpu: &Gpu) -> Result<[Vec<[f32; 3]>; N]> {
+        let scale = 1.0 / self.samples as f32;
+        let mut means = [const { Vec::new() }; N];
+        for (mean, sum) in means.iter_mut().zip(&self.sums) {
+            *mean = gpu.read_image(sum)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect();
+        }
+        Ok(means)
     }
 }
 
 impl PathTracer {
+    /// Sums without a sample of light that was scattered once, and twice. They read the images of this tracer.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn reference_sums(&self) -> Result<ReferenceSums<2>> {
+        self.sums(["direct_sum", "indirect_sum"], [&self.outputs.visibility, &self.outputs.seed], shaders::REFERENCE)
+    }
+
+    /// The same of light that the medium scattered, where there is one.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn volume_sums(&self) -> Result<Option<ReferenceSums<1>>> {
+        if self.volume.is_none() {
+            return Ok(None);
+        }
+        self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], shaders::VOLUME_REFERENCE).map(Some)
+    }
+
+    fn sums<const N: usize>(&self, names: [&'static str; N], read: [&Image; 2], shader: &[u8]) -> Result<ReferenceSums<N>> {
+        let gpu = &self.gpu;
+        let sum = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_SFLOAT, self.extent);
+        let sums = names.into_iter().map(sum).collect::<Result<Vec<_>>>()?;
+        let images: Vec<_> = read.into_iter().chain(&sums).map(|image| image.view).collect();
+        let layout = SetLayout::new(gpu, &storage_images(images.len()))?;
+        let set = DescriptorSet::of_images(gpu, &layout, &images)?;
+        let pipeline = Pipeline::new(gpu, shader, &[&self.scene_layout, &layout], 12)?;
+        gpu.submit(|cmd| {
+            general_barrier(gpu.device(), cmd, &sums.iter().collect::<Vec<_>>());
+            Ok(())
+        })?;
+        let mut sums = sums.into_iter();
+        let sums = std::array::from_fn(|_| sums.next().expect("an image for each name"));
+        Ok(ReferenceSums { sums, samples: 0, batch: 1, set, pipeline })
+    }
+
     /// Renders `samples` paths for each pixel of the current frame, and calls `progress(done, samples)` now and then.
     /// Overwrites [`PathTracer::outputs`] with what the frame's two passes write.
     ///
@@ -56,66 +136,34 @@ impl PathTracer {
             return Err(Error::NoSamples);
         }
         let gpu = self.gpu.clone();
-        let sums = [
-            Image::new(&gpu, "direct_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?,
-            Image::new(&gpu, "indirect_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?,
-        ];
-        let images = [&self.outputs.visibility, &self.outputs.seed, &sums[0], &sums[1]].map(|image| image.view);
-        let layout = SetLayout::new(&gpu, &storage_images(4))?;
-        let set = DescriptorSet::of_images(&gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(&gpu, shaders::REFERENCE, &[&self.scene_layout, &layout], 12)?;
+        let mut sums = self.reference_sums()?;
         gpu.submit(|cmd| {
             self.record_gbuffer(cmd);
             self.record_lighting(cmd);
-            general_barrier(gpu.device(), cmd, &[&sums[0], &sums[1]]);
             Ok(())
         })?;
-        self.accumulate(&pipeline, &set, samples, |done| progress(done, samples))?;
-        Ok(Reference {
-            direct: self.mean(&sums[0], samples)?,
-            indirect: self.mean(&sums[1], samples)?,
-            emission: self.mean(&self.outputs.emission, 1)?,
-            volume: self.volume_reference(samples)?,
-            samples,
-        })
-    }
-
-    /// Adds samples to sums, in submits of a bearable length. The pipeline's constants: first sample, their number, seed.
-    pub(super) fn accumulate(
-        &self,
-        pipeline: &Pipeline,
-        set: &DescriptorSet,
-        samples: u32,
-        mut progress: impl FnMut(u32),
-    ) -> Result<()> {
-        let gpu = &self.gpu;
-        let (mut done, mut batch) = (0, 1);
-        while done < samples {
-            let count = batch.min(samples - done);
-            let constants = [done, count, REFERENCE_SEED];
-            let start = Instant::now();
-            gpu.submit(|cmd| {
-                let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
-                let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
-                memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
-                pipeline.record(cmd, &[&self.scene_set, set], bytemuck::cast_slice(&constants), self.extent);
-                Ok(())
-            })?;
-            done += count;
-            progress(done);
-            batch = next_batch(count, start.elapsed());
+        while sums.samples < samples {
+            sums.add(self, SUBMIT_TIME, samples)?;
+            progress(sums.samples, samples);
         }
-        Ok(())
+        let [direct, indirect] = sums.means(&gpu)?;
+        let emission = gpu.read_image(&self.outputs.emission)?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
+        Ok(Reference { direct, indirect, emission, volume: self.volume_reference(samples)?, samples })
     }
 
-    pub(super) fn mean(&self, sum: &Image, samples: u32) -> Result<Vec<[f32; 3]>> {
-        let scale = 1.0 / samples as f32;
-        Ok(self.gpu.read_image(sum)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect())
+    /// Mean radiance of the medium, where there is one. The visibility pass of the frame has run.
+    fn volume_reference(&self, samples: u32) -> Result<Option<Vec<[f32; 3]>>> {
+        let Some(mut sums) = self.volume_sums()? else { return Ok(None) };
+        while sums.samples < samples {
+            sums.add(self, SUBMIT_TIME, samples)?;
+        }
+        let [volume] = sums.means(&self.gpu)?;
+        Ok(Some(volume))
     }
 }
 
 /// The sums do not depend on how the samples are split, so measured time may choose the split.
-fn next_batch(count: u32, took: Duration) -> u32 {
-    let fitting = f64::from(count) * SUBMIT_TIME.as_secs_f64() / took.as_secs_f64().max(1e-4);
+fn next_batch(count: u32, took: Duration, wanted: Duration) -> u32 {
+    let fitting = f64::from(count) * wanted.as_secs_f64() / took.as_secs_f64().max(1e-4);
     (fitting as u32).clamp(1, LARGEST_BATCH.min(2 * count))
 }

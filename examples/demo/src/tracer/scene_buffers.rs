@@ -8,7 +8,7 @@ use super::layout::{rows, with, FrameConstants, InstanceData, LightData, Materia
 use super::lights;
 use crate::error::{Error, Result};
 use crate::gpu::{Bound, Gpu, Upload};
-use crate::scene::{Mesh, Scene};
+use crate::scene::{Mesh, Moment, Scene};
 
 /// The buffers of descriptor set 0 and the two tables of transforms.
 pub struct SceneBuffers {
@@ -36,7 +36,7 @@ pub struct SceneState {
 
 impl SceneBuffers {
     pub fn new(gpu: &Gpu, scene: &Scene) -> Result<Self> {
-        let transforms = scene.transforms(0);
+        let transforms = scene.transforms(0.0);
         let tree = bvh::build(scene, &transforms, false)?;
         let light_count = emissive_triangles(scene) + scene.lamps.len();
         let texture_words = texture_words(scene)?;
@@ -78,16 +78,16 @@ impl SceneBuffers {
         ]
     }
 
-    /// Writes what differs between frames, except for the frame's constants.
-    pub fn animate(&mut self, scene: &Scene, frame: u32) -> Result<SceneState> {
-        let transforms = scene.transforms(frame);
-        let previous = scene.transforms(frame.saturating_sub(1));
+    /// Writes what differs between frames, except for the frame's constants. Motion is from `before` to `now`.
+    pub fn animate(&mut self, scene: &Scene, now: &Moment, before: &Moment) -> Result<SceneState> {
+        let transforms = scene.transforms(now.object_time);
+        let previous = scene.transforms(before.object_time);
         if transforms != self.built_for {
             let tree = bvh::build(scene, &transforms, true)?;
             self.set_tree(&tree);
             self.built_for.clone_from(&transforms);
         }
-        let scale = scene.light_scale(frame);
+        let scale = now.light_scale;
         let lights = lights::lights(scene, &transforms, &self.first_triangles, scale, self.diagonal);
         self.lights.write(&lights.data);
         self.materials.write(&lights::materials(scene, scale));

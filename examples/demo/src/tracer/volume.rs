@@ -1,9 +1,8 @@
-//! The medium of a scene at one sample per pixel, and its ground truth: beside the surfaces, in images of its own.
+//! The medium of a scene at one sample per pixel: beside the surfaces, in images of its own.
 
 use ash::vk;
 
-use super::barriers::general_barrier;
-use super::{shaders, Outputs, PathTracer};
+use super::{shaders, Outputs};
 use crate::error::Result;
 use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
 
@@ -29,26 +28,5 @@ impl Volume {
         let set = DescriptorSet::of_images(gpu, &layout, &images)?;
         let pipeline = Pipeline::new(gpu, shaders::VOLUME, &[scene_layout, &layout], 0)?;
         Ok(Self { noisy_volume, scattering_depth, set, pipeline })
-    }
-}
-
-impl PathTracer {
-    /// Mean radiance of the medium over `samples` for each pixel, where there is one. The visibility pass of the frame has run.
-    pub(super) fn volume_reference(&self, samples: u32) -> Result<Option<Vec<[f32; 3]>>> {
-        if self.volume.is_none() {
-            return Ok(None);
-        }
-        let gpu = &self.gpu;
-        let sum = Image::new(gpu, "volume_sum", vk::Format::R32G32B32A32_SFLOAT, self.extent)?;
-        let layout = SetLayout::new(gpu, &storage_images(3))?;
-        let images = [&self.outputs.seed, &self.outputs.depth, &sum].map(|image| image.view);
-        let set = DescriptorSet::of_images(gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(gpu, shaders::VOLUME_REFERENCE, &[&self.scene_layout, &layout], 12)?;
-        gpu.submit(|cmd| {
-            general_barrier(gpu.device(), cmd, &[&sum]);
-            Ok(())
-        })?;
-        self.accumulate(&pipeline, &set, samples, |_| ())?;
-        self.mean(&sum, samples).map(Some)
     }
 }

@@ -1,0 +1,68 @@
+#version 450
+// The split screen: two pictures side by side in one rectangle, tone-mapped, enlarged without smoothing; and the magnifier.
+// Source: tone curves as in glsl/tone_map.comp of the crate [Reinhard 2002, Narkowicz 2015].
+// In:  left and right, radiance or display-referred. Out: for a target of sRGB format or of extended linear sRGB: linear; else encoded.
+#extension GL_EXT_samplerless_texture_functions : require
+
+layout(set = 0, binding = 0) uniform texture2D left;
+layout(set = 0, binding = 1) uniform texture2D right;
+layout(push_constant) uniform Presented {
+    vec4 rect;         // of the picture in the window: corner and size, window pixels
+    vec2 extent;       // of the picture, its own pixels
+    vec2 lens;         // centre of the magnifier, window pixels; its x is negative where there is none
+    float lens_side;   // window pixels
+    float lens_zoom;   // window pixels for one of the picture
+    float divider;     // 0..1 of the picture's width
+    float exposure;
+    uint display_referred;  // bit 0: left, bit 1: right
+    uint tone_curve;
+    uint encoding;     // 0: none, the target's format does it; 1: sRGB; 2: none, brighter than 1 is shown
+    float peak;        // of the display, over white; for encoding 2
+} presented;
+layout(location = 0) out vec4 colour;
+
+const vec3 GROUND = vec3(0.012);
+
+float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
+
+vec3 aces(vec3 x) { return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14); }
+
+// On a display that is brighter than white the shoulder begins later, and white stays white.
+vec3 tone_mapped(vec3 radiance) {
+    vec3 x = max(radiance * presented.exposure, 0.0);
+    if (presented.encoding == 2u) return presented.tone_curve == 2u ? min(x, presented.peak) : x / (1.0 + luminance(x) / presented.peak);
+    if (presented.tone_curve == 0u) x = aces(min(x, 1e4));
+    else if (presented.tone_curve == 1u) x /= 1.0 + luminance(x);
+    return clamp(x, 0.0, 1.0);
+}
+
+vec3 srgb(vec3 x) { return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308))); }
+
+// At a place in the picture, its own pixels. The divider cuts between pixels of the window, not of the picture.
+vec3 picture(vec2 position) {
+    bool is_left = position.x < presented.divider * presented.extent.x;
+    ivec2 p = clamp(ivec2(floor(position)), ivec2(0), ivec2(presented.extent) - 1);
+    vec3 value = is_left ? texelFetch(left, p, 0).rgb : texelFetch(right, p, 0).rgb;
+    bool mapped = (presented.display_referred >> (is_left ? 0u : 1u) & 1u) != 0u;
+    return mapped ? value : tone_mapped(value);
+}
+
+void main() {
+    vec2 p = gl_FragCoord.xy, scale = presented.extent / presented.rect.zw;
+    vec2 position = (p - presented.rect.xy) * scale;
+    vec3 value = GROUND;
+    if (all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, presented.extent))) value = picture(position);
+    vec2 from_lens = abs(p - presented.lens);
+    float reach = max(from_lens.x, from_lens.y);
+    if (presented.lens.x >= 0.0 && reach < 0.5 * presented.lens_side) {
+        vec2 centre = floor((presented.lens - presented.rect.xy) * scale) + 0.5;
+        vec2 offset = (p - presented.lens) / presented.lens_zoom;
+        bool border = reach > 0.5 * presented.lens_side - 2.0;
+        // A frame around the pixel whose numbers are shown.
+        vec2 from_centre = abs(offset * presented.lens_zoom);
+        float centre_reach = max(from_centre.x, from_centre.y);
+        bool marked = centre_reach > 0.5 * presented.lens_zoom && centre_reach < 0.5 * presented.lens_zoom + 1.5;
+        value = border || marked ? vec3(1.0) : picture(centre + offset);
+    }
+    colour = vec4(presented.encoding == 1u ? srgb(clamp(value, 0.0, 1.0)) : value, 1.0);
+}

@@ -1,0 +1,176 @@
+//! The engine's thread: frame by frame what the window wants. It never waits for the window, nor the window for it.
+
+use std::sync::Arc;
+use std::thread::JoinHandle;
+use std::time::Instant;
+
+use ash::vk;
+
+use super::content::Content;
+use super::jobs::Jobs;
+use super::panes::{PaneWriter, Panes};
+use super::settings::Settings;
+use super::shared::{Shared, Wanted};
+use super::world::World;
+use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::scene::View;
+
+/// Frames from one histogram to the next.
+const HISTOGRAM_EVERY: u64 = 4;
+
+/// The thread. Dropping it waits for the frame that is being made.
+pub struct EngineThread {
+    shared: Arc<Shared>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl EngineThread {
+    /// Starts; `wake` is called after every frame.
+    pub fn start(gpu: &Gpu, extent: vk::Extent2D, shared: &Arc<Shared>, wake: impl Fn() + Send + 'static) -> Self {
+        let (gpu, worker) = (gpu.clone(), shared.clone());
+        let work = move || {
+            if let Err(error) = run(&gpu, extent, &worker, &wake) {
+                worker.say(true, error.to_string());
+            }
+            worker.report().stopped = true;
+            wake();
+        };
+        Self { shared: shared.clone(), thread: Some(std::thread::spawn(work)) }
+    }
+}
+
+impl Drop for EngineThread {
+    fn drop(&mut self) {
+        self.shared.want(|wanted| wanted.quit = true);
+        if let Some(thread) = self.thread.take() {
+            // It reports its own errors; a panic was printed.
+            let _ = thread.join();
+        }
+    }
+}
+
+fn run(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, wake: &dyn Fn()) -> Result<()> {
+    let mut engine = Engine::new(gpu, extent, shared)?;
+    let mut seen = 0;
+    loop {
+        let busy = engine.is_busy();
+        let idle = |w: &Wanted| w.settings.paused && w.steps == 0 && w.version == seen && !busy;
+        let wanted = shared.take(idle);
+        if wanted.quit {
+            return Ok(());
+        }
+        seen = wanted.version;
+        engine.work(shared, &wanted)?;
+        wake();
+    }
+}
+
+/// What the last picture was made for.
+#[derive(Clone, PartialEq)]
+struct Made {
+    contents: [Content; 2],
+    /// What the numbers of the filters follow from.
+    tuning: Settings,
+    view: Option<View>,
+}
+
+struct Engine {
+    gpu: Gpu,
+    world: World,
+    panes: Arc<Panes>,
+    writer: PaneWriter,
+    jobs: Jobs,
+    made: Option<Made>,
+    frames: u64,
+}
+
+impl Engine {
+    fn new(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared) -> Result<Self> {
+        let settings = shared.take(|_| false).settings;
+        let world = World::new(gpu, extent, &settings)?;
+        let panes = Arc::new(Panes::new(gpu, extent)?);
+        shared.report().panes = Some(panes.clone());
+        let writer = PaneWriter::new(gpu)?;
+        Ok(Self { gpu: gpu.clone(), world, panes, writer, jobs: Jobs::default(), made: None, frames: 0 })
+    }
+
+    /// Whether there is work while time stands still.
+    fn is_busy(&self) -> bool {
+        self.world.is_accumulating() || self.jobs.is_flying()
+    }
+
+    fn work(&mut self, shared: &Shared, wanted: &Wanted) -> Result<()> {
+        let start = Instant::now();
+        let settings = &wanted.settings;
+        let reloaded = self.world.follow(shared, settings)?;
+        self.jobs.take(shared, &wanted.requests);
+        let flown = self.jobs.next_view();
+        let made = Made {
+            contents: [settings.left, settings.right],
+            tuning: Settings { tuning: settings.tuning.clone(), exposure: settings.exposure, ..Settings::default() },
+            view: flown.or(wanted.view),
+        };
+        let advance = !settings.paused || wanted.steps > 0 || self.jobs.is_flying();
+        let stands = !advance && !reloaded && !wanted.reset && self.is_enough(&made);
+        if !stands {
+            let reset = wanted.reset || self.jobs.is_cut();
+            self.world.frame(settings, made.view, advance, reset)?;
+            self.frames += 1;
+        }
+        let shows_reference = made.contents.contains(&Content::Reference);
+        self.world.accumulate(shows_reference)?;
+        self.world.fill(&mut self.writer, &self.panes, made.contents)?;
+        self.made = Some(made);
+        if !stands {
+            self.jobs.after_frame(shared, &self.gpu, &self.panes, settings, self.display_referred(settings), self.world.view())?;
+        }
+        self.jobs.shoot(shared, &self.gpu, &self.panes, settings, self.display_referred(settings))?;
+        self.publish(shared, wanted, (!stands).then_some(start))
+    }
+
+    /// Whether the last frame has everything for a picture: then time may stand still.
+    fn is_enough(&self, made: &Made) -> bool {
+        let Some(last) = &self.made else { return false };
+        let has = |c: &Content| c.preset().is_none_or(|preset| self.world.has(preset));
+        last.tuning == made.tuning && last.view == made.view && made.contents.iter().all(has)
+    }
+
+    /// Bit 0: what is left went through a tone map already, bit 1: what is right.
+    fn display_referred(&self, settings: &Settings) -> u32 {
+        let is_mapped = |content| match content {
+            Content::Debug(..) => true,
+            Content::Filtered(_) => settings.taa,
+            Content::Noisy | Content::Reference => false,
+        };
+        u32::from(is_mapped(settings.left)) | u32::from(is_mapped(settings.right)) << 1
+    }
+
+    fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Option<Instant>) -> Result<()> {
+        let settings = &wanted.settings;
+        let due = settings.panel && self.frames % HISTOGRAM_EVERY == 1 && start.is_some();
+        let histogram = if due { Some(self.world.histogram([settings.right, settings.left])?) } else { None };
+        let contents = [settings.left, settings.right];
+        let probe = match wanted.probe {
+            Some(pixel) => Some(self.world.probe(&self.panes, contents, pixel)?),
+            None => None,
+        };
+        let mut report = shared.report();
+        report.frames = self.frames;
+        report.shown = Some(contents);
+        report.display_referred = self.display_referred(settings);
+        if let Some(start) = start {
+            report.milliseconds = 1e3 * start.elapsed().as_secs_f32();
+        }
+        report.filters = self.world.reports();
+        report.view = self.world.view();
+        report.scene = self.world.scene_name().to_owned();
+        report.reference_samples = self.world.reference_samples();
+        report.probe = probe;
+        (report.recording, report.path) = self.jobs.state();
+        if let Some(histogram) = histogram {
+            report.histogram = histogram;
+        }
+        Ok(())
+    }
+}

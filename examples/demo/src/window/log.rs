@@ -1,0 +1,77 @@
+//! What the window did, line by line into a file: for tests, which wait for lines instead of times.
+
+use std::fs::File;
+use std::io::Write;
+use std::path::Path;
+
+use super::layout::Place;
+use super::settings::Settings;
+use super::shared::Report;
+use crate::error::{Error, Result};
+
+/// A log, or none.
+#[derive(Default)]
+pub struct Log {
+    file: Option<File>,
+    frames: u64,
+    drawn: u64,
+    said: usize,
+    place: Place,
+    state: String,
+}
+
+impl Log {
+    /// Starts a file.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn create(path: Option<&Path>) -> Result<Self> {
+        let create = |path: &Path| File::create(path).map_err(|e| Error::Folder { path: path.to_owned(), problem: e.to_string() });
+        Ok(Self { file: path.map(create).transpose()?, ..Self::default() })
+    }
+
+    /// One line. A full disk ends the log, not the program.
+    pub fn line(&mut self, text: &str) {
+        if let Some(file) = &mut self.file {
+            if writeln!(file, "{text}").is_err() {
+                self.file = None;
+            }
+        }
+    }
+
+    /// What changed since the last drawn frame of the window.
+    pub fn drawn(&mut self, window: [u32; 2], place: Place, settings: &Settings, report: &Report) {
+        if self.file.is_none() {
+            return;
+        }
+        self.drawn += 1;
+        if place != self.place {
+            self.place = place;
+            let Place { x, y, width, height } = place;
+            self.line(&format!("picture {x} {y} {width} {height} window {} {}", window[0], window[1]));
+        }
+        let state = format!(
+            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={}",
+            settings.left, settings.right, settings.divider, settings.paused, settings.speed, settings.magnifier, settings.panel
+        );
+        if state != self.state {
+            self.line(&state);
+            self.state = state;
+        }
+        let kept = report.messages.len();
+        for message in &report.messages[kept - (report.said - self.said).min(kept)..] {
+            let kind = if message.is_error { "error" } else { "message" };
+            self.line(&format!("{kind} {}", message.text));
+        }
+        self.said = report.said;
+        if report.frames != self.frames {
+            self.frames = report.frames;
+            let [left, right] = report.shown.map_or([String::new(), String::new()], |shown| shown.map(|c| c.to_string()));
+            let (ms, samples) = (report.milliseconds, report.reference_samples);
+            self.line(&format!(
+                "frame {} left={left} right={right} ms={ms:.1} reference={samples} scene={} drawn={}",
+                report.frames, report.scene, self.drawn
+            ));
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The graphics pipeline that draws the panes into the window.
+
+use std::sync::Arc;
+
+use ash::vk;
+use bytemuck::{Pod, Zeroable};
+
+use super::panes::{shader_module, Panes, PRESENT_FRAG, PRESENT_VERT};
+use crate::error::{Doing, Result};
+use crate::gpu::Gpu;
+
+/// Push constants of glsl/window/present.frag, which documents them.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+pub struct Presented {
+    pub rect: [f32; 4],
+    pub extent: [f32; 2],
+    pub lens: [f32; 2],
+    pub lens_side: f32,
+    pub lens_zoom: f32,
+    pub divider: f32,
+    pub exposure: f32,
+    pub display_referred: u32,
+    pub tone_curve: u32,
+    pub encoding: u32,
+    pub peak: f32,
+}
+
+/// The pipeline, with one descriptor set for each frame in flight.
+pub struct PanePipeline {
+    set_layout: vk::DescriptorSetLayout,
+    layout: vk::PipelineLayout,
+    pipeline: vk::Pipeline,
+    pool: vk::DescriptorPool,
+    sets: Vec<vk::DescriptorSet>,
+    /// What the sets point at: kept until the next frame of the slot.
+    bound: Vec<Option<Arc<Panes>>>,
+    gpu: Gpu,
+}
+
+impl PanePipeline {
+    /// For targets of a render pass.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn new(gpu: &Gpu, render_pass: vk::RenderPass, slots: usize) -> Result<Self> {
+        let mut made = Self {
+            set_layout: vk::DescriptorSetLayout::null(),
+            layout: vk::PipelineLayout::null(),
+            pipeline: vk::Pipeline::null(),
+            pool: vk::DescriptorPool::null(),
+            sets: Vec::new(),
+            bound: vec![None; slots],
+            gpu: gpu.clone(),
+        };
+        made.make_layouts(slots as u32)?;
+        made.make_pipeline(render_pass)?;
+        Ok(made)
+    }
+
+    fn make_layouts(&mut self, slots: u32) -> Result<()> {
+        let device = self.gpu.device();
+        let kind = vk::DescriptorType::SAMPLED_IMAGE;
+        let binding = |i| {
+            vk::DescriptorSetLayoutBinding::default()
+                .binding(i)
+                .descriptor_type(kind)
+                .descriptor_count(1)
+                .stage_flags(vk::ShaderStageFlags::FRAGMENT)
+        };
+        let bindings = [binding(0), binding(1)];
+        let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
+        // SAFETY: the device is alive, and every info refers to locals or to what was just made.
+        unsafe {
+            self.set_layout = device.create_descriptor_set_layout(&info, None).doing("create a descriptor set layout")?;
+            let (sets, size) = ([self.set_layout], std::mem::size_of::<Presented>() as u32);
+            let ranges = [vk::PushConstantRange { stage_flags: vk::ShaderStageFlags::FRAGMENT, offset: 0, size }];
+            let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&sets).push_constant_ranges(&ranges);
+            self.layout = device.create_pipeline_layout(&info, None).doing("create a pipeline layout")?;
+            let sizes = [vk::DescriptorPoolSize { ty: kind, descriptor_count: 2 * slots }];
+            let info = vk::DescriptorPoolCreateInfo::default().max_sets(slots).pool_sizes(&sizes);
+            self.pool = device.create_descriptor_pool(&info, None).doing("create a descriptor pool")?;
+            let layouts = vec![self.set_layout; slots as usize];
+            let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(self.pool).set_layouts(&layouts);
+            self.sets = device.allocate_descriptor_sets(&info).doing("allocate descriptor sets")?;
+        }
+        Ok(())
+    }
+
+    /// Makes the pipeline anew, for another format of the window. Nothing may be drawing with it.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn make_pipeline(&mut self, render_pass: vk::RenderPass) -> Result<()> {
+        let device = self.gpu.device();
+        let vertex = shader_module(&self.gpu, PRESENT_VERT)?;
+        let fragment = shader_module(&self.gpu, PRESENT_FRAG);
+        let made = fragment.and_then(|fragment| {
+            let made = create_pipeline(device, self.layout, render_pass, vertex, fragment);
+            // SAFETY: ours, and a pipeline does not need it once it is made.
+            unsafe { device.destroy_shader_module(fragment, None) };
+            made
+        });
+        // SAFETY: as above; the old pipeline is not in use, says the caller.
+        unsafe {
+            device.destroy_shader_module(vertex, None);
+            device.destroy_pipeline(self.pipeline, None);
+        }
+        self.pipeline = vk::Pipeline::null();
+        self.pipeline = made?;
+        Ok(())
+    }
+
+    /// Draws, inside a render pass. The slot's last frame is complete.
+    pub fn record(&mut self, cmd: vk::CommandBuffer, slot: usize, panes: &Arc<Panes>, extent: vk::Extent2D, presented: &Presented) {
+        let device = self.gpu.device();
+        if !self.bound[slot].as_ref().is_some_and(|bound| Arc::ptr_eq(bound, panes)) {
+            for (binding, image) in (0..).zip(&panes.images) {
+                let info = [vk::DescriptorImageInfo::default().image_view(image.view).image_layout(vk::ImageLayout::GENERAL)];
+                let write = vk::WriteDescriptorSet::default()
+                    .dst_set(self.sets[slot])
+                    .dst_binding(binding)
+                    .descriptor_type(vk::DescriptorType::SAMPLED_IMAGE)
+                    .image_info(&info);
+                // SAFETY: the slot's last frame is complete, so the set is not in use; the view is alive.
+                unsafe { device.update_descriptor_sets(&[write], &[]) };
+            }
+            self.bound[slot] = Some(panes.clone());
+        }
+        let viewport =
+            vk::Viewport { width: extent.width as f32, height: extent.height as f32, max_depth: 1.0, ..Default::default() };
+        let scissor = vk::Rect2D { extent, ..Default::default() };
+        // SAFETY: `cmd` is recording inside a render pass; pipeline, layout and set belong together.
+        unsafe {
+            device.cmd_bind_pipeline(cmd, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
+            device.cmd_bind_descriptor_sets(cmd, vk::PipelineBindPoint::GRAPHICS, self.layout, 0, &[self.sets[slot]], &[]);
+            device.cmd_push_constants(cmd, self.layout, vk::ShaderStageFlags::FRAGMENT, 0, bytemuck::bytes_of(presented));
+            device.cmd_set_viewport(cmd, 0, &[viewport]);
+            device.cmd_set_scissor(cmd, 0, &[scissor]);
+            device.cmd_draw(cmd, 3, 1, 0, 0);
+        }
+    }
+}
+
+impl Drop for PanePipeline {
+    fn drop(&mut self) {
+        let device = self.gpu.device();
+        // SAFETY: ours or null, and the owner waits for its frames first.
+        unsafe {
+            device.destroy_pipeline(self.pipeline, None);
+            device.destroy_descriptor_pool(self.pool, None);
+            device.destroy_pipeline_layout(self.layout, None);
+            device.destroy_descriptor_set_layout(self.set_layout, None);
+        }
+    }
+}
+
+fn create_pipeline(
+    device: &ash::Device,
+    layout: vk::PipelineLayout,
+    render_pass: vk::RenderPass,
+    vertex: vk::ShaderModule,
+    fragment: vk::ShaderModule,
+) -> Result<vk::Pipeline> {
+    let stage = |stage, module| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module).name(c"main");
+    let stages = [stage(vk::ShaderStageFlags::VERTEX, vertex), stage(vk::ShaderStageFlags::FRAGMENT, fragment)];
+    let input = vk::PipelineVertexInputStateCreateInfo::default();
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
+    let viewport = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
+    let raster = vk::PipelineRasterizationStateCreateInfo::default().line_width(1.0);
+    let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
+    let target = [vk::PipelineColorBlendAttachmentState::default().color_write_mask(vk::ColorComponentFlags::RGBA)];
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&target);
+    let dynamic =
+        vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
+    let info = vk::GraphicsPipelineCreateInfo::default()
+        .stages(&stages)
+        .vertex_input_state(&input)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewport)
+        .rasterization_state(&raster)
+        .multisample_state(&samples)
+        .color_blend_state(&blend)
+        .dynamic_state(&dynamic)
+        .layout(layout)
+        .render_pass(render_pass);
+    // SAFETY: modules, layout and render pass are alive and fit each other.
+    let made = unsafe { device.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) };
+    made.map_err(|(_, result)| result).doing("create a graphics pipeline").map(|pipelines| pipelines[0])
+}

@@ -1,0 +1,341 @@
+//! The panel: every choice with its explanation, and what the engine says.
+
+use std::collections::VecDeque;
+
+use atrous::{DebugView, Tuning, TuningField};
+use egui::{Color32, RichText, Ui};
+
+use super::content::{title_of, Content, FILTERS};
+use super::input::Action;
+use super::settings::{Settings, SPEEDS};
+use super::shared::{FilterReport, Report};
+use crate::scene::BUILT_IN;
+
+/// Frames that the plot shows.
+const PLOTTED: usize = 160;
+
+/// What the panel remembers.
+#[derive(Default)]
+pub struct Panel {
+    /// Milliseconds of all passes of each filter, by frame; oldest first.
+    times: VecDeque<Vec<(&'static str, f64)>>,
+    last_frame: u64,
+}
+
+impl Panel {
+    /// Draws it; returns what was clicked.
+    pub fn show(&mut self, ui: &mut Ui, settings: &mut Settings, report: &Report) -> Vec<Action> {
+        self.remember(report);
+        let mut actions = Vec::new();
+        egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.heading("atrous");
+                if ui.button("Help F1").on_hover_text("Every key and what the mouse does").clicked() {
+                    actions.push(Action::Help);
+                }
+            });
+            summary(ui, report);
+            section(ui, "Scene", true, |ui| scene(ui, settings, report, &mut actions));
+            section(ui, "Split screen", true, |ui| split(ui, settings, report, &mut actions));
+            section(ui, "Time", true, |ui| time(ui, settings, &mut actions));
+            section(ui, "Picture", false, |ui| picture(ui, settings));
+            for (preset, name, title) in FILTERS {
+                if [settings.left, settings.right].iter().any(|c| c.preset() == Some(preset)) {
+                    section(ui, &format!("{title}: numbers"), false, |ui| tuning(ui, settings, preset, name));
+                }
+            }
+            section(ui, "Timings", true, |ui| self.timings(ui, report));
+            section(ui, "History lengths", true, |ui| histogram(ui, report));
+            section(ui, "Memory", false, |ui| memory(ui, report));
+            section(ui, "Files", false, |ui| files(ui, report, &mut actions));
+            messages(ui, report);
+        });
+        actions
+    }
+
+    fn remember(&mut self, report: &Report) {
+        if report.frames == self.last_frame {
+            return;
+        }
+        self.last_frame = report.frames;
+        let total = |f: &FilterReport| (title_of(f.preset), f.times.iter().map(|t| t.milliseconds).sum());
+        self.times.push_back(report.filters.iter().map(total).collect());
+        while self.times.len() > PLOTTED {
+            self.times.pop_front();
+        }
+    }
+
+    /// A rolling plot of each filter's time, then its passes.
+    fn timings(&self, ui: &mut Ui, report: &Report) {
+        let highest = self.times.iter().flatten().map(|t| t.1).fold(1e-3, f64::max);
+        let (rect, _) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 60.0), egui::Sense::hover());
+        let painter = ui.painter_at(rect);
+        painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
+        for (i, filter) in report.filters.iter().enumerate() {
+            let title = title_of(filter.preset);
+            let at = |(x, frame): (usize, &Vec<(&str, f64)>)| {
+                let value = frame.iter().find(|t| t.0 == title)?.1;
+                let x = rect.left() + rect.width() * x as f32 / PLOTTED as f32;
+                Some(egui::pos2(x, rect.bottom() - rect.height() * (0.9 * value / highest) as f32))
+            };
+            let points: Vec<_> = self.times.iter().enumerate().filter_map(at).collect();
+            painter.add(egui::Shape::line(points, egui::Stroke::new(1.5, COLOURS[i % COLOURS.len()])));
+        }
+        let text = format!("{highest:.1} ms");
+        painter.text(rect.left_top(), egui::Align2::LEFT_TOP, text, egui::FontId::proportional(10.0), ui.visuals().text_color());
+        for (i, filter) in report.filters.iter().enumerate() {
+            passes(ui, filter, COLOURS[i % COLOURS.len()]);
+        }
+    }
+}
+
+/// Of the filters, in plots.
+const COLOURS: [Color32; 4] = [
+    Color32::from_rgb(86, 180, 233),
+    Color32::from_rgb(230, 159, 0),
+    Color32::from_rgb(0, 158, 115),
+    Color32::from_rgb(240, 228, 66),
+];
+
+fn section(ui: &mut Ui, title: &str, open: bool, body: impl FnOnce(&mut Ui)) {
+    egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(open).show(ui, body);
+}
+
+fn summary(ui: &mut Ui, report: &Report) {
+    let rate = if report.milliseconds > 0.0 { 1e3 / report.milliseconds } else { 0.0 };
+    ui.label(format!("frame {}, {:.0} ms ({rate:.1} a second)", report.frames, report.milliseconds))
+        .on_hover_text("Path tracing, filters and everything else that makes a frame");
+    if report.recording {
+        ui.colored_label(Color32::LIGHT_RED, "writing every frame (F3 ends it)");
+    }
+    if let Some(path) = report.path {
+        ui.colored_label(Color32::LIGHT_RED, path);
+    }
+}
+
+fn scene(ui: &mut Ui, settings: &mut Settings, report: &Report, actions: &mut Vec<Action>) {
+    egui::ComboBox::from_id_salt("scene")
+        .selected_text(&report.scene)
+        .show_ui(ui, |ui| {
+            for name in BUILT_IN {
+                ui.selectable_value(&mut settings.scene, name.to_owned(), name);
+            }
+        })
+        .response
+        .on_hover_text("Drop a glTF file (.gltf, .glb) onto the window to see it");
+    ui.checkbox(&mut settings.animate_light, "lights change")
+        .on_hover_text("Lights flicker, go out and come on, as the scene has it");
+    ui.checkbox(&mut settings.animate_objects, "objects move");
+    ui.checkbox(&mut settings.animate_camera, "camera follows its path")
+        .on_hover_text("Off as soon as the camera is steered (W A S D, drag the picture)");
+    if ui.button("Camera back to its path  H").clicked() {
+        actions.push(Action::Home);
+    }
+}
+
+fn split(ui: &mut Ui, settings: &mut Settings, report: &Report, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        content(ui, "left", &mut settings.left, report);
+        if ui.button("X").on_hover_text("Change the halves (X)").clicked() {
+            actions.push(Action::Swap);
+        }
+        content(ui, "right", &mut settings.right, report);
+    });
+    ui.add(egui::Slider::new(&mut settings.divider, 0.0..=1.0).text("divider")).on_hover_text("Or drag the line in the picture");
+    ui.checkbox(&mut settings.magnifier, "magnifier  M")
+        .on_hover_text("Enlarges what is under the mouse, with the numbers of the pixel and why its history was dropped");
+    if [settings.left, settings.right].contains(&Content::Reference) {
+        ui.label(format!("reference: {} paths a pixel", report.reference_samples))
+            .on_hover_text("Grows while the camera, the objects and the lights rest: pause, or switch the animation off");
+    }
+}
+
+fn content(ui: &mut Ui, side: &str, shown: &mut Content, report: &Report) {
+    egui::ComboBox::from_id_salt(side)
+        .selected_text(shown.title())
+        .width(120.0)
+        .height(500.0)
+        .show_ui(ui, |ui| {
+            ui.selectable_value(shown, Content::Noisy, "noisy").on_hover_text("One path a pixel: what the filters are given");
+            ui.selectable_value(shown, Content::Reference, "reference")
+                .on_hover_text("All paths since something last moved: what the filters should come to");
+            for (preset, _, title) in FILTERS {
+                ui.selectable_value(shown, Content::Filtered(preset), title).on_hover_text(about(preset));
+            }
+            for filter in &report.filters {
+                ui.separator();
+                for view in &filter.views {
+                    let value = Content::Debug(filter.preset, *view);
+                    ui.selectable_value(shown, value, value.title()).on_hover_text(explained(*view));
+                }
+            }
+        })
+        .response
+        .on_hover_text(format!("What the {side} half shows. Views of a filter are in the list while it runs"));
+}
+
+fn about(preset: atrous::config::Preset) -> &'static str {
+    use atrous::config::Preset;
+    match preset {
+        Preset::Svgf => "Spatiotemporal variance-guided filtering (Schied et al. 2017)",
+        Preset::Asvgf => "Adaptive by temporal gradients: follows changing light at once (Schied et al. 2018)",
+        Preset::Percentile => "Adaptive by statistics of blocks: needs nothing more of the renderer than SVGF (Alber)",
+        _ => "Edge-avoiding à-trous wavelets: one frame, no history (Dammertz et al. 2010)",
+    }
+}
+
+fn explained(view: DebugView) -> &'static str {
+    match view {
+        DebugView::HistoryLength => "Frames accumulated: dark blue 0, yellow 32 and more",
+        DebugView::Variance => "Standard deviation of luminance that guides the filter",
+        DebugView::Moments => "Mean (red) and standard deviation (green) of luminance over the history",
+        DebugView::Gradient => "Change of the same samples from frame to frame: red brighter, blue darker",
+        DebugView::Lambda => "How far light changed: 0 keeps the history, 1 drops it",
+        DebugView::Alpha => "Weight of the new sample",
+        DebugView::Percentiles => "Low (red) and high (green) percentile of luminance in blocks of 8x8 pixels",
+        DebugView::Fireflies => "Share of the light that the firefly filter took away",
+        DebugView::Disocclusion => {
+            "Why there is no history. Orange: off screen; light blue: other object; green: depth; yellow: normal; red: reset"
+        }
+        DebugView::Motion => "Where the surface was: red to the right, green downwards",
+        DebugView::Normal => "Normals in world space",
+        DebugView::Depth => "Linear depth",
+        DebugView::SurfaceId => "A colour for every object",
+        DebugView::BadValues => {
+            "Inputs that were not finite: a bar each for depth, normal, motion, radiance, albedo, emission, forward motion"
+        }
+    }
+}
+
+fn time(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        let label = if settings.paused { "Go on  Space" } else { "Pause  Space" };
+        if ui.button(label).clicked() {
+            actions.push(Action::Pause);
+        }
+        if ui.button("Step  N").on_hover_text("One frame, then time stands still").clicked() {
+            actions.push(Action::Step);
+        }
+        if ui.button("Reset  R").on_hover_text("Drops all history, as after a camera cut").clicked() {
+            actions.push(Action::Reset);
+        }
+    });
+    ui.add(egui::Slider::new(&mut settings.speed, SPEEDS[0]..=SPEEDS[1]).logarithmic(true).text("speed"))
+        .on_hover_text("1: thirty frames for a second of the animation; less: slow motion");
+}
+
+fn picture(ui: &mut Ui, settings: &mut Settings) {
+    ui.add(egui::Slider::new(&mut settings.exposure, 0.01..=100.0).logarithmic(true).text("exposure"))
+        .on_hover_text("Scale of the radiance before the tone curve");
+    egui::ComboBox::from_id_salt("curve")
+        .selected_text(["ACES", "Reinhard", "linear"][settings.tone_curve.min(2) as usize])
+        .show_ui(ui, |ui| {
+            for (i, name) in (0..).zip(["ACES", "Reinhard", "linear"]) {
+                ui.selectable_value(&mut settings.tone_curve, i, name);
+            }
+        });
+    ui.checkbox(&mut settings.taa, "temporal anti-aliasing")
+        .on_hover_text("Jitters the paths within their pixels and resolves them (Karis 2014)");
+    ui.checkbox(&mut settings.vsync, "V-sync").on_hover_text("Waits for the display; off: as fast as possible, may tear");
+    ui.checkbox(&mut settings.hdr, "HDR").on_hover_text("Brighter than white, where display and driver offer it");
+}
+
+/// Every number with its range, and its documentation as a tooltip.
+fn tuning(ui: &mut Ui, settings: &mut Settings, preset: atrous::config::Preset, name: &str) {
+    let tuning = settings.tuning(preset);
+    for field in Tuning::FIELDS.iter().filter(|f| f.name != "exposure") {
+        let mut value = tuning.get(field.name).unwrap_or(field.default);
+        let response = ui.add(slider(field, &mut value)).on_hover_text(explain(field));
+        if response.changed() {
+            settings.set_tuning(preset, field.name, value.clamp(field.min, field.max));
+        }
+    }
+    if ui.button("Defaults").clicked() {
+        settings.tuning.remove(name);
+    }
+}
+
+fn slider<'a>(field: &TuningField, value: &'a mut f32) -> egui::Slider<'a> {
+    let wide = field.max - field.min > 16.0 && field.min >= 0.0;
+    egui::Slider::new(value, field.min..=field.max).logarithmic(wide).smallest_positive(1e-3).text(field.name.replace('_', " "))
+}
+
+fn explain(field: &TuningField) -> String {
+    let TuningField { doc, unit, min, max, default, .. } = field;
+    format!("{}\nUnit: {unit}. {min} to {max}, default {default}", doc.trim())
+}
+
+fn passes(ui: &mut Ui, filter: &FilterReport, colour: Color32) {
+    let total: f64 = filter.times.iter().map(|t| t.milliseconds).sum();
+    egui::CollapsingHeader::new(RichText::new(format!("{}: {total:.2} ms", title_of(filter.preset))).color(colour))
+        .id_salt(("passes", title_of(filter.preset)))
+        .show(ui, |ui| {
+            egui::Grid::new(("times", title_of(filter.preset))).num_columns(2).show(ui, |ui| {
+                for time in &filter.times {
+                    ui.label(time.name.replace('_', " "));
+                    ui.label(format!("{:.2} ms", time.milliseconds));
+                    ui.end_row();
+                }
+            });
+        });
+}
+
+fn histogram(ui: &mut Ui, report: &Report) {
+    let Some(bars) = &report.histogram else {
+        ui.label("The filters that run have no history.");
+        return;
+    };
+    let (rect, response) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 50.0), egui::Sense::hover());
+    response.on_hover_text("Pixels by frames accumulated: 0 to 31, the last bar 32 and more");
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
+    let highest = bars.iter().copied().max().unwrap_or(1).max(1) as f32;
+    let width = rect.width() / bars.len() as f32;
+    for (i, bar) in bars.iter().enumerate() {
+        let height = rect.height() * *bar as f32 / highest;
+        let low = egui::pos2(rect.left() + width * i as f32, rect.bottom() - height);
+        painter.rect_filled(egui::Rect::from_min_size(low, egui::vec2(width - 1.0, height)), 0.0, COLOURS[0]);
+    }
+}
+
+fn memory(ui: &mut Ui, report: &Report) {
+    egui::Grid::new("memory").num_columns(4).show(ui, |ui| {
+        for head in ["KiB", "history", "transient", "outputs"] {
+            ui.label(RichText::new(head).strong());
+        }
+        ui.end_row();
+        for filter in &report.filters {
+            ui.label(title_of(filter.preset));
+            for bytes in [filter.memory.history, filter.memory.transient, filter.memory.output] {
+                ui.label(format!("{}", bytes / 1024));
+            }
+            ui.end_row();
+        }
+    });
+}
+
+fn files(ui: &mut Ui, report: &Report, actions: &mut Vec<Action>) {
+    for (label, action, hint) in [
+        ("Picture as PNG  F2", Action::Screenshot, "Both halves at the divider, and each by itself"),
+        (
+            if report.recording { "End the sequence  F3" } else { "Every frame as PNG  F3" },
+            Action::Record,
+            "A folder of numbered PNG files",
+        ),
+        ("Record the camera's way  F4", Action::RecordPath, "F4 again writes it"),
+        ("Fly the recorded way  F5", Action::ReplayPath, "The same views in the same frames"),
+        ("Save settings  Ctrl S", Action::SaveSettings, "Everything in this panel"),
+        ("Load settings  Ctrl O", Action::LoadSettings, "From the file of --settings"),
+    ] {
+        if ui.button(label).on_hover_text(hint).clicked() {
+            actions.push(action);
+        }
+    }
+}
+
+fn messages(ui: &mut Ui, report: &Report) {
+    for message in report.messages.iter().rev().take(6) {
+        let colour = if message.is_error { Color32::LIGHT_RED } else { ui.visuals().weak_text_color() };
+        ui.label(RichText::new(&message.text).color(colour).small());
+    }
+}

@@ -1,0 +1,133 @@
+//! The two halves of the split screen as images, and the pass that fills them.
+
+use ash::vk;
+
+use crate::error::{Doing, Result};
+use crate::gpu::{DescriptorSet, Gpu, Image, Pipeline, SetLayout, WHOLE_IMAGE};
+use crate::tracer::barriers::{general_barrier, memory_barrier, Scope};
+
+mod shaders {
+    include!(concat!(env!("OUT_DIR"), "/window_shaders.rs"));
+}
+pub use shaders::{PRESENT_FRAG, PRESENT_VERT};
+
+/// Left and right, `R16G16B16A16_SFLOAT`, in layout `GENERAL`. The engine writes them and the window reads them; both do so behind a barrier on
+/// the same queue, so that the order of submissions is all they need.
+pub struct Panes {
+    /// Left and right.
+    pub images: [Image; 2],
+}
+
+/// What a pane is the weighted sum of.
+pub struct Source<'a> {
+    /// Images in layout `GENERAL`.
+    pub images: [&'a Image; 3],
+    /// Their weights; those of weight 0 are not read.
+    pub weights: [f32; 3],
+}
+
+impl<'a> Source<'a> {
+    /// One image as it is.
+    pub fn of(image: &'a Image) -> Self {
+        Self { images: [image; 3], weights: [1.0, 0.0, 0.0] }
+    }
+}
+
+impl Panes {
+    /// Black ones.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn new(gpu: &Gpu, extent: vk::Extent2D) -> Result<Self> {
+        let image = |name| Image::new(gpu, name, vk::Format::R16G16B16A16_SFLOAT, extent);
+        let panes = Self { images: [image("left pane")?, image("right pane")?] };
+        gpu.submit(|cmd| {
+            general_barrier(gpu.device(), cmd, &[&panes.images[0], &panes.images[1]]);
+            let compute = (vk::PipelineStageFlags::COMPUTE_SHADER, vk::AccessFlags::SHADER_WRITE);
+            let clear = (vk::PipelineStageFlags::TRANSFER, vk::AccessFlags::TRANSFER_WRITE);
+            memory_barrier(gpu.device(), cmd, compute, clear);
+            for image in &panes.images {
+                let (layout, black) = (vk::ImageLayout::GENERAL, vk::ClearColorValue::default());
+                // SAFETY: `cmd` is recording; the image was brought to this layout, and the barrier lies between.
+                unsafe { gpu.device().cmd_clear_color_image(cmd, image.handle, layout, &black, &[WHOLE_IMAGE]) };
+            }
+            Ok(())
+        })?;
+        Ok(panes)
+    }
+
+    /// Its size in pixels.
+    pub fn extent(&self) -> vk::Extent2D {
+        self.images[0].extent
+    }
+}
+
+/// Fills panes.
+pub struct PaneWriter {
+    layout: SetLayout,
+    pipeline: Pipeline,
+    /// Left and right; every submission of the engine waits, so the last one's may go.
+    sets: [Option<DescriptorSet>; 2],
+}
+
+impl PaneWriter {
+    /// Makes the pipeline.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn new(gpu: &Gpu) -> Result<Self> {
+        let mut kinds = vec![vk::DescriptorType::STORAGE_IMAGE];
+        kinds.resize(4, vk::DescriptorType::SAMPLED_IMAGE);
+        let layout = SetLayout::new(gpu, &kinds)?;
+        let pipeline = Pipeline::new(gpu, shaders::PANE, &[&layout], 16)?;
+        Ok(Self { layout, pipeline, sets: [None, None] })
+    }
+
+    /// Fills one pane in a submission of its own.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn write(&mut self, gpu: &Gpu, panes: &Panes, side: usize, source: &Source) -> Result<()> {
+        let pane = &panes.images[side];
+        let [a, b, c] = source.images.map(|image| image.view);
+        let set = DescriptorSet::of_images(gpu, &self.layout, &[pane.view, a, b, c])?;
+        let set = self.sets[side].insert(set);
+        let [x, y, z] = source.weights;
+        gpu.submit(|cmd| {
+            let everything: Scope =
+                (vk::PipelineStageFlags::ALL_COMMANDS, vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::MEMORY_READ);
+            let compute = (vk::PipelineStageFlags::COMPUTE_SHADER, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
+            memory_barrier(gpu.device(), cmd, everything, compute);
+            self.pipeline.record(cmd, &[set], bytemuck::cast_slice(&[x, y, z, 0.0]), pane.extent);
+            Ok(())
+        })
+    }
+}
+
+/// Brings new images to `GENERAL`.
+///
+/// # Errors
+/// A lost device.
+pub fn prepare(gpu: &Gpu, images: &[&Image]) -> Result<()> {
+    gpu.submit(|cmd| {
+        general_barrier(gpu.device(), cmd, images);
+        Ok(())
+    })
+}
+
+/// The same barrier for the window: what the engine wrote last is seen by fragment shaders, and what it writes next comes after.
+pub fn before_reading(gpu: &Gpu, cmd: vk::CommandBuffer) {
+    let written = (vk::PipelineStageFlags::ALL_COMMANDS, vk::AccessFlags::MEMORY_WRITE);
+    memory_barrier(gpu.device(), cmd, written, (vk::PipelineStageFlags::FRAGMENT_SHADER, vk::AccessFlags::SHADER_READ));
+}
+
+/// A shader module, for as long as pipelines are made of it.
+///
+/// # Errors
+/// No memory.
+pub fn shader_module(gpu: &Gpu, spirv: &[u8]) -> Result<vk::ShaderModule> {
+    let words: Vec<u32> = bytemuck::pod_collect_to_vec(spirv);
+    // SAFETY: the words are SPIR-V that shaderc made for Vulkan 1.1.
+    unsafe { gpu.device().create_shader_module(&vk::ShaderModuleCreateInfo::default().code(&words), None) }
+        .doing("create a shader module")
+}

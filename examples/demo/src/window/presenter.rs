@@ -1,0 +1,319 @@
+//! Draws the window: the panes, and the panel over them. Two frames in flight; never waits for the device.
+
+use std::sync::Arc;
+
+use ash::vk;
+use egui_ash_renderer::{Options, Renderer};
+
+use super::pane_pipeline::{PanePipeline, Presented};
+use super::panes::{before_reading, Panes};
+use super::swapchain::{choose_format, Encoding, Surface, Swapchain, Wish};
+use crate::error::{Doing, Error, Result};
+use crate::gpu::Gpu;
+
+/// Frames that the window draws before it waits for the oldest.
+const FRAMES_IN_FLIGHT: usize = 2;
+
+/// What to draw.
+pub struct Drawn<'a> {
+    /// The halves, once there are any.
+    pub panes: Option<&'a Arc<Panes>>,
+    /// How; `encoding` and `peak` are filled in here.
+    pub presented: Presented,
+    /// Textures of the panel that changed.
+    pub textures: &'a egui::TexturesDelta,
+    /// Triangles of the panel.
+    pub primitives: &'a [egui::ClippedPrimitive],
+    /// Window pixels for one of the panel.
+    pub pixels_per_point: f32,
+}
+
+struct Slot {
+    cmd: vk::CommandBuffer,
+    acquired: vk::Semaphore,
+    complete: vk::Fence,
+}
+
+/// Everything that the window is drawn with.
+pub struct Presenter {
+    gpu: Gpu,
+    pool: vk::CommandPool,
+    slots: Vec<Slot>,
+    next: usize,
+    format: vk::SurfaceFormatKHR,
+    encoding: Encoding,
+    render_pass: vk::RenderPass,
+    panes: PanePipeline,
+    /// `None` while it is being replaced.
+    egui: Option<Renderer>,
+    /// Textures that may go once every frame that was in flight is complete.
+    outdated: Vec<(usize, Vec<egui::TextureId>)>,
+    swapchain: Option<Swapchain>,
+    is_stale: bool,
+    // Last: everything above draws into it.
+    surface: Surface,
+}
+
+impl Presenter {
+    /// Makes everything but the swapchain, which comes with the first frame.
+    ///
+    /// # Errors
+    /// A device that cannot present to the window, or no memory.
+    pub fn new(gpu: &Gpu, surface: Surface, hdr: bool) -> Result<Self> {
+        // SAFETY: the surface is alive.
+        let can = unsafe {
+            surface.functions.get_physical_device_surface_support(gpu.physical_device(), gpu.queue_family(), surface.handle)
+        };
+        if !can.doing("query the window")? {
+            return Err(Error::Window { problem: format!("{} cannot draw into it; choose another with --device", gpu.info()) });
+        }
+        let Some((format, encoding)) = choose_format(&surface.formats(gpu)?, hdr) else {
+            return Err(Error::Window { problem: "it has no format that could be drawn".into() });
+        };
+        let device = gpu.device();
+        let flags = vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER;
+        let info = vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family()).flags(flags);
+        let render_pass = create_render_pass(device, format.format)?;
+        let panes = PanePipeline::new(gpu, render_pass, FRAMES_IN_FLIGHT)?;
+        // SAFETY: the device is alive, the family is its own.
+        let pool = unsafe { device.create_command_pool(&info, None) }.doing("create a command pool")?;
+        let mut presenter = Self {
+            gpu: gpu.clone(),
+            pool,
+            slots: Vec::new(),
+            next: 0,
+            format,
+            encoding,
+            render_pass,
+            panes,
+            egui: None,
+            outdated: Vec::new(),
+            swapchain: None,
+            is_stale: false,
+            surface,
+        };
+        for _ in 0..FRAMES_IN_FLIGHT {
+            presenter.add_slot()?;
+        }
+        presenter.egui = Some(presenter.create_egui()?);
+        Ok(presenter)
+    }
+
+    fn add_slot(&mut self) -> Result<()> {
+        let device = self.gpu.device();
+        let info = vk::CommandBufferAllocateInfo::default().command_pool(self.pool).command_buffer_count(1);
+        let signalled = vk::FenceCreateInfo::default().flags(vk::FenceCreateFlags::SIGNALED);
+        // SAFETY: the device and the pool are alive.
+        unsafe {
+            let cmd = device.allocate_command_buffers(&info).doing("allocate a command buffer")?[0];
+            let acquired = device.create_semaphore(&vk::SemaphoreCreateInfo::default(), None).doing("create a semaphore")?;
+            let complete = device.create_fence(&signalled, None).doing("create a fence")?;
+            self.slots.push(Slot { cmd, acquired, complete });
+        }
+        Ok(())
+    }
+
+    fn create_egui(&self) -> Result<Renderer> {
+        let options = Options {
+            in_flight_frames: FRAMES_IN_FLIGHT,
+            srgb_framebuffer: self.encoding != Encoding::Unorm,
+            ..Options::default()
+        };
+        let (instance, device) = (self.gpu.instance(), self.gpu.device().clone());
+        Ok(Renderer::with_default_allocator(instance, self.gpu.physical_device(), device, self.render_pass, options)?)
+    }
+
+    /// The swapchain has to be made anew before the next frame.
+    pub fn invalidate(&mut self) {
+        self.is_stale = true;
+    }
+
+    /// Whether the oldest frame in flight is complete.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn is_ready(&self) -> Result<bool> {
+        // SAFETY: the fence is ours.
+        unsafe { self.gpu.device().get_fence_status(self.slots[self.next].complete) }.doing("ask for a frame")
+    }
+
+    /// Draws a frame; `false`: the device is not ready for it, or the window has no pixels. Then nothing happened, try again later.
+    ///
+    /// # Errors
+    /// A lost device or surface.
+    pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<bool> {
+        let slot = &self.slots[self.next];
+        let (cmd, acquired, complete) = (slot.cmd, slot.acquired, slot.complete);
+        if !self.is_ready()? || !self.follow(wish)? {
+            return Ok(false);
+        }
+        let Some(swapchain) = &self.swapchain else { return Ok(false) };
+        let (image, suboptimal) = match swapchain.acquire(acquired, ACQUIRE_NANOSECONDS) {
+            Ok(Some(acquired)) => acquired,
+            Ok(None) => return Ok(false),
+            Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => {
+                self.is_stale = true;
+                return Ok(false);
+            }
+            Err(result) => return Err(result).doing("acquire an image of the window"),
+        };
+        self.record(cmd, image, drawn)?;
+        self.submit(cmd, acquired, complete, image)?;
+        let presented = self.swapchain.as_ref().map_or(Ok(false), |swapchain| swapchain.present(image));
+        match presented {
+            Ok(stale) => self.is_stale |= stale || suboptimal,
+            Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => self.is_stale = true,
+            Err(result) => return Err(result).doing("present"),
+        }
+        self.next = (self.next + 1) % FRAMES_IN_FLIGHT;
+        Ok(true)
+    }
+
+    /// Brings the swapchain up to the window and the wishes. `false`: the window has no pixels.
+    fn follow(&mut self, wish: Wish) -> Result<bool> {
+        if !self.is_stale && self.swapchain.as_ref().is_some_and(|s| s.wish == wish) {
+            return Ok(true);
+        }
+        self.wait()?;
+        if let Some((format, encoding)) = choose_format(&self.surface.formats(&self.gpu)?, wish.hdr) {
+            if format != self.format {
+                self.change_format(format, encoding)?;
+            }
+        }
+        let old = self.swapchain.take();
+        self.swapchain = Swapchain::new(&self.gpu, &self.surface, self.format, self.render_pass, wish, old)?;
+        self.is_stale = self.swapchain.is_none();
+        Ok(self.swapchain.is_some())
+    }
+
+    fn change_format(&mut self, format: vk::SurfaceFormatKHR, encoding: Encoding) -> Result<()> {
+        self.swapchain = None;
+        let render_pass = create_render_pass(self.gpu.device(), format.format)?;
+        // SAFETY: ours, and every frame was waited for.
+        unsafe { self.gpu.device().destroy_render_pass(self.render_pass, None) };
+        (self.render_pass, self.format, self.encoding) = (render_pass, format, encoding);
+        self.panes.make_pipeline(render_pass)?;
+        if let Some(egui) = &mut self.egui {
+            egui.set_render_pass(render_pass)?;
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, cmd: vk::CommandBuffer, image: u32, drawn: &Drawn) -> Result<()> {
+        self.update_textures(drawn.textures)?;
+        let Some(swapchain) = &self.swapchain else { return Ok(()) };
+        let (device, extent) = (self.gpu.device(), swapchain.extent);
+        let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        let clear = [vk::ClearValue { color: vk::ClearColorValue { float32: [0.012, 0.012, 0.012, 1.0] } }];
+        let pass = vk::RenderPassBeginInfo::default()
+            .render_pass(self.render_pass)
+            .framebuffer(swapchain.framebuffers[image as usize])
+            .render_area(vk::Rect2D { extent, ..Default::default() })
+            .clear_values(&clear);
+        // SAFETY: the slot's last frame is complete, so the command buffer is free.
+        unsafe { device.begin_command_buffer(cmd, &begin) }.doing("begin a command buffer")?;
+        before_reading(&self.gpu, cmd);
+        // SAFETY: `cmd` is recording; render pass and framebuffer belong together.
+        unsafe { device.cmd_begin_render_pass(cmd, &pass, vk::SubpassContents::INLINE) };
+        if let Some(panes) = drawn.panes {
+            let presented = Presented { encoding: self.encoding as u32, peak: PEAK, ..drawn.presented };
+            self.panes.record(cmd, self.next, panes, extent, &presented);
+        }
+        if let Some(egui) = &mut self.egui {
+            egui.cmd_draw(cmd, extent, drawn.pixels_per_point, drawn.primitives)?;
+        }
+        // SAFETY: as above.
+        unsafe {
+            device.cmd_end_render_pass(cmd);
+            device.end_command_buffer(cmd).doing("end a command buffer")
+        }
+    }
+
+    /// New glyphs are rare: then this waits for the device. Old textures go when no frame in flight can use them.
+    fn update_textures(&mut self, delta: &egui::TexturesDelta) -> Result<()> {
+        let Some(egui) = &mut self.egui else { return Ok(()) };
+        for (age, ids) in &mut self.outdated {
+            *age += 1;
+            if *age > FRAMES_IN_FLIGHT {
+                egui.free_textures(&std::mem::take(ids))?;
+            }
+        }
+        self.outdated.retain(|(_, ids)| !ids.is_empty());
+        if !delta.free.is_empty() {
+            self.outdated.push((0, delta.free.clone()));
+        }
+        if !delta.set.is_empty() {
+            let queue = self.gpu.queue();
+            egui.set_textures(*queue, self.pool, &delta.set)?;
+        }
+        Ok(())
+    }
+
+    fn submit(&self, cmd: vk::CommandBuffer, acquired: vk::Semaphore, complete: vk::Fence, image: u32) -> Result<()> {
+        let Some(swapchain) = &self.swapchain else { return Ok(()) };
+        let (commands, wait, drawn) = ([cmd], [acquired], [swapchain.drawn[image as usize]]);
+        let stages = [vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT];
+        let info = vk::SubmitInfo::default()
+            .command_buffers(&commands)
+            .wait_semaphores(&wait)
+            .wait_dst_stage_mask(&stages)
+            .signal_semaphores(&drawn);
+        // SAFETY: the slot's last frame is complete. Reset as late as this, so that a failure before leaves it signalled.
+        unsafe { self.gpu.device().reset_fences(&[complete]) }.doing("reset a fence")?;
+        let queue = self.gpu.queue();
+        // SAFETY: the queue is locked; semaphores and fence are ours and free.
+        unsafe { self.gpu.device().queue_submit(*queue, &[info], complete) }.doing("submit")
+    }
+
+    fn wait(&self) -> Result<()> {
+        let fences: Vec<_> = self.slots.iter().map(|slot| slot.complete).collect();
+        // SAFETY: the fences are ours.
+        unsafe { self.gpu.device().wait_for_fences(&fences, true, u64::MAX) }.doing("wait for the window")
+    }
+}
+
+/// An image is usually free at once; where the window system is slow the window's thread looks again later.
+const ACQUIRE_NANOSECONDS: u64 = 2_000_000;
+/// How much brighter than white an HDR display is taken to be.
+const PEAK: f32 = 4.0;
+
+impl Drop for Presenter {
+    fn drop(&mut self) {
+        // A lost device has nothing more in flight.
+        let _ = self.wait();
+        self.swapchain = None;
+        self.egui = None;
+        let device = self.gpu.device();
+        // SAFETY: ours; the frames were waited for.
+        unsafe {
+            for slot in &self.slots {
+                device.destroy_semaphore(slot.acquired, None);
+                device.destroy_fence(slot.complete, None);
+            }
+            device.destroy_command_pool(self.pool, None);
+            device.destroy_render_pass(self.render_pass, None);
+        }
+    }
+}
+
+fn create_render_pass(device: &ash::Device, format: vk::Format) -> Result<vk::RenderPass> {
+    let attachments = [vk::AttachmentDescription::default()
+        .format(format)
+        .samples(vk::SampleCountFlags::TYPE_1)
+        .load_op(vk::AttachmentLoadOp::CLEAR)
+        .store_op(vk::AttachmentStoreOp::STORE)
+        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
+        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
+        .final_layout(vk::ImageLayout::PRESENT_SRC_KHR)];
+    let colour = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
+    let subpasses = [vk::SubpassDescription::default().color_attachments(&colour)];
+    // The transition comes after the semaphore of the acquired image.
+    let dependencies = [vk::SubpassDependency::default()
+        .src_subpass(vk::SUBPASS_EXTERNAL)
+        .src_stage_mask(vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT)
+        .dst_stage_mask(vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT)
+        .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
+    let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
+    // SAFETY: the device is alive.
+    unsafe { device.create_render_pass(&info, None) }.doing("create a render pass")
+}

@@ -1,0 +1,272 @@
+//! The swapchain with what belongs to each of its images. Made anew whenever the window or the wishes change.
+
+use ash::vk;
+
+use crate::error::{Doing, Result};
+use crate::gpu::{Gpu, WHOLE_IMAGE};
+
+/// The surface of a window.
+pub struct Surface {
+    pub functions: ash::khr::surface::Instance,
+    pub handle: vk::SurfaceKHR,
+    // The instance outlives it.
+    _gpu: Gpu,
+}
+
+impl Surface {
+    /// # Safety
+    /// `handle` is a surface of the device's instance, is owned by the result, and the window outlives it.
+    pub unsafe fn new(gpu: &Gpu, handle: vk::SurfaceKHR) -> Self {
+        Self { functions: ash::khr::surface::Instance::new(gpu.entry(), gpu.instance()), handle, _gpu: gpu.clone() }
+    }
+
+    /// Formats that the window can have.
+    pub fn formats(&self, gpu: &Gpu) -> Result<Vec<vk::SurfaceFormatKHR>> {
+        // SAFETY: the surface is alive.
+        unsafe { self.functions.get_physical_device_surface_formats(gpu.physical_device(), self.handle) }
+            .doing("list the formats of the window")
+    }
+}
+
+impl Drop for Surface {
+    fn drop(&mut self) {
+        // SAFETY: ours, and every swapchain on it is gone.
+        unsafe { self.functions.destroy_surface(self.handle, None) };
+    }
+}
+
+/// What a swapchain is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Wish {
+    /// Window pixels.
+    pub extent: [u32; 2],
+    /// Wait for the display.
+    pub vsync: bool,
+    /// Brighter than white.
+    pub hdr: bool,
+}
+
+/// How colours get to the display: as `encoding` in glsl/window/present.frag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Encoding {
+    /// The format encodes.
+    Srgb = 0,
+    /// The shader encodes.
+    Unorm = 1,
+    /// Extended linear sRGB: 1 is white, more is brighter.
+    Extended = 2,
+}
+
+/// A format of the window, and what the shader has to do for it. An 8-bit sRGB one, unless `hdr` is wanted and there.
+pub fn choose_format(formats: &[vk::SurfaceFormatKHR], hdr: bool) -> Option<(vk::SurfaceFormatKHR, Encoding)> {
+    use vk::Format as F;
+    let standard = |f: &&vk::SurfaceFormatKHR| f.color_space == vk::ColorSpaceKHR::SRGB_NONLINEAR;
+    let extended = |f: &&vk::SurfaceFormatKHR| {
+        f.format == F::R16G16B16A16_SFLOAT && f.color_space == vk::ColorSpaceKHR::EXTENDED_SRGB_LINEAR_EXT
+    };
+    if let Some(found) = formats.iter().find(extended).filter(|_| hdr) {
+        return Some((*found, Encoding::Extended));
+    }
+    let is_srgb = |f: &&vk::SurfaceFormatKHR| [F::B8G8R8A8_SRGB, F::R8G8B8A8_SRGB].contains(&f.format);
+    if let Some(found) = formats.iter().filter(standard).find(is_srgb) {
+        return Some((*found, Encoding::Srgb));
+    }
+    formats.iter().find(standard).or(formats.first()).map(|found| (*found, Encoding::Unorm))
+}
+
+/// A swapchain for one size of the window.
+pub struct Swapchain {
+    functions: ash::khr::swapchain::Device,
+    pub handle: vk::SwapchainKHR,
+    pub extent: vk::Extent2D,
+    pub wish: Wish,
+    views: Vec<vk::ImageView>,
+    pub framebuffers: Vec<vk::Framebuffer>,
+    /// One for each image: it is free again when the image comes back.
+    pub drawn: Vec<vk::Semaphore>,
+    gpu: Gpu,
+}
+
+impl Swapchain {
+    /// `None`: the window has no pixels now, since it is minimised. `old` is taken over and destroyed; nothing may use it any more.
+    ///
+    /// # Errors
+    /// A surface that is lost, or no memory.
+    pub fn new(
+        gpu: &Gpu,
+        surface: &Surface,
+        format: vk::SurfaceFormatKHR,
+        render_pass: vk::RenderPass,
+        wish: Wish,
+        old: Option<Swapchain>,
+    ) -> Result<Option<Self>> {
+        // SAFETY: the surface is alive.
+        let capabilities =
+            unsafe { surface.functions.get_physical_device_surface_capabilities(gpu.physical_device(), surface.handle) }
+                .doing("query the window")?;
+        let extent = clamped(&capabilities, wish.extent);
+        if extent.width == 0 || extent.height == 0 {
+            return Ok(None);
+        }
+        let most = if capabilities.max_image_count == 0 { u32::MAX } else { capabilities.max_image_count };
+        let info = vk::SwapchainCreateInfoKHR::default()
+            .surface(surface.handle)
+            .min_image_count((capabilities.min_image_count + 1).clamp(2, most.max(2)))
+            .image_format(format.format)
+            .image_color_space(format.color_space)
+            .image_extent(extent)
+            .image_array_layers(1)
+            .image_usage(vk::ImageUsageFlags::COLOR_ATTACHMENT)
+            .pre_transform(capabilities.current_transform)
+            .composite_alpha(opaque(capabilities.supported_composite_alpha))
+            .present_mode(present_mode(gpu, surface, wish.vsync)?)
+            .clipped(true)
+            .old_swapchain(old.as_ref().map_or(vk::SwapchainKHR::null(), |old| old.handle));
+        let functions = ash::khr::swapchain::Device::new(gpu.instance(), gpu.device());
+        // SAFETY: surface and old swapchain are alive, and what is asked for is within the capabilities.
+        let handle = unsafe { functions.create_swapchain(&info, None) }.doing("create a swapchain")?;
+        drop(old);
+        let mut made = Self {
+            functions,
+            handle,
+            extent,
+            wish,
+            views: Vec::new(),
+            framebuffers: Vec::new(),
+            drawn: Vec::new(),
+            gpu: gpu.clone(),
+        };
+        made.add_images(format.format, render_pass)?;
+        Ok(Some(made))
+    }
+
+    fn add_images(&mut self, format: vk::Format, render_pass: vk::RenderPass) -> Result<()> {
+        let device = self.gpu.device();
+        // SAFETY: the swapchain is alive.
+        let images = unsafe { self.functions.get_swapchain_images(self.handle) }.doing("list the images of the swapchain")?;
+        for image in images {
+            let info = vk::ImageViewCreateInfo::default()
+                .image(image)
+                .view_type(vk::ImageViewType::TYPE_2D)
+                .format(format)
+                .subresource_range(WHOLE_IMAGE);
+            // SAFETY: the image is the swapchain's, of this format.
+            let view = unsafe { device.create_image_view(&info, None) }.doing("create a view of the window")?;
+            self.views.push(view);
+            let attachments = [view];
+            let info = vk::FramebufferCreateInfo::default()
+                .render_pass(render_pass)
+                .attachments(&attachments)
+                .width(self.extent.width)
+                .height(self.extent.height)
+                .layers(1);
+            // SAFETY: view and render pass are alive and of the same format.
+            self.framebuffers.push(unsafe { device.create_framebuffer(&info, None) }.doing("create a framebuffer")?);
+            // SAFETY: the device is alive.
+            let semaphore = unsafe { device.create_semaphore(&vk::SemaphoreCreateInfo::default(), None) };
+            self.drawn.push(semaphore.doing("create a semaphore")?);
+        }
+        Ok(())
+    }
+
+    /// The next image to draw into; `acquired` is signalled when it may be drawn into. `Ok(None)`: none is free yet.
+    pub fn acquire(&self, acquired: vk::Semaphore, nanoseconds: u64) -> std::result::Result<Option<(u32, bool)>, vk::Result> {
+        // SAFETY: the swapchain is alive, and the semaphore is not in use.
+        match unsafe { self.functions.acquire_next_image(self.handle, nanoseconds, acquired, vk::Fence::null()) } {
+            Ok(image) => Ok(Some(image)),
+            Err(vk::Result::NOT_READY | vk::Result::TIMEOUT) => Ok(None),
+            Err(result) => Err(result),
+        }
+    }
+
+    /// Hands an image to the window system. `Ok(true)`: it fits no longer as well as it could.
+    pub fn present(&self, image: u32) -> std::result::Result<bool, vk::Result> {
+        let (semaphores, swapchains, images) = ([self.drawn[image as usize]], [self.handle], [image]);
+        let info = vk::PresentInfoKHR::default().wait_semaphores(&semaphores).swapchains(&swapchains).image_indices(&images);
+        let queue = self.gpu.queue();
+        // SAFETY: the queue is locked, the image was acquired and drawn, and the semaphore is signalled by that.
+        unsafe { self.functions.queue_present(*queue, &info) }
+    }
+}
+
+impl Drop for Swapchain {
+    fn drop(&mut self) {
+        let device = self.gpu.device();
+        // Presenting has no fence: only an idle queue says that the semaphores are free.
+        let queue = self.gpu.queue();
+        // SAFETY: the queue is locked and then idle, so that nothing is in use any more.
+        unsafe {
+            let _ = device.queue_wait_idle(*queue);
+            self.framebuffers.iter().for_each(|f| device.destroy_framebuffer(*f, None));
+            self.views.iter().for_each(|v| device.destroy_image_view(*v, None));
+            self.drawn.iter().for_each(|s| device.destroy_semaphore(*s, None));
+            self.functions.destroy_swapchain(self.handle, None);
+        }
+    }
+}
+
+/// A surface either has a size of its own, or takes that of the swapchain.
+fn clamped(capabilities: &vk::SurfaceCapabilitiesKHR, wanted: [u32; 2]) -> vk::Extent2D {
+    if capabilities.current_extent.width != u32::MAX {
+        return capabilities.current_extent;
+    }
+    let (min, max) = (capabilities.min_image_extent, capabilities.max_image_extent);
+    vk::Extent2D {
+        width: wanted[0].clamp(min.width, max.width.max(min.width)),
+        height: wanted[1].clamp(min.height, max.height.max(min.height)),
+    }
+}
+
+fn opaque(supported: vk::CompositeAlphaFlagsKHR) -> vk::CompositeAlphaFlagsKHR {
+    use vk::CompositeAlphaFlagsKHR as C;
+    let known = [C::OPAQUE, C::INHERIT, C::PRE_MULTIPLIED, C::POST_MULTIPLIED];
+    known.into_iter().find(|alpha| supported.contains(*alpha)).unwrap_or(C::OPAQUE)
+}
+
+/// FIFO is always there; without waiting for the display, what tears least.
+fn present_mode(gpu: &Gpu, surface: &Surface, vsync: bool) -> Result<vk::PresentModeKHR> {
+    use vk::PresentModeKHR as P;
+    // SAFETY: the surface is alive.
+    let found = unsafe { surface.functions.get_physical_device_surface_present_modes(gpu.physical_device(), surface.handle) }
+        .doing("list the ways to present")?;
+    let wanted = if vsync { P::FIFO } else { P::MAILBOX };
+    let known = [wanted, P::IMMEDIATE, P::FIFO];
+    Ok(known.into_iter().find(|mode| found.contains(mode) && !(vsync && *mode == P::IMMEDIATE)).unwrap_or(P::FIFO))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn format(format: vk::Format, color_space: vk::ColorSpaceKHR) -> vk::SurfaceFormatKHR {
+        vk::SurfaceFormatKHR { format, color_space }
+    }
+
+    #[test]
+    fn the_format_follows_the_wish_where_it_can() {
+        let plain = vk::ColorSpaceKHR::SRGB_NONLINEAR;
+        let unorm = format(vk::Format::B8G8R8A8_UNORM, plain);
+        let srgb = format(vk::Format::B8G8R8A8_SRGB, plain);
+        let hdr = format(vk::Format::R16G16B16A16_SFLOAT, vk::ColorSpaceKHR::EXTENDED_SRGB_LINEAR_EXT);
+        assert_eq!(choose_format(&[unorm, srgb, hdr], false), Some((srgb, Encoding::Srgb)));
+        assert_eq!(choose_format(&[unorm, srgb, hdr], true), Some((hdr, Encoding::Extended)));
+        assert_eq!(choose_format(&[hdr, unorm], false), Some((unorm, Encoding::Unorm)));
+        assert_eq!(choose_format(&[unorm], true), Some((unorm, Encoding::Unorm)));
+        assert_eq!(choose_format(&[], true), None);
+    }
+
+    #[test]
+    fn a_minimised_window_has_no_pixels_and_a_free_one_is_clamped() {
+        let extent = |width, height| vk::Extent2D { width, height };
+        let fixed = vk::SurfaceCapabilitiesKHR { current_extent: extent(0, 0), ..Default::default() };
+        assert_eq!(clamped(&fixed, [640, 480]), extent(0, 0));
+        let free = vk::SurfaceCapabilitiesKHR {
+            current_extent: extent(u32::MAX, u32::MAX),
+            min_image_extent: extent(1, 1),
+            max_image_extent: extent(500, 500),
+            ..Default::default()
+        };
+        assert_eq!(clamped(&free, [640, 0]), extent(500, 1));
+    }
+}

@@ -1,0 +1,261 @@
+//! What the engine shows: a scene, its path tracer, the filters that run, and the reference that grows while everything rests.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use ash::vk;
+use atrous::config::Preset;
+use atrous::DebugView;
+
+use super::clock::Clock;
+use super::content::Content;
+use super::filter::Filter;
+use super::panes::{PaneWriter, Panes, Source};
+use super::settings::Settings;
+use super::shared::{FilterReport, Probe, Shared, HISTOGRAM_BARS};
+use crate::error::Result;
+use crate::gpu::Gpu;
+use crate::scene::View;
+use crate::tracer::ReferenceSums;
+use crate::{PathTracer, Scene, SceneOptions, TracerOptions};
+
+/// A reference is good enough with so many paths a pixel.
+const REFERENCE_LIMIT: u32 = 16384;
+/// Time for paths of the reference in each frame.
+const REFERENCE_TIME: Duration = Duration::from_millis(60);
+
+/// What the engine shows.
+pub struct World {
+    gpu: Gpu,
+    scene: Arc<Scene>,
+    /// As it was asked for.
+    asked: String,
+    // Before the tracer, whose images they read.
+    filters: Vec<Filter>,
+    reference: Option<ReferenceSums<2>>,
+    wants_reference: bool,
+    tracer: PathTracer,
+    clock: Clock,
+    taa: bool,
+    /// Counts frames of the tracer: its random numbers.
+    seed: u32,
+}
+
+impl World {
+    /// Loads the scene.
+    ///
+    /// # Errors
+    /// A scene that cannot be loaded, or no memory.
+    pub fn new(gpu: &Gpu, extent: vk::Extent2D, settings: &Settings) -> Result<Self> {
+        let scene = Arc::new(Scene::load(&settings.scene, &SceneOptions::default())?);
+        let tracer = PathTracer::new(gpu, &scene, extent, tracer_options(settings))?;
+        Ok(Self {
+            gpu: gpu.clone(),
+            scene,
+            asked: settings.scene.clone(),
+            filters: Vec::new(),
+            reference: None,
+            wants_reference: false,
+            tracer,
+            clock: Clock::default(),
+            taa: settings.taa,
+            seed: 0,
+        })
+    }
+
+    /// Another scene, or another kind of picture; whether there is one. A scene that cannot be loaded is reported, and the old one stays.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn follow(&mut self, shared: &Shared, settings: &Settings) -> Result<bool> {
+        if settings.scene == self.asked && settings.taa == self.taa {
+            return Ok(false);
+        }
+        let scene = match settings.scene == self.asked {
+            true => Ok(self.scene.clone()),
+            false => Scene::load(&settings.scene, &SceneOptions::default()).map(Arc::new),
+        };
+        let extent = self.tracer.extent();
+        let made = scene.and_then(|scene| Ok((PathTracer::new(&self.gpu, &scene, extent, tracer_options(settings))?, scene)));
+        self.asked.clone_from(&settings.scene);
+        self.taa = settings.taa;
+        match made {
+            Ok((tracer, scene)) => {
+                self.filters.clear();
+                self.reference = None;
+                (self.tracer, self.scene) = (tracer, scene);
+                (self.clock, self.seed) = (Clock::default(), 0);
+                Ok(true)
+            }
+            Err(error) => {
+                shared.say(true, error.to_string());
+                Ok(false)
+            }
+        }
+    }
+
+    /// Traces and filters one frame; `view`: the camera, where it does not follow its path.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn frame(&mut self, settings: &Settings, view: Option<View>, advance: bool, reset: bool) -> Result<()> {
+        let (now, before) = self.clock.tick(&self.scene, settings, view, advance);
+        if let Some(reference) = self.reference.as_mut().filter(|_| now != before) {
+            reference.samples = 0;
+        }
+        self.tracer.begin_moment(self.seed, &now, &before)?;
+        self.seed += 1;
+        let contents = [settings.left, settings.right];
+        let presets = presets(contents);
+        let gpu = self.gpu.clone();
+        gpu.submit(|cmd| {
+            self.tracer.record_gbuffer(cmd);
+            // The filters have their own.
+            if presets.is_empty() {
+                self.tracer.record_lighting(cmd);
+            }
+            Ok(())
+        })?;
+        for preset in presets {
+            let index = match self.filters.iter().position(|f| f.preset == preset) {
+                Some(index) => index,
+                None => {
+                    self.filters.push(Filter::new(&gpu, &self.tracer, preset, self.taa)?);
+                    self.filters.len() - 1
+                }
+            };
+            self.filters[index].frame(&gpu, &mut self.tracer, settings.tuning(preset), reset)?;
+        }
+        Ok(())
+    }
+
+    /// Lets the reference grow, where it is shown.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn accumulate(&mut self, wanted: bool) -> Result<()> {
+        self.wants_reference = wanted;
+        if !wanted {
+            // What moves meanwhile is not noticed.
+            self.reference = None;
+            return Ok(());
+        }
+        let reference = match &mut self.reference {
+            Some(reference) => reference,
+            empty => empty.insert(self.tracer.reference_sums()?),
+        };
+        reference.add(&self.tracer, REFERENCE_TIME, REFERENCE_LIMIT)
+    }
+
+    /// Whether the reference is shown and can still grow.
+    pub fn is_accumulating(&self) -> bool {
+        self.wants_reference && self.reference_samples() < REFERENCE_LIMIT
+    }
+
+    /// Paths of each pixel in the reference.
+    pub fn reference_samples(&self) -> u32 {
+        self.reference.as_ref().map_or(0, |r| r.samples)
+    }
+
+    /// Whether a filter has seen the last frame.
+    pub fn has(&self, preset: Preset) -> bool {
+        self.filters.iter().any(|f| f.preset == preset && f.is_current(&self.tracer))
+    }
+
+    /// Fills both panes from what the last frame left.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn fill(&mut self, writer: &mut PaneWriter, panes: &Panes, contents: [Content; 2]) -> Result<()> {
+        for (side, content) in contents.into_iter().enumerate() {
+            let outputs = self.tracer.outputs();
+            let filter = content.preset().and_then(|preset| self.filters.iter_mut().find(|f| f.preset == preset));
+            let source = match (content, filter, &self.reference) {
+                (Content::Debug(_, view), Some(filter), _) => {
+                    filter.show(&self.gpu, view)?;
+                    Source::of(&filter.debug)
+                }
+                (Content::Filtered(_), Some(filter), _) if self.taa => Source::of(&filter.display),
+                (Content::Filtered(_), Some(filter), _) => Source::of(&filter.radiance),
+                (Content::Reference, _, Some(reference)) => {
+                    let [direct, indirect] = &reference.sums;
+                    let weight = 1.0 / reference.samples.max(1) as f32;
+                    Source { images: [direct, indirect, &outputs.emission], weights: [weight, weight, 1.0] }
+                }
+                _ => Source { images: [&outputs.scattered, &outputs.emission, &outputs.emission], weights: [1.0, 1.0, 0.0] },
+            };
+            writer.write(&self.gpu, panes, side, &source)?;
+        }
+        Ok(())
+    }
+
+    /// What a pixel says: of the first filter that is shown, right before left.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn probe(&mut self, panes: &Panes, contents: [Content; 2], pixel: [u32; 2]) -> Result<Probe> {
+        let colour = |image| self.gpu.read_half_texel(image, pixel).map(|[r, g, b, _]| [r, g, b]);
+        let colours = [colour(&panes.images[0])?, colour(&panes.images[1])?];
+        let mut probe = Probe { pixel, colours, ..Probe::default() };
+        let preset = [contents[1], contents[0]].into_iter().find_map(Content::preset);
+        let Some(filter) = self.filters.iter_mut().find(|f| Some(f.preset) == preset) else { return Ok(probe) };
+        probe.preset = preset;
+        for view in filter.report().views.into_iter().filter(|view| PROBED.contains(view)) {
+            filter.show(&self.gpu, view)?;
+            probe.numbers[view as usize] = Some(self.gpu.read_half_texel(&filter.debug, pixel)?[3]);
+        }
+        Ok(probe)
+    }
+
+    /// Pixels by history length, of the first filter in `contents`.
+    ///
+    /// # Errors
+    /// A lost device.
+    pub fn histogram(&mut self, contents: [Content; 2]) -> Result<Option<[u32; HISTOGRAM_BARS]>> {
+        let preset = contents.into_iter().find_map(Content::preset);
+        match self.filters.iter_mut().find(|f| Some(f.preset) == preset) {
+            Some(filter) => filter.histogram(),
+            None => Ok(None),
+        }
+    }
+
+    /// Times, memory and views of the filters that saw the last frame.
+    pub fn reports(&self) -> Vec<FilterReport> {
+        self.filters.iter().filter(|f| f.is_current(&self.tracer)).map(Filter::report).collect()
+    }
+
+    /// Where the camera is.
+    pub fn view(&self) -> Option<View> {
+        self.clock.view()
+    }
+
+    /// The scene's name.
+    pub fn scene_name(&self) -> &str {
+        &self.scene.name
+    }
+}
+
+/// What the magnifier shows of a pixel.
+const PROBED: [DebugView; 8] = [
+    DebugView::HistoryLength,
+    DebugView::Variance,
+    DebugView::Alpha,
+    DebugView::Lambda,
+    DebugView::Motion,
+    DebugView::Depth,
+    DebugView::SurfaceId,
+    DebugView::Disocclusion,
+];
+
+fn tracer_options(settings: &Settings) -> TracerOptions {
+    TracerOptions { jitter: settings.taa, ..TracerOptions::default() }
+}
+
+/// The filters that have to run, each once.
+fn presets(contents: [Content; 2]) -> Vec<Preset> {
+    let mut presets: Vec<Preset> = contents.into_iter().filter_map(Content::preset).collect();
+    presets.dedup();
+    // A-SVGF first: it has some samples shaded again, and the noisy picture is that of the last one.
+    presets.sort_by_key(|preset| *preset != Preset::Asvgf);
+    presets
+}
