@@ -7,7 +7,7 @@ use atrous::{Config, DebugView, Device, FrameContext, FrameParams, Phase, ResetR
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
-use crate::{PathTracer, Result, View};
+use crate::{view, PathTracer, Result};
 
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -93,7 +93,7 @@ impl FrameDenoiser {
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
-            keep: &[GRADIENT],
+            keep: &[view::GRADIENT],
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
@@ -198,76 +198,6 @@ impl FrameDenoiser {
         self.executor.denoiser().config().preset
     }
 
-    /// What [`Self::view`] can show: the preset says.
-    pub fn views(&self) -> impl Iterator<Item = View> + '_ {
-        View::ALL.into_iter().filter(|view| {
-            let needed: &[&str] = match view {
-                View::HistoryLength => &[self.name_of("moments")],
-                View::Deviation => &[self.name_of("moments"), self.name_of("irradiance_history")],
-                View::Gradient => &[GRADIENT],
-                View::Lambda => &["history_confidence"],
-                View::Alpha => &["history_confidence", self.name_of("moments")],
-            };
-            needed.iter().all(|name| self.has(name))
-        })
-    }
-
-    /// One number for each pixel of the last frame.
-    ///
-    /// # Errors
-    /// A view that is not among [`Self::views`], or no memory.
-    pub fn view(&mut self, view: View) -> Result<Vec<f32>> {
-        match view {
-            View::HistoryLength => self.history_length(),
-            View::Deviation => Ok(self.read(self.name_of("irradiance_history"))?.iter().map(|t| t[3]).collect()),
-            View::Gradient => self.gradient(),
-            View::Lambda => self.lambda(),
-            View::Alpha => self.alpha(),
-        }
-    }
-
-    fn history_length(&mut self) -> Result<Vec<f32>> {
-        let moments = self.read(self.name_of("moments"))?;
-        Ok(moments.iter().map(|m| half::f16::from_bits(m[2] as u16).to_f32()).collect())
-    }
-
-    fn lambda(&mut self) -> Result<Vec<f32>> {
-        Ok(self.read("history_confidence")?.iter().map(|c| 1.0 - c[0]).collect())
-    }
-
-    /// As the stage `temporal_accumulation` has it.
-    fn alpha(&mut self) -> Result<Vec<f32>> {
-        let least = self.tuning.alpha;
-        let (lambda, length) = (self.lambda()?, self.history_length()?);
-        Ok(lambda.iter().zip(length).map(|(l, n)| (least + l * (1.0 - least)).max(1.0 / n)).collect())
-    }
-
-    /// Every pixel gets the gradient of its stratum.
-    fn gradient(&mut self) -> Result<Vec<f32>> {
-        let strata = self.read(GRADIENT)?;
-        let [width, height] = self.executor.denoiser().declaration().allocated_extent();
-        let size = self.executor.denoiser().config().stratum_size;
-        let across = width.div_ceil(size);
-        let at = |i: u32| strata[(i / width / size * across + i % width / size) as usize];
-        Ok((0..width * height)
-            .map(at)
-            .map(|[change, brightest, ..]| if brightest > 0.0 { change / brightest } else { 0.0 })
-            .collect())
-    }
-
-    fn has(&self, name: &str) -> bool {
-        self.executor.denoiser().declaration().find(name).is_some()
-    }
-
-    /// The image of a signal, or that of its direct light where there are two.
-    fn name_of(&self, image: &'static str) -> &'static str {
-        match (self.has(image), image) {
-            (false, "moments") => "moments_direct",
-            (false, "irradiance_history") => "irradiance_history_direct",
-            _ => image,
-        }
-    }
-
     /// Texels of one of the denoiser's outputs or histories in the last frame: `display`, `denoised_radiance`, ...
     ///
     /// # Errors
@@ -314,9 +244,6 @@ impl FrameDenoiser {
         &self.executor
     }
 }
-
-/// Where the last of the five passes of `gradient_atrous` leaves the reconstructed gradient.
-const GRADIENT: &str = "gradient_pong";
 
 fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'static str, &'a Image)> {
     let outputs = tracer.outputs();
