@@ -117,17 +117,22 @@ impl DescriptorSet {
     /// A set of images in layout `GENERAL`, in the order of the bindings.
     pub fn of_images(gpu: &Gpu, layout: &SetLayout, views: &[vk::ImageView]) -> Result<Self> {
         let set = Self::new(gpu, layout)?;
+        set.point_at(layout, views);
+        Ok(set)
+    }
+
+    /// Points at other images. The set is not in use.
+    pub fn point_at(&self, layout: &SetLayout, views: &[vk::ImageView]) {
         for (index, (view, kind)) in views.iter().zip(&layout.kinds).enumerate() {
             let info = [vk::DescriptorImageInfo::default().image_view(*view).image_layout(vk::ImageLayout::GENERAL)];
             let write = vk::WriteDescriptorSet::default()
-                .dst_set(set.handle)
+                .dst_set(self.handle)
                 .dst_binding(index as u32)
                 .descriptor_type(*kind)
                 .image_info(&info);
-            // SAFETY: the set is new and not in use; the caller owns live views.
-            unsafe { gpu.device().update_descriptor_sets(&[write], &[]) };
+            // SAFETY: the caller owns live views, and no work uses the set.
+            unsafe { self.shared.device.update_descriptor_sets(&[write], &[]) };
         }
-        Ok(set)
     }
 }
 

@@ -39,7 +39,7 @@ impl Gpu {
         // SAFETY: the queue belongs to the device and is locked; another thread may submit while this one waits.
         let done = unsafe {
             let submitted = device.queue_submit(*self.queue(), &submits, fence);
-            submitted.and_then(|()| device.wait_for_fences(&[fence], true, u64::MAX))
+            submitted.and_then(|()| wait(device, fence))
         };
         // SAFETY: nothing waits for it any more.
         unsafe { device.destroy_fence(fence, None) };
@@ -128,6 +128,20 @@ impl Gpu {
             device.cmd_pipeline_barrier(cmd, all, copy, none, &[before], &[], &[]);
             device.cmd_copy_image_to_buffer(cmd, image.handle, vk::ImageLayout::GENERAL, target.handle, &[region]);
             device.cmd_pipeline_barrier(cmd, copy, host, none, &[after], &[], &[]);
+        }
+    }
+}
+
+/// A second at a time: told to wait for ever, Mesa's software device spins.
+///
+/// # Safety
+/// The fence is the device's, and will be signalled.
+unsafe fn wait(device: &ash::Device, fence: vk::Fence) -> std::result::Result<(), vk::Result> {
+    loop {
+        // SAFETY: the caller's.
+        match unsafe { device.wait_for_fences(&[fence], true, 1_000_000_000) } {
+            Err(vk::Result::TIMEOUT) => {}
+            done => return done,
         }
     }
 }

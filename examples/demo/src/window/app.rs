@@ -61,7 +61,6 @@ pub struct App {
     fly: Option<FlyCamera>,
     stepped: Instant,
     textures: egui::TexturesDelta,
-    place: Place,
     /// When to draw next, if nothing happens before.
     due: Option<Instant>,
     error: Option<Error>,
@@ -91,7 +90,6 @@ impl App {
             fly: None,
             stepped: Instant::now(),
             textures: egui::TexturesDelta::default(),
-            place: Place::default(),
             due: None,
             error: None,
             validation: None,
@@ -241,18 +239,15 @@ impl App {
         });
     }
 
-    fn draw(&mut self, event_loop: &ActiveEventLoop) -> Result<()> {
+    /// Runs the panel on what came in, and draws where the device is ready; input is taken whether it is or not.
+    fn turn(&mut self, event_loop: &ActiveEventLoop) -> Result<()> {
         let Some(mut live) = self.live.take() else { return Ok(()) };
-        let drawn = self.draw_live(event_loop, &mut live);
+        let done = self.turn_live(event_loop, &mut live);
         self.live = Some(live);
-        drawn
+        done
     }
 
-    fn draw_live(&mut self, event_loop: &ActiveEventLoop, live: &mut Live) -> Result<()> {
-        if !live.presenter.is_ready()? {
-            self.due = Some(Instant::now() + TICK);
-            return Ok(());
-        }
+    fn turn_live(&mut self, event_loop: &ActiveEventLoop, live: &mut Live) -> Result<()> {
         let report = self.shared.report().clone();
         let extent = report.panes.as_ref().map_or([320, 180], |p| [p.extent().width, p.extent().height]);
         let input = live.egui.take_egui_input(&live.window);
@@ -264,22 +259,29 @@ impl App {
         self.tell(&over, extent);
         live.egui.handle_platform_output(&live.window, output.platform_output);
         self.textures.append(output.textures_delta);
-        let pixels_per_point = output.pixels_per_point;
-        let primitives = context.tessellate(output.shapes, pixels_per_point);
         let size = live.window.inner_size();
-        let wish = Wish { extent: [size.width, size.height], vsync: self.settings.vsync, hdr: self.settings.hdr };
-        let presented = self.presented(&over, &report, extent, pixels_per_point);
-        let drawn =
-            Drawn { panes: report.panes.as_ref(), presented, textures: &self.textures, primitives: &primitives, pixels_per_point };
-        if live.presenter.draw(wish, &drawn)? {
-            self.textures = egui::TexturesDelta::default();
-            self.place = over.place;
-            self.log.drawn([size.width, size.height], over.place, &self.settings, &report);
-        } else {
-            self.due = Some(Instant::now() + TICK);
-        }
+        self.log.turned([size.width, size.height], &over, &self.settings, self.help, &report);
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
         self.plan(delay);
+        let wish = Wish { extent: [size.width, size.height], vsync: self.settings.vsync, hdr: self.settings.hdr };
+        let pixels_per_point = output.pixels_per_point;
+        let is_drawn = live.presenter.is_ready()? && {
+            let primitives = context.tessellate(output.shapes, pixels_per_point);
+            let drawn = Drawn {
+                panes: report.panes.as_ref(),
+                presented: self.presented(&over, &report, extent, pixels_per_point),
+                textures: &self.textures,
+                primitives: &primitives,
+                pixels_per_point,
+            };
+            live.presenter.draw(wish, &drawn)?
+        };
+        if is_drawn {
+            self.textures = egui::TexturesDelta::default();
+            self.log.drawn(&report);
+        } else {
+            self.plan(TICK);
+        }
         Ok(())
     }
 
@@ -366,7 +368,7 @@ impl ApplicationHandler<Woken> for App {
             WindowEvent::Focused(false) => self.held = Held::default(),
             WindowEvent::KeyboardInput { event, .. } if !typing => self.key(event_loop, &event),
             WindowEvent::RedrawRequested => {
-                if let Err(error) = self.draw(event_loop) {
+                if let Err(error) = self.turn(event_loop) {
                     self.fail(event_loop, error);
                 }
             }

@@ -91,7 +91,7 @@ impl Engine {
         let world = World::new(gpu, extent, &settings)?;
         let panes = Arc::new(Panes::new(gpu, extent)?);
         shared.report().panes = Some(panes.clone());
-        let writer = PaneWriter::new(gpu)?;
+        let writer = PaneWriter::new(gpu, &panes)?;
         Ok(Self { gpu: gpu.clone(), world, panes, writer, jobs: Jobs::default(), made: None, frames: 0 })
     }
 

@@ -4,9 +4,12 @@ use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
+use atrous::DebugView;
+
 use super::layout::Place;
+use super::overlay::Over;
 use super::settings::Settings;
-use super::shared::Report;
+use super::shared::{Probe, Report};
 use crate::error::{Error, Result};
 
 /// A log, or none.
@@ -18,6 +21,7 @@ pub struct Log {
     said: usize,
     place: Place,
     state: String,
+    probe: Option<Probe>,
 }
 
 impl Log {
@@ -39,31 +43,51 @@ impl Log {
         }
     }
 
-    /// What changed since the last drawn frame of the window.
-    pub fn drawn(&mut self, window: [u32; 2], place: Place, settings: &Settings, report: &Report) {
+    /// What changed since the last turn of the window.
+    pub fn turned(&mut self, window: [u32; 2], over: &Over, settings: &Settings, help: bool, report: &Report) {
         if self.file.is_none() {
             return;
         }
-        self.drawn += 1;
+        let place = over.place;
         if place != self.place {
             self.place = place;
             let Place { x, y, width, height } = place;
             self.line(&format!("picture {x} {y} {width} {height} window {} {}", window[0], window[1]));
         }
         let state = format!(
-            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={}",
-            settings.left, settings.right, settings.divider, settings.paused, settings.speed, settings.magnifier, settings.panel
+            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={} camera={} help={help} held={}",
+            settings.left,
+            settings.right,
+            settings.divider,
+            settings.paused,
+            settings.speed,
+            settings.magnifier,
+            settings.panel,
+            if settings.animate_camera { "path" } else { "free" },
+            over.holds_divider,
         );
         if state != self.state {
             self.line(&state);
             self.state = state;
         }
+        if let Some(probe) = report.probe.filter(|probe| Some(*probe) != self.probe) {
+            let number = |view: DebugView| probe.numbers[view as usize].map_or("-".into(), |n| n.to_string());
+            let [x, y] = probe.pixel;
+            let (history, reason) = (number(DebugView::HistoryLength), number(DebugView::Disocclusion));
+            self.line(&format!("probe {x} {y} history={history} alpha={} reason={reason}", number(DebugView::Alpha)));
+        }
+        self.probe = report.probe;
         let kept = report.messages.len();
         for message in &report.messages[kept - (report.said - self.said).min(kept)..] {
             let kind = if message.is_error { "error" } else { "message" };
             self.line(&format!("{kind} {}", message.text));
         }
         self.said = report.said;
+    }
+
+    /// A frame of the window, with the engine's last one in it.
+    pub fn drawn(&mut self, report: &Report) {
+        self.drawn += 1;
         if report.frames != self.frames {
             self.frames = report.frames;
             let [left, right] = report.shown.map_or([String::new(), String::new()], |shown| shown.map(|c| c.to_string()));

@@ -22,6 +22,8 @@ pub struct Over {
     pub turned: [f32; 2],
     /// The mouse is over it, window pixels.
     pub pointer: Option<[f32; 2]>,
+    /// The divider is held.
+    pub holds_divider: bool,
 }
 
 /// The picture's part of the window.
@@ -48,7 +50,7 @@ pub fn picture(ui: &mut Ui, settings: &mut Settings, report: &Report, extent: [u
     if let Some(pointer) = pointer.filter(|_| settings.magnifier) {
         numbers(ui, report, [pointer[0] / scale, pointer[1] / scale]);
     }
-    Over { place, turned: [turned.x, turned.y], pointer }
+    Over { place, turned: [turned.x, turned.y], pointer, holds_divider: divider.is_pointer_button_down_on() }
 }
 
 fn line_and_labels(ui: &Ui, settings: &Settings, rect: Rect, is_hot: bool) {

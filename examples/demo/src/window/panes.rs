@@ -66,8 +66,8 @@ impl Panes {
 pub struct PaneWriter {
     layout: SetLayout,
     pipeline: Pipeline,
-    /// Left and right; every submission of the engine waits, so the last one's may go.
-    sets: [Option<DescriptorSet>; 2],
+    /// Left and right. The same ones in every frame: Mesa's software device takes a shader with a new set for a new shader, and compiles it.
+    sets: [DescriptorSet; 2],
 }
 
 impl PaneWriter {
@@ -75,12 +75,14 @@ impl PaneWriter {
     ///
     /// # Errors
     /// No memory.
-    pub fn new(gpu: &Gpu) -> Result<Self> {
+    pub fn new(gpu: &Gpu, panes: &Panes) -> Result<Self> {
         let mut kinds = vec![vk::DescriptorType::STORAGE_IMAGE];
         kinds.resize(4, vk::DescriptorType::SAMPLED_IMAGE);
         let layout = SetLayout::new(gpu, &kinds)?;
         let pipeline = Pipeline::new(gpu, shaders::PANE, &[&layout], 16)?;
-        Ok(Self { layout, pipeline, sets: [None, None] })
+        let set = |side: usize| DescriptorSet::of_images(gpu, &layout, &[panes.images[side].view; 4]);
+        let sets = [set(0)?, set(1)?];
+        Ok(Self { layout, pipeline, sets })
     }
 
     /// Fills one pane in a submission of its own.
@@ -90,8 +92,9 @@ impl PaneWriter {
     pub fn write(&mut self, gpu: &Gpu, panes: &Panes, side: usize, source: &Source) -> Result<()> {
         let pane = &panes.images[side];
         let [a, b, c] = source.images.map(|image| image.view);
-        let set = DescriptorSet::of_images(gpu, &self.layout, &[pane.view, a, b, c])?;
-        let set = self.sets[side].insert(set);
+        // Every submission of the engine waits, so it is not in use.
+        let set = &self.sets[side];
+        set.point_at(&self.layout, &[pane.view, a, b, c]);
         let [x, y, z] = source.weights;
         gpu.submit(|cmd| {
             let everything: Scope =

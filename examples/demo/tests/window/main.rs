@@ -1,0 +1,168 @@
+//! The window for real: in a virtual X server, on the device that there is, under validation. Keys and the mouse come from outside of the
+//! program, what it did is read from its log, from the pictures that it writes, and from the screen. Every step waits for a line, never for a time.
+
+mod screen;
+mod session;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use atrous_picture::Picture;
+use session::{Demo, Display};
+
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// Pixels that differ by more than the eye could miss.
+fn different(a: &Picture, b: &Picture) -> usize {
+    let far = |(a, b): (&[u8; 3], &[u8; 3])| a.iter().zip(b).any(|(x, y)| x.abs_diff(*y) > 8);
+    a.pixels().iter().zip(b.pixels()).filter(|pair| far(*pair)).count()
+}
+
+fn brightness(picture: &Picture) -> f64 {
+    picture.pixels().iter().flatten().map(|c| f64::from(*c)).sum::<f64>() / (3 * picture.pixels().len()) as f64
+}
+
+/// Presses F2, and reads left and right half of what was written.
+fn shoot(demo: &mut Demo, left: &str, right: &str) -> [Picture; 2] {
+    demo.key("F2");
+    let line = demo.wait("a picture", |line| line.starts_with("message picture "));
+    let both = line.trim_start_matches("message picture ").trim_end_matches(".png").to_owned();
+    let half = |side: &str, content: &str| {
+        let path = PathBuf::from(format!("{both}_{side}_{content}.png"));
+        Picture::read_png(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
+    };
+    [half("left", left), half("right", right)]
+}
+
+#[test]
+fn a_session_with_keys_mouse_and_another_size() {
+    let Some(display) = Display::open() else { return };
+    let out = folder("window-session");
+    let mut demo = Demo::start(&display, &out);
+    demo.wait("frames", |line| line.starts_with("frame 3 left=noisy right=asvgf"));
+    demo.focus();
+    filters_and_pictures(&mut demo);
+    time(&mut demo);
+    divider(&mut demo, &display);
+    sizes(&mut demo);
+    magnifier(&mut demo);
+    camera_and_files(&mut demo, &out);
+    demo.key("ctrl+q");
+    demo.assert_closed();
+}
+
+fn filters_and_pictures(demo: &mut Demo) {
+    let [noisy, first] = shoot(demo, "noisy", "asvgf");
+    assert!(brightness(&noisy) > 10.0 && brightness(&first) > 10.0, "black");
+    assert!(different(&noisy, &first) > 500, "left and right of the divider are alike");
+    for (key, name) in [("2", "svgf"), ("4", "percentile"), ("5", "eaw")] {
+        demo.key(key);
+        demo.wait(name, |line| line.starts_with("frame") && line.contains(&format!("right={name} ")));
+        let [_, other] = shoot(demo, "noisy", name);
+        assert!(different(&first, &other) > 50, "{name} changes nothing");
+    }
+    demo.key("shift+3");
+    demo.wait("A-SVGF left", |line| line.starts_with("frame") && line.contains("left=asvgf right=eaw"));
+    demo.key("x");
+    demo.wait("halves changed", |line| line.starts_with("frame") && line.contains("left=eaw right=asvgf"));
+    demo.key("6");
+    demo.wait("a reference", |line| line.contains("right=reference") && line.starts_with("frame"));
+}
+
+fn time(demo: &mut Demo) {
+    demo.key("space");
+    demo.wait("a pause", |line| line.starts_with("state") && line.contains("paused=true"));
+    // The frame that was being made may still come.
+    demo.key("n");
+    demo.key("F1");
+    demo.wait("the help", |line| line.starts_with("state") && line.contains("help=true"));
+    demo.key("F1");
+    demo.wait("no help", |line| line.starts_with("state") && line.contains("help=false"));
+    demo.key("2");
+    demo.wait("a frame while paused", |line| line.starts_with("frame") && line.contains("right=svgf"));
+    demo.key("r");
+    demo.key("space");
+    demo.wait("no pause", |line| line.starts_with("state") && line.contains("paused=false"));
+    demo.wait("frames", |line| line.starts_with("frame"));
+}
+
+fn divider(demo: &mut Demo, display: &Display) {
+    demo.key("shift+1");
+    demo.wait("noisy left", |line| line.starts_with("frame") && line.contains("left=noisy right=svgf"));
+    let [x, y, width, height] = demo.picture();
+    let at = |share: f32| [x + share * width, y + 0.5 * height];
+    demo.drag(at(0.5), at(0.25));
+    demo.wait("the divider", |line| line.starts_with("state") && line.contains("divider=0.2"));
+    demo.wait("a frame", |line| line.starts_with("frame"));
+    let screen = display.screen();
+    let part = |from: f32, to: f32| screen.roughness([x + from * width, y + 0.4 * height], [x + to * width, y + 0.8 * height]);
+    let (left, right) = (part(0.02, 0.23), part(0.3, 0.51));
+    assert!(left > 2.0 * right, "on the screen the noisy half is as smooth as the other one: {left} and {right}");
+}
+
+fn sizes(demo: &mut Demo) {
+    for [width, height] in [[700, 420], [90, 60], [1, 1], [880, 480]] {
+        demo.resize([width, height]);
+        demo.wait("another size", |line| line.starts_with("picture") && line.ends_with(&format!("window {width} {height}")));
+    }
+    demo.hide_and_show();
+    demo.wait("a frame", |line| line.starts_with("frame"));
+    demo.key("Tab");
+    demo.wait("no panel", |line| line.starts_with("state") && line.contains("panel=false"));
+}
+
+fn magnifier(demo: &mut Demo) {
+    demo.key("m");
+    demo.wait("the magnifier", |line| line.starts_with("state") && line.contains("magnifier=true"));
+    let [x, y, width, height] = demo.picture();
+    demo.point([x + 0.75 * width, y + 0.75 * height]);
+    demo.wait("numbers", |line| {
+        line.starts_with("probe 48 27 history=") && !line.contains("history=-") && !line.contains("reason=-")
+    });
+    demo.key("m");
+}
+
+fn camera_and_files(demo: &mut Demo, out: &Path) {
+    demo.key("F4");
+    demo.hold("w", |demo| {
+        demo.wait("a free camera", |line| line.starts_with("state") && line.contains("camera=free"));
+        demo.wait("a frame", |line| line.starts_with("frame"));
+        demo.wait("a frame", |line| line.starts_with("frame"));
+    });
+    demo.key("F4");
+    demo.wait("a camera path", |line| line.starts_with("message a camera path of"));
+    demo.key("F5");
+    demo.key("F3");
+    demo.wait("a frame", |line| line.starts_with("frame"));
+    demo.wait("a frame", |line| line.starts_with("frame"));
+    demo.key("F3");
+    demo.wait("a sequence", |line| line.starts_with("message") && line.contains("frames are in"));
+    assert!(out.join("sequence/00000.png").is_file());
+    demo.key("ctrl+s");
+    demo.wait("settings", |line| line.starts_with("message settings are in"));
+    let path = out.join("settings.json");
+    let saved = std::fs::read_to_string(&path).expect("settings");
+    assert!(saved.contains("\"right\": \"svgf\"") && saved.contains("\"animate_camera\": false"), "{saved}");
+    let changed = saved.replace("\"right\": \"svgf\"", "\"right\": \"svgf/disocclusion\"").replace("cornell", "pillars");
+    std::fs::write(&path, changed).expect("settings");
+    demo.key("ctrl+o");
+    demo.wait("a debug view of another scene", |line| line.contains("right=svgf/disocclusion") && line.contains("scene=pillars"));
+    std::fs::write(&path, "{\"divider\": 7}").expect("settings");
+    demo.key("ctrl+o");
+    demo.wait("what is wrong", |line| line.starts_with("error") && line.contains("divider"));
+}
+
+#[test]
+fn without_a_display_it_names_the_other_way() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
+    command.arg("--window").env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY").env_remove("WAYLAND_SOCKET");
+    let output = command.output().expect("the demo starts");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!output.status.success() && !message.contains("panicked"), "{message}");
+    assert!(message.contains("leave --window out") && message.contains("DISPLAY"), "{message}");
+}
