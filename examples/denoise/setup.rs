@@ -97,6 +97,7 @@ impl Setup {
         config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
         config.preset = if wishes.best { best(&mapping) } else { wishes.preset.or(captured).unwrap_or_default() };
         config.forward_motion = mapping.has(Role::ForwardMotion);
+        config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.signals = signals(&mapping, config.preset, wishes.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);
