@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing and nothing else: a C toolchain for shaderc's archive, the Vulkan loader, a Vulkan driver
-# where no device answers, and (with --test) the Khronos validation layer and the headers for the C++ host. Then makes the archive that `shaderc` links.
+# where no device answers, and (with --test) the Khronos validation layer, the headers for the C++ host, and a virtual X server for the window. Then makes the archive that `shaderc` links.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -28,7 +28,7 @@ if command -v apt-get >/dev/null; then
     for package in gcc g++ binutils libshaderc-dev glslang-dev spirv-tools libvulkan1 vulkan-tools; do need "$package"; done
     for option in "$@"; do
         case $option in
-            --test) for package in vulkan-validationlayers libvulkan-dev; do need "$package"; done ;;
+            --test) for package in vulkan-validationlayers libvulkan-dev xvfb xdotool libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0; do need "$package"; done ;;
             *) fail "unknown option $option: only --test is known" ;;
         esac
     done

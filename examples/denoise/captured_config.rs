@@ -15,9 +15,6 @@ pub struct CapturedConfig {
     stratum_size: Option<u32>,
     #[serde(default, deserialize_with = "gradient_source")]
     gradient_source: Option<GradientSource>,
-    /// Surfaces alone are replayed.
-    #[serde(rename = "volume")]
-    _volume: Option<bool>,
     firefly_filter: Option<bool>,
     #[serde(default, deserialize_with = "adaptive_rule")]
     adaptive_rule: Option<AdaptiveRule>,

@@ -122,7 +122,6 @@ fn config(c: &Config) -> Vec<(&'static str, String)> {
         ("levels", c.levels.to_string()),
         ("stratum_size", c.stratum_size.to_string()),
         ("gradient_source", text(source)),
-        ("volume", c.volume.to_string()),
         ("firefly_filter", c.firefly_filter.to_string()),
         ("adaptive_rule", text(if c.adaptive_rule == AdaptiveRule::Percentiles { "percentiles" } else { "change_test" })),
         ("block_sort", text(if c.block_sort == BlockSort::OddEven { "odd_even" } else { "counting" })),

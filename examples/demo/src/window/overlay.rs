@@ -38,7 +38,7 @@ pub fn picture(ui: &mut Ui, settings: &mut Settings, report: &Report, extent: [u
     let x = rect.left() + settings.divider * rect.width();
     let handle = Rect::from_min_max(Pos2::new(x - GRAB, rect.top()), Pos2::new(x + GRAB, rect.bottom()));
     let divider = ui.interact(handle, ui.id().with("divider"), egui::Sense::drag());
-    if let Some(pointer) = divider.interact_pointer_pos().filter(|_| divider.dragged()) {
+    if let Some(pointer) = divider.interact_pointer_pos().filter(|_| divider.dragged() || divider.drag_stopped()) {
         settings.divider = place.divider(pointer.x * scale);
     }
     if divider.hovered() || divider.dragged() {

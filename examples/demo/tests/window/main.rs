@@ -97,7 +97,7 @@ fn divider(demo: &mut Demo, display: &Display) {
     let [x, y, width, height] = demo.picture();
     let at = |share: f32| [x + share * width, y + 0.5 * height];
     demo.drag(at(0.5), at(0.25));
-    demo.wait("the divider", |line| line.starts_with("state") && line.contains("divider=0.2"));
+    demo.wait("the divider", |line| line.starts_with("state") && line.contains("divider=0.25") && line.ends_with("held=false"));
     demo.wait("a frame", |line| line.starts_with("frame"));
     let screen = display.screen();
     let part = |from: f32, to: f32| screen.roughness([x + from * width, y + 0.4 * height], [x + to * width, y + 0.8 * height]);
