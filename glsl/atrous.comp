@@ -3,20 +3,26 @@
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
 // BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline.
-// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,BOX=1 SIGNALS=2,BOX=1
+// VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the background takes part. No depth_gradient.
+// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,BOX=1 SIGNALS=2,BOX=1 SIGNALS=1,VOLUME=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 #include "push_constants.glsl"
-#include "geometry_weights.glsl"
+#include "centre_geometry.glsl"
 #include "luminance.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
+#ifdef VOLUME
+layout(set = 0, binding = 2) uniform texture2D input_0;
+layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D output_0;
+#else
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D input_0;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
+#endif
 #if SIGNALS == 2
 layout(set = 0, binding = 5) uniform texture2D input_1;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
@@ -42,7 +48,7 @@ struct Centre {
     float sharpness;  // of luminance: log2(e) over eq. 5's denominator
 };
 
-bool is_surface(ivec2 q) { return is_inside(q) && unpack_depth(texelFetch(guide, q, 0)) != 0.0; }
+bool is_surface(ivec2 q) { return is_inside(q) && is_filtered(texelFetch(guide, q, 0)); }
 
 // g3x3: a steadier variance for the luminance weight alone.
 vec2 smoothed_variances(ivec2 p) {
@@ -65,7 +71,7 @@ vec2 smoothed_variances(ivec2 p) {
 }
 
 Centre centre_of(vec4 value, float variance) {
-    return Centre(luminance(value.rgb), LOG2_E / (frame.sigma_l * sqrt(variance) + LUMINANCE_EPSILON));
+    return Centre(luminance(value.rgb), LOG2_E / (sigma_l() * sqrt(variance) + LUMINANCE_EPSILON));
 }
 
 void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
@@ -90,16 +96,18 @@ void main() {
     vec4 value_1 = texelFetch(input_1, p, 0);
 #endif
     uvec4 packed = texelFetch(guide, p, 0);
-    float z = unpack_depth(packed);
-    if (z == 0.0) {
+    if (!is_filtered(packed)) {
         imageStore(output_0, p, value_0);
 #if SIGNALS == 2
         imageStore(output_1, p, value_1);
 #endif
         return;
     }
-    vec3 n = unpack_normal(packed);
-    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+#ifdef VOLUME
+    Geometry geometry = geometry_of(packed);
+#else
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+#endif
     vec2 variances = smoothed_variances(p);
     Centre centre_0 = centre_of(value_0, variances.x);
     Sum sum_0 = start(value_0);
@@ -114,13 +122,12 @@ void main() {
             ivec2 q = p + offset;
             if ((x == 0 && y == 0) || !is_inside(q)) continue;
             uvec4 packed_q = texelFetch(guide, q, 0);
-            float z_q = unpack_depth(packed_q);
-            if (z_q == 0.0) continue;
+            if (!is_filtered(packed_q)) continue;
             float kernel = KERNEL[abs(x)] * KERNEL[abs(y)];
-            float geometry = log2_geometry_weight(n, unpack_normal(packed_q), z, z_q, gradient, vec2(offset));
-            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, geometry, kernel);
+            float weight = log2_weight(geometry, packed_q, vec2(offset));
+            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, weight, kernel);
 #if SIGNALS == 2
-            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, geometry, kernel);
+            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, weight, kernel);
 #endif
         }
     imageStore(output_0, p, result(sum_0));

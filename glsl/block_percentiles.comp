@@ -2,7 +2,8 @@
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
 // Source: [PSVGF], block percentiles. Deviation: ranks by counting; the published odd-even sort is there to compare, and gives the same.
 // In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block.
-// Pixels outside the render extent and background do not take part. Without any: 0, 0.
+// Pixels outside the render extent and background do not take part. Without any: 0, 0. VOLUME: the background does, since fog lies before it.
+// variants: VOLUME=0 VOLUME=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -13,9 +14,19 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#if !VOLUME
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = 2) uniform texture2D irradiance;
-layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles;
+#endif
+layout(set = 0, binding = 2 - VOLUME) uniform texture2D irradiance;
+layout(set = 0, binding = 3 - VOLUME, r32ui) uniform writeonly uimage2D block_percentiles;
+
+bool takes_part(ivec2 p) {
+#if VOLUME
+    return is_inside(p);
+#else
+    return is_inside(p) && unpack_depth(texelFetch(guide, p, 0)) != 0.0;
+#endif
+}
 
 const uint SORT_ODD_EVEN = 1u;
 // Behind every luminance that a half float holds.
@@ -55,8 +66,7 @@ float percentile(float share, uint count) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     uint i = gl_LocalInvocationIndex;
-    bool surface = is_inside(p) && unpack_depth(texelFetch(guide, p, 0)) != 0.0;
-    keys[i] = surface ? luminance(texelFetch(irradiance, p, 0).rgb) : NO_PIXEL;
+    keys[i] = takes_part(p) ? luminance(texelFetch(irradiance, p, 0).rgb) : NO_PIXEL;
     barrier();
     if (push.level == SORT_ODD_EVEN) sort_odd_even(i);
     else sort_by_counting(i);

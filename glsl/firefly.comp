@@ -1,7 +1,8 @@
 #version 450
 // Scales outliers down to the brightest luminance that is usual around them, before they reach the history.
 // Source: [PSVGF], firefly filter. Deviation: the largest limit of the 3x3 blocks, so that a small lit corner of a dark block is kept.
-// In:  guide, block_percentiles. In place: filter_ping, noisy irradiance, own pixel only.
+// In:  guide, block_percentiles. In place: filter_ping, noisy irradiance, own pixel only. VOLUME: of every pixel, whatever the guide says.
+// variants: VOLUME=0 VOLUME=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -11,13 +12,23 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#if !VOLUME
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = 2) uniform utexture2D block_percentiles;
-layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
+#endif
+layout(set = 0, binding = 2 - VOLUME) uniform utexture2D block_percentiles;
+layout(set = 0, binding = 3 - VOLUME, rgba16f) uniform image2D irradiance;
+
+bool takes_part(ivec2 p) {
+#if VOLUME
+    return is_inside(p);
+#else
+    return is_inside(p) && unpack_depth(texelFetch(guide, p, 0)) != 0.0;
+#endif
+}
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (!is_inside(p) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return;
+    if (!takes_part(p)) return;
     vec4 value = imageLoad(irradiance, p);
     float l = luminance(value.rgb);
     ivec2 block = p / BLOCK_SIZE;

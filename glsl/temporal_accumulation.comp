@@ -4,24 +4,32 @@
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame.
 // ADAPTIVE: history_confidence. REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
 // In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
-// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1
+// VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict. No background.
+// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=0,VOLUME=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
+#include "volume.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
+#ifdef VOLUME
+#define FIRST 4
+layout(set = 0, binding = 3) uniform utexture2D volume_motion;
+#else
+#define FIRST 5
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
 layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 5) uniform texture2D history_0;
-layout(set = 0, binding = 6) uniform utexture2D previous_moments_0;
-layout(set = 0, binding = 7, rgba16f) uniform image2D irradiance_0;
-layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D moments_0;
+#endif
+layout(set = 0, binding = FIRST) uniform texture2D history_0;
+layout(set = 0, binding = FIRST + 1) uniform utexture2D previous_moments_0;
+layout(set = 0, binding = FIRST + 2, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = FIRST + 3, rgba16ui) uniform writeonly uimage2D moments_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 9) uniform texture2D history_1;
 layout(set = 0, binding = 10) uniform utexture2D previous_moments_1;
@@ -64,6 +72,10 @@ struct Gathered {
 uint refusal(ivec2 tap, Expected expected, float slack) {
     if (!is_inside_previous(tap)) return REASON_OFF_SCREEN;
     uvec4 packed = texelFetch(previous_guide, tap, 0);
+#ifdef VOLUME
+    float difference = relative_difference(volume_depth(packed), expected.depth);
+    return difference <= expected.depth_tolerance ? REASON_NONE : REASON_DEPTH;
+#else
     float z = unpack_depth(packed);
     if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
     if (!(abs(z - expected.depth) <= expected.depth_tolerance + slack)) return REASON_DEPTH;
@@ -74,6 +86,7 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
 #endif
     if (dot(n, expected.normal) < frame.normal_tolerance) return REASON_NORMAL;
     return REASON_NONE;
+#endif
 }
 
 void add_signal(inout History sum, texture2D history, utexture2D previous_moments, ivec2 tap, float weight) {
@@ -152,7 +165,22 @@ Gathered gather(vec2 position, Expected expected) {
     return sum;
 }
 
-Expected expectation(ivec2 p, uvec4 packed, SurfaceMotion m) {
+#ifdef VOLUME
+bool is_filtered(uvec4 packed) { return true; }
+
+Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
+    motion = unpackHalf2x16(texelFetch(volume_motion, p, 0).x);
+    return Expected(volume_depth(packed), frame.volume_depth_tolerance, vec2(0.0), vec3(0.0), 0u);
+}
+
+vec2 smallest_alphas() { return vec2(frame.volume_alpha); }
+#else
+bool is_filtered(uvec4 packed) { return unpack_depth(packed) != 0.0; }
+
+// What the previous frame must show, and where.
+Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
+    SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+    motion = m.motion;
     float z = unpack_depth(packed);
     vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
     float previous_z = z * (1.0 + m.depth_ratio);
@@ -164,6 +192,10 @@ Expected expectation(ivec2 p, uvec4 packed, SurfaceMotion m) {
     float tolerance = frame.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
     return Expected(previous_z, tolerance, gradient, n, unpack_id(packed));
 }
+
+// Of irradiance and of moments.
+vec2 smallest_alphas() { return vec2(frame.alpha, frame.alpha_moments); }
+#endif
 
 // How far light changed at a pixel: 0, not at all, to 1.
 float change_at(ivec2 p) {
@@ -181,27 +213,27 @@ vec3 blend(vec3 irradiance, History history, float history_length, float change,
     float scale = frame.exposure_ratio;
     float mean = history.mean * scale;
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
-    float alpha_moments = max(adapted(frame.alpha_moments, change), 1.0 / history_length);
+    float alpha_moments = max(adapted(smallest_alphas().y, change), 1.0 / history_length);
     float difference = l - mean;
     moments.mean = mean + alpha_moments * difference;
     moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    return mix(history.irradiance * scale, irradiance, max(adapted(frame.alpha, change), 1.0 / history_length));
+    return mix(history.irradiance * scale, irradiance, max(adapted(smallest_alphas().x, change), 1.0 / history_length));
 }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uvec4 packed = texelFetch(guide, p, 0);
-    bool background = unpack_depth(packed) == 0.0;
+    bool background = !is_filtered(packed);
     bool reset = has_flag(FLAG_RESET);
     Gathered sum = nothing();
     uint reason = background ? REASON_NONE : REASON_RESET;
     if (!background && !reset) {
-        SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
-        Expected expected = expectation(p, packed, m);
-        vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
+        vec2 motion;
+        Expected expected = expectation(p, packed, motion);
+        vec2 position = previous_position(p, motion, frame.render_extent, frame.previous_render_extent) - 0.5;
         sum = gather(position, expected);
 #ifdef REPAIR
         vec2 start = previous_position(p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;

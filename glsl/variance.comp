@@ -3,21 +3,28 @@
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
 // FADE: [PSVGF] variance: 5x5 pixels always take part, with a share that shrinks as the past grows.
 // In:  guide, depth_gradient, accumulated irradiance (filter_ping), moments. Out: filter_pong: irradiance, deviation.
-// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,FADE=1 SIGNALS=2,FADE=1
+// VOLUME: weights by the depth of the surface behind alone; the background takes part. No depth_gradient.
+// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,FADE=1 SIGNALS=2,FADE=1 SIGNALS=1,FADE=1,VOLUME=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
-#include "geometry_weights.glsl"
+#include "centre_geometry.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
+#ifdef VOLUME
+layout(set = 0, binding = 2) uniform texture2D accumulated_0;
+layout(set = 0, binding = 3) uniform utexture2D moments_0;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D estimated_0;
+#else
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D accumulated_0;
 layout(set = 0, binding = 4) uniform utexture2D moments_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D estimated_0;
+#endif
 #if SIGNALS == 2
 layout(set = 0, binding = 6) uniform texture2D accumulated_1;
 layout(set = 0, binding = 7) uniform utexture2D moments_1;
@@ -37,9 +44,11 @@ void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
 
 // Mean and second moment of each signal over the neighbourhood.
 void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
-    float z = unpack_depth(packed);
-    vec3 n = unpack_normal(packed);
-    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+#ifdef VOLUME
+    Geometry geometry = geometry_of(packed);
+#else
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+#endif
     float weight_sum = 0.0;
     sums[0] = sums[1] = vec2(0.0);
     for (int y = -RADIUS; y <= RADIUS; ++y)
@@ -47,11 +56,8 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
             ivec2 q = p + ivec2(x, y);
             if (!is_inside(q)) continue;
             uvec4 packed_q = texelFetch(guide, q, 0);
-            float z_q = unpack_depth(packed_q);
-            if (z_q == 0.0) continue;
-            float weight = 1.0;
-            if (x != 0 || y != 0)
-                weight = exp2(log2_geometry_weight(n, unpack_normal(packed_q), z, z_q, gradient, vec2(x, y)));
+            if (!is_filtered(packed_q)) continue;
+            float weight = x == 0 && y == 0 ? 1.0 : exp2(log2_weight(geometry, packed_q, vec2(x, y)));
             weight_sum += weight;
             add_moments(sums[0], moments_0, q, weight);
 #if SIGNALS == 2
@@ -90,7 +96,7 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uvec4 packed = texelFetch(guide, p, 0);
-    bool background = unpack_depth(packed) == 0.0;
+    bool background = !is_filtered(packed);
     Moments m = unpack_moments(texelFetch(moments_0, p, 0));
     vec2 deviations = vec2(m.deviation);
 #if SIGNALS == 2

@@ -16,6 +16,9 @@
 // Most uses that a pass has.
 #define ATROUS_MAX_USES 32
 
+// Bytes of the text of a report, with its null.
+#define ATROUS_REPORT_SIZE 4096
+
 // What a function of the C ABI returns.
 enum AtrousStatus
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
@@ -62,18 +65,24 @@ typedef struct AtrousConfig {
   uint32_t height;
   // Frames that the host records before it waits for the oldest, 1 to 8.
   uint32_t frames_in_flight;
-  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile.
+  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: EAW; 5: a volume alone.
   uint32_t preset;
   // 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
   uint32_t signals;
   // À-trous levels, 1 to 10.
   uint32_t levels;
+  // 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
+  uint32_t volume;
   // 1: fireflies are removed before accumulation; the percentile preset always does.
   uint32_t firefly_filter;
   // How the percentile preset sees changed light. 0: change test; 1: percentiles.
   uint32_t adaptive_rule;
   // How percentiles are found. 0: counting; 1: odd-even transposition.
   uint32_t block_sort;
+  // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
+  uint32_t eaw_weights;
+  // How many pixels of EAW's input have a sample. 0: all; 1: one of 2×2; 2: one of 4×4.
+  uint32_t sampling;
   // Side of the strata of temporal gradients, 2 to 4 pixels.
   uint32_t stratum_size;
   // Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
@@ -132,7 +141,7 @@ typedef struct AtrousFrameParams {
   float exposure_ratio;
   // 1: the host re-shades this frame's `gradient_samples`.
   uint32_t reshaded;
-  // What the pass `debug_view` shows: a number of `atrous::DebugView`, 0 to 13.
+  // What the pass `debug_view` shows: a number of `atrous::DebugView` plus 1. 0: the host leaves the pass out.
   uint32_t debug_view;
 } AtrousFrameParams;
 
@@ -288,6 +297,43 @@ typedef struct AtrousBinding {
   uint64_t range;
 } AtrousBinding;
 
+// What the host gave for one frame, read back: tightly packed rows of width texels, each four floats.
+typedef struct AtrousGuides {
+  // sizeof(AtrousGuides).
+  uint32_t struct_size;
+  // Width of the images; at least the render width.
+  uint32_t width;
+  // Height of the images.
+  uint32_t height;
+  // Matrices, jitter and render extent of the frame.
+  const struct AtrousFrameParams *params;
+  // x: depth. width * height * 4 floats.
+  const float *depth;
+  // xyz, or octahedral xy. NULL: none.
+  const float *normal;
+  // xy. NULL: none.
+  const float *motion;
+  // One number a texel, 0 is the background. NULL: none.
+  const uint32_t *surface_id;
+} AtrousGuides;
+
+// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the frames cannot tell;
+// 4 not given.
+typedef struct AtrousConventionReport {
+  // sizeof(AtrousConventionReport), set by the host.
+  uint32_t struct_size;
+  // Verdict on depth, matrices and jitter.
+  uint32_t geometry;
+  // Verdict on motion, x and y.
+  uint32_t motion;
+  // Verdict on z of the motion.
+  uint32_t motion_depth;
+  // Verdict on normals.
+  uint32_t normals;
+  // The mistakes, the evidence in pixels and degrees, and what to change.
+  char text[ATROUS_REPORT_SIZE];
+} AtrousConventionReport;
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -403,6 +449,16 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            uint32_t pass,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
+
+// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names the likely
+// mistake. Needs no denoiser and no device.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; images have as many texels as their extent says.
+AtrousStatus atrous_check_conventions(const struct AtrousConfig *config,
+                                      const struct AtrousGuides *previous,
+                                      const struct AtrousGuides *current,
+                                      struct AtrousConventionReport *report);
 
 #ifdef __cplusplus
 }  // extern "C"

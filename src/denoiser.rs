@@ -1,29 +1,12 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
-use crate::config::{Config, Preset};
-use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Lifetime, PassDecl, Shape, Tuning, Work};
+use crate::config::Config;
+use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Grid, Lifetime, PassDecl, Shape, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
 use crate::requirements::{Requirements, WORKGROUP_SIDE};
 use crate::shaders::{BindingKind, PushConstants, Shader};
 use ash::vk;
-
-impl Config {
-    /// Declares every resource and pass, without a device.
-    ///
-    /// # Errors
-    /// As [`Config::validate`].
-    pub fn declare(&self) -> Result<Declaration, Error> {
-        self.validate()?;
-        Ok(match self.preset {
-            Preset::Svgf => crate::presets::svgf(self),
-            Preset::Percentile => crate::presets::percentile(self),
-            Preset::Eaw => crate::presets::eaw(self),
-            Preset::Asvgf => crate::presets::asvgf(self),
-            Preset::Stabilize => crate::presets::stabilize(self),
-        })
-    }
-}
 
 impl PassDecl {
     pub(crate) fn shader(&self) -> Option<&'static Shader> {
@@ -180,10 +163,10 @@ impl Denoiser {
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
             // SAFETY: as above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
-            Work::Dispatch { level, divisor, .. } => {
+            Work::Dispatch { level, grid, .. } => {
                 let push = PushConstants { level, present: present(bindings) };
                 // SAFETY: the caller's; the bindings were checked.
-                unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, divisor), push)? };
+                unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, grid), push)? };
             }
             Work::DebugView { available, .. } => {
                 let push =
@@ -313,11 +296,11 @@ fn present(bindings: &[Binding]) -> u32 {
 }
 
 /// Invocations of a dispatch.
-fn dispatched_extent(frame: &FrameContext, divisor: u32) -> [u32; 2] {
+fn dispatched_extent(frame: &FrameContext, grid: Grid) -> [u32; 2] {
     let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
-    match divisor {
-        1 => now,
-        _ => [0, 1].map(|i| now[i].max(before[i]).div_ceil(divisor)),
+    match grid {
+        Grid::Pixels => now,
+        Grid::Strata(side) => [0, 1].map(|i| now[i].max(before[i]).div_ceil(side)),
     }
 }
 

@@ -42,8 +42,10 @@ pub struct FrameConstants {
     pub sigma_rt: f32,
     pub sigma_rt_n: f32,
     pub sigma_rt_x: f32,
-    pub reserved_0: u32,
-    pub reserved_1: u32,
+    pub volume_alpha: f32,
+    pub volume_sigma_l: f32,
+    pub volume_sigma_z: f32,
+    pub volume_depth_tolerance: f32,
     pub exposure: f32,
     pub taa_alpha: f32,
     pub taa_gamma: f32,
@@ -52,7 +54,7 @@ pub struct FrameConstants {
     pub previous_clip_w_scale: f32,
     pub previous_clip_w_offset: f32,
     pub gradient_scale: f32,
-    pub padding: [u32; 3],
+    pub padding: u32,
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and the host's conventions.

@@ -8,6 +8,7 @@ pub mod capi;
 pub mod capture;
 pub mod config;
 pub mod contract;
+pub mod conventions;
 mod denoiser;
 mod error;
 #[cfg(feature = "executor")]
@@ -20,6 +21,11 @@ pub mod quality;
 pub mod reference;
 mod requirements;
 mod shaders;
+
+/// The examples in docs/integrate.md.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/integrate.md")]
+struct Integrate;
 
 pub use config::Config;
 pub use contract::*;

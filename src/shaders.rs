@@ -142,6 +142,12 @@ mod tests {
                 }
                 let config = Config { surface_id, object_normal, post_process, ..base };
                 all.push(Config { preset: Preset::Eaw, object_normal: false, ..config }.declare().expect("valid"));
+                for (preset, levels) in [(Preset::Volume, 1), (Preset::Volume, 10), (Preset::Svgf, 5), (Preset::Eaw, 5)] {
+                    for firefly_filter in [false, true] {
+                        let config = Config { preset, levels, firefly_filter, volume: true, object_normal: false, ..config };
+                        all.push(config.declare().expect("valid"));
+                    }
+                }
                 all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
                 for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                     all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
@@ -149,6 +155,8 @@ mod tests {
                 for preset in [Preset::Asvgf, Preset::Stabilize] {
                     for (gradient_source, forward_motion) in GRADIENT_SOURCES {
                         all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));
+                        let with_all = Config { preset, gradient_source, firefly_filter: true, volume: true, ..config };
+                        all.push(with_all.declare().expect("valid"));
                     }
                 }
             }

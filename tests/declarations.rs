@@ -19,15 +19,15 @@ fn uses_equal_the_spirv_by_a_second_reader() {
         (Preset::Stabilize, GradientSource::ForwardProjected),
         (Preset::Percentile, GradientSource::default()),
         (Preset::Eaw, GradientSource::default()),
+        (Preset::Volume, GradientSource::default()),
     ];
     for (signals, (preset, gradient_source)) in
         [Signals::Together, Signals::Apart].into_iter().flat_map(|s| presets.map(|p| (s, p)))
     {
         for object_normal in [false, true] {
             let post_process = PostProcess::ToneMapTaa;
-            let debug_view = true;
-            let config =
-                Config { signals, object_normal, post_process, preset, gradient_source, debug_view, ..Config::new([64, 36]) };
+            let options = Config { debug_view: true, firefly_filter: true, volume: object_normal, ..Config::new([64, 36]) };
+            let config = Config { signals, object_normal, post_process, preset, gradient_source, ..options };
             let declaration = config.declare().expect("valid");
             for pass in declaration.passes() {
                 let Some(spirv) = pass.spirv() else { continue };

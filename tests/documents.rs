@@ -1,22 +1,120 @@
 //! What is written twice must say the same.
 
 use super::GpuTest;
+use atrous::config::{EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
+use atrous::{Access, Config, Lifetime};
+use std::collections::BTreeSet;
 
 pub const TESTS: &[GpuTest] = &[
     ("the_readme_shows_a_part_of_host_ash", the_readme_shows_a_part_of_host_ash),
+    ("the_guide_shows_parts_of_the_hosts", the_guide_shows_parts_of_the_hosts),
+    ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),
+    ("the_guide_has_the_memory_of_every_preset", the_guide_has_the_memory_of_every_preset),
+    ("the_guide_has_what_each_access_means", the_guide_has_what_each_access_means),
     ("the_c_header_is_current", the_c_header_is_current),
 ];
 
+const GUIDE: &str = include_str!("../docs/integrate.md");
+
 /// The lines between the markers, without their common indentation.
-fn excerpt(source: &str) -> String {
-    let inside = source.lines().skip_while(|l| l.trim() != "// README: begin").skip(1);
-    let lines = inside.take_while(|l| l.trim() != "// README: end");
-    lines.map(|l| format!("{}\n", l.strip_prefix("    ").unwrap_or(l))).collect()
+fn excerpt(source: &str, document: &str) -> String {
+    let marker = |which: &str| format!("// {document}: {which}");
+    let inside = source.lines().skip_while(|l| l.trim() != marker("begin")).skip(1);
+    let lines: Vec<_> = inside.take_while(|l| l.trim() != marker("end")).collect();
+    let indentation = lines.iter().filter(|l| !l.is_empty()).map(|l| l.len() - l.trim_start().len()).min().unwrap_or(0);
+    lines.iter().map(|l| format!("{}\n", l.get(indentation..).unwrap_or_default())).collect()
+}
+
+fn the_guide_shows_parts_of_the_hosts() {
+    let hosts = [
+        ("host_vk_graph.rs", include_str!("../examples/host_vk_graph.rs")),
+        ("host_cpp/main.cpp", include_str!("../examples/host_cpp/main.cpp")),
+    ];
+    for (name, source) in hosts {
+        let excerpt = excerpt(source, "integrate.md");
+        assert!(excerpt.lines().count() > 5, "examples/{name} has no part that is marked");
+        assert!(GUIDE.contains(&excerpt), "docs/integrate.md must have this from examples/{name}:\n{excerpt}");
+    }
+}
+
+/// What a host can configure, as far as it changes the declaration.
+fn configurations() -> Vec<Config> {
+    let mut all = Vec::new();
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume] {
+        for signals in [Signals::Together, Signals::Apart] {
+            use GradientSource as G;
+            for gradient_source in [G::ForwardProjected, G::Reshaded, G::Sparse, G::Confidence] {
+                let base = Config { preset, signals, gradient_source, ..Config::new([1920, 1080]) };
+                all.push(base);
+                all.push(Config {
+                    post_process: PostProcess::ToneMapTaa,
+                    object_normal: true,
+                    debug_view: true,
+                    volume: true,
+                    forward_motion: true,
+                    firefly_filter: true,
+                    sampling: Sampling::OneOf2x2,
+                    eaw_weights: EawWeights::first(3),
+                    ..base
+                });
+            }
+        }
+    }
+    all
+}
+
+fn the_guide_names_every_input_and_output() {
+    let mut names = BTreeSet::new();
+    for config in configurations() {
+        let Ok(declaration) = config.declare() else { continue };
+        let outside = declaration.resources().iter().filter(|r| matches!(r.lifetime, Lifetime::Input { .. } | Lifetime::Output));
+        names.extend(outside.map(|r| r.name));
+    }
+    let missing: Vec<_> = names.iter().filter(|name| !GUIDE.contains(&format!("| `{name}` |"))).collect();
+    assert!(names.len() > 15 && missing.is_empty(), "docs/integrate.md has no row for {missing:?}");
+}
+
+fn the_guide_has_the_memory_of_every_preset() {
+    let variants = [
+        (Preset::Svgf, Signals::Together),
+        (Preset::Svgf, Signals::Apart),
+        (Preset::Asvgf, Signals::Together),
+        (Preset::Stabilize, Signals::Together),
+        (Preset::Percentile, Signals::Together),
+        (Preset::Eaw, Signals::Together),
+        (Preset::Volume, Signals::Together),
+    ];
+    let with_volume = Config { volume: true, ..Config::new([1920, 1080]) };
+    needs_rows([memory_row("`Svgf` with `Config::volume`, `Together`", &with_volume)]);
+    needs_rows(variants.map(|(preset, signals)| {
+        memory_row(&format!("`{preset:?}`, `{signals:?}`"), &Config { preset, signals, ..Config::new([1920, 1080]) })
+    }));
+}
+
+fn memory_row(what: &str, config: &Config) -> String {
+    let bytes_per_pixel = |bytes: u64| format!("{:.1}", bytes as f64 / (1920.0 * 1080.0));
+    let memory = config.declare().expect("valid").memory();
+    let of = [memory.history, memory.transient, memory.transient_unaliased].map(bytes_per_pixel).join(" | ");
+    format!("| {what} | {of} | {:.0} MB |", (memory.history + memory.transient) as f64 / 1e6)
+}
+
+fn needs_rows(rows: impl IntoIterator<Item = String>) {
+    let missing: Vec<_> = rows.into_iter().filter(|row| !GUIDE.contains(row)).collect();
+    assert!(missing.is_empty(), "docs/integrate.md must have these rows:\n{}", missing.join("\n"));
+}
+
+fn the_guide_has_what_each_access_means() {
+    needs_rows(Access::ALL.map(|access| {
+        let (scope, image) = (access.scope(), access.image());
+        let masks = format!("{:?}", scope.access).replace(" | ", "`, `");
+        let layout = if access == Access::Uniform { "none".to_owned() } else { format!("`{:?}`", image.layout) };
+        format!("| `{access:?}` | `{:?}` | `{masks}` | {layout} |", scope.stage)
+    }));
 }
 
 fn the_readme_shows_a_part_of_host_ash() {
     let source = include_str!("../examples/host_ash.rs");
-    let excerpt = excerpt(source);
+    let excerpt = excerpt(source, "README");
     let lines = excerpt.lines().count();
     assert!((20..=32).contains(&lines), "{lines} lines");
     assert!(include_str!("../README.md").contains(&excerpt), "README.md must have this from examples/host_ash.rs:\n{excerpt}");
@@ -68,7 +166,7 @@ fn header() -> String {
     config.enumeration.rename_variants = cbindgen::RenameRule::ScreamingSnakeCase;
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/capi");
     let mut builder = cbindgen::Builder::new().with_config(config);
-    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs"] {
+    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "conventions.rs"] {
         builder = builder.with_src(root.join(file));
     }
     let mut text = Vec::new();

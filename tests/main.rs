@@ -9,6 +9,7 @@ mod contract;
 mod declarations;
 mod documents;
 mod eaw;
+mod firefly;
 mod gradients;
 mod host_header;
 mod hosts;
@@ -19,6 +20,7 @@ mod properties;
 mod sequences;
 mod support;
 mod sync_validation;
+mod volume;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -50,6 +52,7 @@ fn main() {
         ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("eaw", eaw::TESTS, true),
+        ("firefly", firefly::TESTS, true),
         ("properties", properties::TESTS, true),
         ("gradients", gradients::TESTS, true),
         ("parity", parity::TESTS, true),
@@ -57,6 +60,7 @@ fn main() {
         ("percentile", percentile::TESTS, true),
         ("sequences", sequences::TESTS, true),
         ("sync_validation", sync_validation::TESTS, true),
+        ("volume", volume::TESTS, true),
     ];
     let mut trials = Vec::new();
     for &(group, tests, needs_gpu) in groups {

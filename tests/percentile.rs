@@ -1,6 +1,6 @@
 //! The preset `percentile`: light that changes, outliers, pixels without history, and what its parts cost.
 
-use super::support::{assert_valid, frame, pixels, random, rmse, scene::Scene, session, session_with, upload};
+use super::support::{assert_valid, frame, rmse, scene::Scene, session, session_with, upload};
 use super::GpuTest;
 use atrous::config::{AdaptiveRule, BlockSort, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
@@ -9,7 +9,6 @@ use atrous::{Config, FrameContext, Tuning};
 pub const TESTS: &[GpuTest] = &[
     ("a_light_that_comes_on_and_one_that_goes_out_are_seen", a_light_that_changes_is_seen),
     ("both_sorts_give_the_same_bits", both_sorts_give_the_same_bits),
-    ("fireflies_go_and_energy_stays", fireflies_go_and_energy_stays),
     ("a_black_pixel_does_not_stay_black", a_black_pixel_does_not_stay_black),
     ("repair_finds_history_where_svgf_finds_none", repair_finds_history_where_svgf_finds_none),
     ("cost_against_svgf", cost_against_svgf),
@@ -79,35 +78,6 @@ fn both_sorts_give_the_same_bits() {
 
 fn mean(image: &[[f32; 4]]) -> f64 {
     image.iter().map(|t| f64::from(t[0] + t[1] + t[2])).sum::<f64>() / image.len() as f64
-}
-
-/// In another preset, since the filter is an option of each.
-fn fireflies_go_and_energy_stays() {
-    let scene = Scene::new(EXTENT);
-    let run = |firefly_filter: bool, spoil: bool| {
-        let mut s = session(&Config { firefly_filter, ..Config::new(EXTENT) });
-        let mut last = Vec::new();
-        for i in 0..6 {
-            let mut g = scene.frame(0, i);
-            for (x, y) in pixels(EXTENT).filter(|&(x, y)| spoil && random(x, y, 900 + i) < 0.002) {
-                let p = (y * EXTENT[0] + x) as usize;
-                // The sky is not filtered.
-                let factor = if g.surface_id[p] == 0 { 1.0 } else { 300.0 };
-                (0..3).for_each(|c| g.noisy_radiance[p][c] *= factor);
-            }
-            last = frame(&mut s, &g, &scene.params(0), &Tuning::default()).1;
-        }
-        last
-    };
-    let clean = scene.frame(0, 0).clean;
-    let change = mean(&run(true, false)) / mean(&run(false, false)) - 1.0;
-    let (with, without) = (rmse(&run(true, true), &clean), rmse(&run(false, true), &clean));
-    println!(
-        "without outliers the mean changes by {:.3} %; with them the error is {with:.4} instead of {without:.4}",
-        100.0 * change
-    );
-    assert!(change.abs() < 0.005, "{change}");
-    assert!(with < 0.25 * without, "{with} {without}");
 }
 
 /// A pixel that saw no light in any frame lies among noisy ones.

@@ -44,6 +44,8 @@ pub struct GpuBackend {
     inputs: Vec<(&'static str, bool)>,
     moments: Vec<(&'static str, &'static str)>,
     has_transforms: bool,
+    /// Surfaces and volume, which together are the picture.
+    results: Vec<&'static str>,
 }
 
 const TRANSFORMS: &str = "instance_transforms";
@@ -60,9 +62,18 @@ impl GpuBackend {
             Lifetime::Input { optional } => Some((r.name, optional)),
             _ => None,
         });
+        let results =
+            ["denoised_radiance", "denoised_volume"].into_iter().filter(|name| declaration.find(name).is_some()).collect();
         let known = [("moments", ""), ("moments_direct", "_direct"), ("moments_indirect", "_indirect")];
         let moments = known.into_iter().filter(|m| declaration.find(m.0).is_some()).collect();
-        Ok(Self { inputs: inputs.collect(), moments, has_transforms: declaration.find(TRANSFORMS).is_some(), session, name })
+        Ok(Self {
+            inputs: inputs.collect(),
+            moments,
+            results,
+            has_transforms: declaration.find(TRANSFORMS).is_some(),
+            session,
+            name,
+        })
     }
 }
 
@@ -88,7 +99,12 @@ impl Backend for GpuBackend {
             }
         }
         self.session.run(&frame.params, &frame.tuning)?;
-        let radiance = self.session.download("denoised_radiance")?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
+        let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
+        for name in &self.results {
+            for (sum, texel) in radiance.iter_mut().zip(self.session.download(name)?) {
+                *sum = std::array::from_fn(|c| sum[c] + texel[c]);
+            }
+        }
         let mut outputs = FrameOutputs { radiance, views: Vec::new() };
         if views {
             for &(name, suffix) in &self.moments {

@@ -4,7 +4,9 @@ use crate::backend::{Backend, FrameOutputs, MomentsView};
 use crate::error::Result;
 use crate::frame::{FrameInputs, Texels};
 use atrous::config::{GradientSource, Preset, Signals};
-use atrous::reference::{unpack_moments, Denoiser, DenoiserInputs, DenoiserViews, GradientSources, Image, ImportInputs};
+use atrous::reference::{
+    unpack_moments, Denoiser, DenoiserInputs, DenoiserViews, GradientSources, Image, ImportInputs, VolumeInputs,
+};
 use atrous::{Config, Error, FrameState};
 
 /// The stages on the CPU.
@@ -23,6 +25,7 @@ impl ReferenceBackend {
     fn signals(&self) -> &'static [&'static str] {
         let shows_nothing = self.config.gradient_source == GradientSource::Confidence;
         match self.config.signals {
+            _ if self.config.preset == Preset::Volume => &[],
             _ if self.config.preset == Preset::Stabilize && shows_nothing => &[],
             Signals::Together => &["noisy_radiance"],
             Signals::Apart => &["noisy_direct", "noisy_indirect"],
@@ -46,6 +49,7 @@ impl Backend for ReferenceBackend {
         let (albedo, emission, object_normal) = (image("albedo")?, image("emission")?, image("object_normal")?);
         let (forward_motion, confidence) = (image("forward_motion")?, image("confidence")?);
         let (reshaded, other) = (image("reshaded_radiance")?, image("other_denoised_radiance")?);
+        let (noisy_volume, scattering_depth) = (image("noisy_volume")?, image("scattering_depth")?);
         let sparse = frame.images.get("sparse_gradient").map(|t| Image::from_texels(strata, t.clone())).transpose()?;
         let ids = frame.surface_id.clone().map(|ids| Image::from_texels(extent, ids)).transpose()?;
         let instance_transforms = frame.instance_transforms.as_deref();
@@ -69,13 +73,20 @@ impl Backend for ReferenceBackend {
                 confidence: confidence.as_ref(),
                 other_denoised_radiance: other.as_ref(),
             },
+            volume: noisy_volume
+                .as_ref()
+                .map(|noisy_volume| VolumeInputs { noisy_volume, scattering_depth: scattering_depth.as_ref() }),
         };
         let context = self.state.begin(&self.config, &frame.params, &frame.tuning)?;
         let outputs = self.denoiser.frame(&context, &inputs, views)?;
-        Ok(FrameOutputs {
-            radiance: outputs.denoised_radiance.texels().iter().map(|[r, g, b, _]| [*r, *g, *b]).collect(),
-            views: outputs.views.map(|v| self.moments(&v)).unwrap_or_default(),
-        })
+        let surfaces = Some(&outputs.denoised_radiance).filter(|_| self.config.preset != Preset::Volume);
+        let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
+        for image in surfaces.into_iter().chain(&outputs.denoised_volume) {
+            for (sum, texel) in radiance.iter_mut().zip(image.texels()) {
+                *sum = std::array::from_fn(|c| sum[c] + texel[c]);
+            }
+        }
+        Ok(FrameOutputs { radiance, views: outputs.views.map(|v| self.moments(&v)).unwrap_or_default() })
     }
 }
 

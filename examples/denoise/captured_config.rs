@@ -59,6 +59,7 @@ fn preset<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Preset>, D::Error
         ("stabilize", Preset::Stabilize),
         ("percentile", Preset::Percentile),
         ("eaw", Preset::Eaw),
+        ("volume", Preset::Volume),
     ];
     choice(from, &choices)
 }

@@ -6,7 +6,7 @@ use crate::setup::Wishes;
 use atrous::config::Signals;
 use atrous::Tuning;
 use clap::{Parser, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Denoise a sequence of EXR frames with the filters of atrous, and score the result.
 ///
@@ -20,8 +20,12 @@ pub struct Cli {
     pub frames: Vec<PathBuf>,
 
     /// Folder for the result; frames keep their names
-    #[arg(short, long, value_name = "FOLDER")]
-    pub output: PathBuf,
+    #[arg(short, long, value_name = "FOLDER", required_unless_present = "check")]
+    pub output: Option<PathBuf>,
+
+    /// Only tell whether depth, motion, normals and matrices agree with the conventions, and name the likely mistake; needs matrices
+    #[arg(long)]
+    pub check: bool,
 
     /// Filter; svgf, or that of a capture, where none is given
     #[arg(long, value_enum)]
@@ -171,6 +175,11 @@ fn tunable(text: &str) -> Result<(String, f32), String> {
 }
 
 impl Cli {
+    /// Folder for the result. The parser sees to it that there is one where it is used.
+    pub fn output(&self) -> &Path {
+        self.output.as_deref().unwrap_or(Path::new("."))
+    }
+
     /// What is asked of the setup.
     pub fn wishes(&self) -> Wishes {
         Wishes {

@@ -63,6 +63,10 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         channels.reshaded(&mut images);
         channels.gradients(&mut images);
     }
+    if setup.config.volume || setup.config.preset == Preset::Volume {
+        images.extend(channels.vectors(Role::Volume).map(|v| ("noisy_volume", v)));
+        images.extend(channels.vectors(Role::ScatteringDepth).map(|d| ("scattering_depth", d)));
+    }
     let surface_id = channels.ids(&images);
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
@@ -303,7 +307,8 @@ impl Channels<'_> {
         if let Some(noisy) = self.vectors(Role::Noisy) {
             return rgb(noisy);
         }
-        let parts = ["noisy_radiance", "noisy_direct", "noisy_indirect", "emission"].iter().filter_map(|n| images.get(n));
+        let parts =
+            ["noisy_radiance", "noisy_direct", "noisy_indirect", "emission", "noisy_volume"].iter().filter_map(|n| images.get(n));
         let sum = parts.fold(vec![[0.0; 4]; self.setup.pixels()], |sum, part| combine(&sum, part, |a, b| a + b));
         rgb(sum)
     }

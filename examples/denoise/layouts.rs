@@ -102,6 +102,8 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::ForwardMotion, &[Atrous], &["forward_motion"], XYZ),
     entry(Role::SparseGradient, &[Atrous], &["sparse_gradient"], XY),
     entry(Role::Confidence, &[Atrous], &["confidence"], DEPTH),
+    entry(Role::Volume, &[Atrous], &["volume"], RGB),
+    entry(Role::ScatteringDepth, &[Atrous], &["scattering_depth"], DEPTH),
     entry(Role::OtherDenoised, &[], &["other_denoised"], RGB),
 ];
 

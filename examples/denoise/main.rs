@@ -4,6 +4,7 @@ mod backend;
 mod backend_reference;
 mod camera;
 mod captured_config;
+mod check;
 mod cli;
 mod conventions;
 mod error;

@@ -59,6 +59,10 @@ pub enum Role {
     Confidence,
     /// What another denoiser made of the frame, for the preset `stabilize`.
     OtherDenoised,
+    /// Light that a medium scattered towards the eye, apart from the surfaces.
+    Volume,
+    /// Depth at which it did.
+    ScatteringDepth,
 }
 
 /// How many numbers a role has per pixel, and of which type.
@@ -122,6 +126,8 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::SparseGradient, "sparse_gradient", Kind::Motion, ""),
     (Role::Confidence, "confidence", Kind::Scalar, ""),
     (Role::OtherDenoised, "other_denoised", Kind::Colour, ""),
+    (Role::Volume, "volume", Kind::Colour, ""),
+    (Role::ScatteringDepth, "scattering_depth", Kind::Scalar, ""),
 ];
 
 impl Role {

@@ -76,6 +76,12 @@ impl Setup {
                 mapping.roles.extend(second.roles.into_iter().filter(|(role, _)| is_about_previous(*role)));
             }
         }
+        // References are dear: not every frame need have one.
+        if let (false, Some(with)) = (mapping.has(Role::Reference), frames.iter().find(|f| f.guides.iter().any(|g| g.0 == "ref"))) {
+            let named =
+                Mapping::choose(&with.colour, &frame_source::header(with)?, &wishes.channels, wishes.view_layer.as_deref())?;
+            mapping.roles.extend(named.roles.into_iter().filter(|(role, _)| *role == Role::Reference));
+        }
         let folder = first.colour.parent().unwrap_or(Path::new("."));
         let sequence = camera::find(wishes.camera.as_deref(), folder)?;
         let mut config = Config::new(header.extent);
@@ -91,6 +97,7 @@ impl Setup {
         config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
         config.preset = if wishes.best { best(&mapping) } else { wishes.preset.or(captured).unwrap_or_default() };
         config.forward_motion = mapping.has(Role::ForwardMotion);
+        config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.signals = signals(&mapping, config.preset, wishes.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);
@@ -139,6 +146,7 @@ pub fn preset_name(preset: Preset) -> &'static str {
         Preset::Stabilize => "stabilize",
         Preset::Percentile => "percentile",
         Preset::Eaw => "EAW",
+        Preset::Volume => "volume",
     }
 }
 

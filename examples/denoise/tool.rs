@@ -2,6 +2,7 @@
 
 use crate::backend::{Backend, GpuBackend};
 use crate::backend_reference::ReferenceBackend;
+use crate::check;
 use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_write;
@@ -25,6 +26,9 @@ pub fn run(cli: &Cli) -> Result<()> {
         eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());
         setup.report.iter().for_each(|line| eprintln!("{line}"));
     }
+    if cli.check {
+        return check::print(&check::run(&frames, &setup)?);
+    }
     if cli.score && !setup.mapping.has(Role::Reference) {
         return Err(ToolError::Usage(
             "--score needs a reference; name its channels with --channel reference=LAYER, or leave --score out".into(),
@@ -35,8 +39,8 @@ pub fn run(cli: &Cli) -> Result<()> {
     }
     let last = frames.last().map_or(0, |f| f.number);
     let existing = Existing { force: cli.force, resume: cli.resume, warm_up: cli.warm_up, score: cli.score };
-    let steps = plan::plan(frames, &cli.output, setup.config.allocated_extent, existing)?;
-    exr_write::prepare_folder(&cli.output)?;
+    let steps = plan::plan(frames, cli.output(), setup.config.allocated_extent, existing)?;
+    exr_write::prepare_folder(cli.output())?;
     if steps.is_empty() {
         eprintln!("all frames are finished");
         return Ok(());
@@ -47,7 +51,7 @@ pub fn run(cli: &Cli) -> Result<()> {
         eprintln!("{} on {device}", preset_name(setup.config.preset));
     }
     let wanted = Wanted {
-        folder: cli.output.clone(),
+        folder: cli.output().to_owned(),
         channels: output_channels(&setup.mapping, !cli.float),
         png: cli.png,
         strip: cli.strip.map(|frame| frame.unwrap_or(last)),
@@ -97,7 +101,7 @@ fn summary(cli: &Cli, saver: &Saver, seconds: f64, steps: usize) {
             "{} of {steps} frames in {seconds:.1} s ({rate:.1} frames/s), {} written to {}",
             saver.taken,
             saver.written,
-            cli.output.display()
+            cli.output().display()
         );
     }
 }
@@ -115,6 +119,6 @@ fn scores(cli: &Cli, preset: &str, book: &ScoreBook, device: &str) -> Result<()>
     if !cli.quiet {
         eprintln!("{NO_FLIP}");
     }
-    score::write_json(&cli.output.join("scores.json"), &book.json(preset, device))?;
-    pictures::plots(&cli.output.join("scores.png"), book, preset)
+    score::write_json(&cli.output().join("scores.json"), &book.json(preset, device))?;
+    pictures::plots(&cli.output().join("scores.png"), book, preset)
 }

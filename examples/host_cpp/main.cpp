@@ -1,5 +1,5 @@
 // A C++17 engine with a small frame graph of its own, and SVGF in it through the C ABI. Prints a checksum of every denoised frame;
-// `--bad-input` gives the library everything that it must refuse.
+// `--bad-input` gives the library everything that it must refuse, `--check` asks it whether the guides are as declared.
 #include <cinttypes>
 #include <cstring>
 #include <deque>
@@ -8,6 +8,7 @@
 
 #include "atrous.h"
 #include "bad_input.hpp"
+#include "conventions.hpp"
 #include "engine.hpp"
 #include "synthetic.hpp"
 
@@ -73,6 +74,7 @@ public:
     }
 
 private:
+    // integrate.md: begin
     // The passes of a phase as passes of the engine's graph.
     void add_phase(uint32_t phase) {
         for (uint32_t index = 0; index < pass_count_; ++index) {
@@ -103,6 +105,7 @@ private:
                 });
         }
     }
+    // integrate.md: end
 
     Handle handle(const AtrousUse& use) {
         auto& copies = resources_[use.resource];
@@ -176,6 +179,7 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && std::strcmp(argv[1], "--check") == 0) return check_conventions();
     Engine engine;
     if (argc > 1 && std::strcmp(argv[1], "--bad-input") == 0) return refuse_bad_input(engine);
     Renderer renderer(engine);

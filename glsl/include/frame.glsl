@@ -37,8 +37,10 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     float sigma_rt;                 // irradiance
     float sigma_rt_n;               // length of the difference of normals
     float sigma_rt_x;               // relative to the depth
-    uint reserved_0;
-    uint reserved_1;
+    float volume_alpha;             // 0..1
+    float volume_sigma_l;
+    float volume_sigma_z;           // relative
+    float volume_depth_tolerance;   // relative
     float exposure;
     float taa_alpha;
     float taa_gamma;                // standard deviations

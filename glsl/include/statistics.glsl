@@ -10,6 +10,7 @@ const uint BAD_RADIANCE = 3u;
 const uint BAD_ALBEDO = 4u;
 const uint BAD_EMISSION = 5u;
 const uint BAD_FORWARD_MOTION = 6u;
+const uint BAD_SCATTERING_DEPTH = 7u;
 
 layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[8]; } statistics;
 

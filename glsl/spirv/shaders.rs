@@ -32,16 +32,18 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, firefly_bias) == 556)
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt) == 560);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt_n) == 564);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt_x) == 568);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, reserved_0) == 572);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, reserved_1) == 576);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 580);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 584);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 588);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 592);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 596);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 600);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 604);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 608);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_alpha) == 572);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_sigma_l) == 576);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_sigma_z) == 580);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_depth_tolerance) == 584);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 588);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 592);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 596);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 600);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 604);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 608);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 612);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 616);
 pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader { name: "adaptive_alpha_source_0", spirv: include_bytes!("adaptive_alpha_source_0.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
@@ -129,6 +131,13 @@ pub(crate) static ATROUS_SIGNALS_2_BOX_1: Shader = Shader { name: "atrous_signal
         ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
+pub(crate) static ATROUS_SIGNALS_1_VOLUME_1: Shader = Shader { name: "atrous_signals_1_volume_1", spirv: include_bytes!("atrous_signals_1_volume_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader { name: "block_difference", spirv: include_bytes!("block_difference.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
@@ -141,10 +150,16 @@ pub(crate) static BLOCK_DIFFERENCE: Shader = Shader { name: "block_difference", 
         ShaderBinding { name: "previous_moments", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "block_difference", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
     ] };
-pub(crate) static BLOCK_PERCENTILES: Shader = Shader { name: "block_percentiles", spirv: include_bytes!("block_percentiles.spv"),
+pub(crate) static BLOCK_PERCENTILES_VOLUME_0: Shader = Shader { name: "block_percentiles_volume_0", spirv: include_bytes!("block_percentiles_volume_0.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "block_percentiles", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static BLOCK_PERCENTILES_VOLUME_1: Shader = Shader { name: "block_percentiles_volume_1", spirv: include_bytes!("block_percentiles_volume_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "block_percentiles", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
     ] };
@@ -203,10 +218,16 @@ pub(crate) static EAW_SIGNALS_2: Shader = Shader { name: "eaw_signals_2", spirv:
         ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
-pub(crate) static FIREFLY: Shader = Shader { name: "firefly", spirv: include_bytes!("firefly.spv"),
+pub(crate) static FIREFLY_VOLUME_0: Shader = Shader { name: "firefly_volume_0", spirv: include_bytes!("firefly_volume_0.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "block_percentiles", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+    ] };
+pub(crate) static FIREFLY_VOLUME_1: Shader = Shader { name: "firefly_volume_1", spirv: include_bytes!("firefly_volume_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "block_percentiles", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "irradiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
     ] };
@@ -651,10 +672,28 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REP
         ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
     ] };
-pub(crate) static TONE_MAP: Shader = Shader { name: "tone_map", spirv: include_bytes!("tone_map.spv"),
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_VOLUME_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0_volume_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0_volume_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "volume_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static TONE_MAP_VOLUME_0: Shader = Shader { name: "tone_map_volume_0", spirv: include_bytes!("tone_map_volume_0.spv"),
     bindings: &[
         ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
         ShaderBinding { name: "denoised_radiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "tone_mapped", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static TONE_MAP_VOLUME_1: Shader = Shader { name: "tone_map_volume_1", spirv: include_bytes!("tone_map_volume_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "denoised_radiance", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "denoised_volume", kind: BindingKind::SampledImage(Component::Float) },
         ShaderBinding { name: "tone_mapped", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
 pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader { name: "variance_signals_1", spirv: include_bytes!("variance_signals_1.spv"),
@@ -699,5 +738,37 @@ pub(crate) static VARIANCE_SIGNALS_2_FADE_1: Shader = Shader { name: "variance_s
         ShaderBinding { name: "moments_1", kind: BindingKind::SampledImage(Component::Uint) },
         ShaderBinding { name: "estimated_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
     ] };
+pub(crate) static VARIANCE_SIGNALS_1_FADE_1_VOLUME_1: Shader = Shader { name: "variance_signals_1_fade_1_volume_1", spirv: include_bytes!("variance_signals_1_fade_1_volume_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static VOLUME_MOTION_RESOLVE_0: Shader = Shader { name: "volume_motion_resolve_0", spirv: include_bytes!("volume_motion_resolve_0.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "previous_points", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "claims", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite) },
+    ] };
+pub(crate) static VOLUME_MOTION_RESOLVE_1: Shader = Shader { name: "volume_motion_resolve_1", spirv: include_bytes!("volume_motion_resolve_1.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "previous_points", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
+        ShaderBinding { name: "volume_motion", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
+    ] };
+pub(crate) static VOLUME_POINTS: Shader = Shader { name: "volume_points", spirv: include_bytes!("volume_points.spv"),
+    bindings: &[
+        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
+        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
+        ShaderBinding { name: "noisy_volume", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "scattering_depth", kind: BindingKind::SampledImage(Component::Float) },
+        ShaderBinding { name: "radiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
+        ShaderBinding { name: "volume_points", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
+    ] };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_1, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_BOX_1, &ATROUS_SIGNALS_2_BOX_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &DEBUG_VIEW, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1, &GRADIENT_SIGNALS_1_SOURCE_0, &GRADIENT_SIGNALS_2_SOURCE_0, &GRADIENT_SIGNALS_1_SOURCE_1, &GRADIENT_SIGNALS_2_SOURCE_1, &GRADIENT_SIGNALS_1_SOURCE_2, &GRADIENT_SIGNALS_2_SOURCE_2, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VARIANCE_SIGNALS_1_FADE_1, &VARIANCE_SIGNALS_2_FADE_1, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_1, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_BOX_1, &ATROUS_SIGNALS_2_BOX_1, &ATROUS_SIGNALS_1_VOLUME_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES_VOLUME_0, &BLOCK_PERCENTILES_VOLUME_1, &DEBUG_VIEW, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY_VOLUME_0, &FIREFLY_VOLUME_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1, &GRADIENT_SIGNALS_1_SOURCE_0, &GRADIENT_SIGNALS_2_SOURCE_0, &GRADIENT_SIGNALS_1_SOURCE_1, &GRADIENT_SIGNALS_2_SOURCE_1, &GRADIENT_SIGNALS_1_SOURCE_2, &GRADIENT_SIGNALS_2_SOURCE_2, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_VOLUME_1, &TONE_MAP_VOLUME_0, &TONE_MAP_VOLUME_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VARIANCE_SIGNALS_1_FADE_1, &VARIANCE_SIGNALS_2_FADE_1, &VARIANCE_SIGNALS_1_FADE_1_VOLUME_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -3,8 +3,8 @@
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use crate::config::{
-    AdaptiveRule, BlockSort, Conventions, DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
-    NormalSpace, PostProcess, Preset, Signals, ViewForward,
+    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
+    NormalEncoding, NormalSpace, PostProcess, Preset, Sampling, Signals, ViewForward,
 };
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
 use crate::{Config, DebugView, FrameParams, ResetReason};
@@ -18,7 +18,7 @@ fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
 }
 
 /// In the order of their numbers.
-const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile];
+const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume];
 
 const GRADIENT_SOURCES: &[GradientSource] =
     &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
@@ -26,6 +26,16 @@ const GRADIENT_SOURCES: &[GradientSource] =
 const ADAPTIVE_RULES: &[AdaptiveRule] = &[AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles];
 
 const BLOCK_SORTS: &[BlockSort] = &[BlockSort::Counting, BlockSort::OddEven];
+
+const SAMPLINGS: &[Sampling] = &[Sampling::Full, Sampling::OneOf2x2, Sampling::OneOf4x4];
+
+/// From bits: radiance, normal, position.
+fn eaw_weights(bits: u32) -> Result<EawWeights, Failure> {
+    if bits > 7 {
+        return Err(Failure::argument(format!("eaw_weights is {bits}; allowed are bits 0 to 2, which is 0 to 7")));
+    }
+    Ok(EawWeights { radiance: bits & 1 != 0, normal: bits & 2 != 0, position: bits & 4 != 0 })
+}
 
 impl AtrousConfig {
     pub(super) fn to_config(self) -> Result<Config, Failure> {
@@ -60,9 +70,12 @@ impl AtrousConfig {
             preset: pick("preset", self.preset, PRESETS)?,
             signals: pick("signals", self.signals, &[Signals::Together, Signals::Apart])?,
             levels: self.levels,
+            volume: flag("volume", self.volume)?,
             firefly_filter: flag("firefly_filter", self.firefly_filter)?,
             adaptive_rule: pick("adaptive_rule", self.adaptive_rule, ADAPTIVE_RULES)?,
             block_sort: pick("block_sort", self.block_sort, BLOCK_SORTS)?,
+            eaw_weights: eaw_weights(self.eaw_weights)?,
+            sampling: pick("sampling", self.sampling, SAMPLINGS)?,
             stratum_size: self.stratum_size,
             gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
             forward_motion: flag("forward_motion", self.forward_motion)?,
@@ -88,9 +101,12 @@ impl AtrousConfig {
             preset: config.preset as u32,
             signals: config.signals as u32,
             levels: config.levels,
+            volume: config.volume.into(),
             firefly_filter: config.firefly_filter.into(),
             adaptive_rule: config.adaptive_rule as u32,
             block_sort: config.block_sort as u32,
+            eaw_weights: 7,
+            sampling: config.sampling as u32,
             stratum_size: config.stratum_size,
             gradient_source: config.gradient_source as u32,
             forward_motion: config.forward_motion.into(),

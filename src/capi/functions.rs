@@ -43,7 +43,11 @@ unsafe fn check_size<T>(what: &str, pointer: *const T) -> Result<(), Failure> {
 ///
 /// # Safety
 /// As [`read`], and writable.
-unsafe fn write<T: Copy>(what: &str, pointer: *mut T, value: impl FnOnce() -> Result<T, Failure>) -> Result<(), Failure> {
+pub(super) unsafe fn write<T: Copy>(
+    what: &str,
+    pointer: *mut T,
+    value: impl FnOnce() -> Result<T, Failure>,
+) -> Result<(), Failure> {
     // SAFETY: the caller's.
     unsafe {
         check_size(what, pointer)?;

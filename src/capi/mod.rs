@@ -6,6 +6,7 @@
 //!
 //! Build it with `cargo rustc --release --no-default-features --features capi --crate-type staticlib` (or `cdylib`).
 
+mod conventions;
 mod convert;
 mod functions;
 mod handle;
@@ -13,6 +14,7 @@ mod record;
 mod status;
 mod structs;
 
+pub use conventions::*;
 pub use functions::*;
 pub use handle::AtrousDenoiser;
 pub use record::*;

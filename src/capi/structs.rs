@@ -27,18 +27,24 @@ pub struct AtrousConfig {
     pub height: u32,
     /// Frames that the host records before it waits for the oldest, 1 to 8.
     pub frames_in_flight: u32,
-    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile.
+    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: EAW; 5: a volume alone.
     pub preset: u32,
     /// 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
     pub signals: u32,
     /// À-trous levels, 1 to 10.
     pub levels: u32,
+    /// 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
+    pub volume: u32,
     /// 1: fireflies are removed before accumulation; the percentile preset always does.
     pub firefly_filter: u32,
     /// How the percentile preset sees changed light. 0: change test; 1: percentiles.
     pub adaptive_rule: u32,
     /// How percentiles are found. 0: counting; 1: odd-even transposition.
     pub block_sort: u32,
+    /// Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
+    pub eaw_weights: u32,
+    /// How many pixels of EAW's input have a sample. 0: all; 1: one of 2×2; 2: one of 4×4.
+    pub sampling: u32,
     /// Side of the strata of temporal gradients, 2 to 4 pixels.
     pub stratum_size: u32,
     /// Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.

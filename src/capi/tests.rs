@@ -27,13 +27,51 @@ fn defaults_are_those_of_the_crate() {
 
 #[test]
 fn numbers_out_of_range_are_named() {
-    let cases: [fn(&mut AtrousConfig); 4] = [|c| c.preset = 77, |c| c.depth = 77, |c| c.motion_y_up = 77, |c| c.levels = 77];
-    for (spoil, name) in cases.into_iter().zip(["preset", "depth", "motion_y_up", "levels"]) {
+    type Case = (&'static str, fn(&mut AtrousConfig));
+    let cases: [Case; 10] = [
+        ("preset", |c| c.preset = 77),
+        ("depth", |c| c.depth = 77),
+        ("motion_y_up", |c| c.motion_y_up = 77),
+        ("levels", |c| c.levels = 77),
+        ("volume", |c| c.volume = 77),
+        ("firefly_filter", |c| c.firefly_filter = 77),
+        ("adaptive_rule", |c| c.adaptive_rule = 77),
+        ("block_sort", |c| c.block_sort = 77),
+        ("eaw_weights", |c| c.eaw_weights = 77),
+        ("sampling", |c| c.sampling = 77),
+    ];
+    for (name, spoil) in cases {
         let mut config = AtrousConfig::default_for([64, 36]);
         spoil(&mut config);
         let failure = config.to_config().expect_err(name);
         assert!(failure.message.contains(name) && failure.message.contains("77"), "{}", failure.message);
     }
+}
+
+#[test]
+fn every_choice_of_a_filter_is_reachable() {
+    use crate::config::{AdaptiveRule, BlockSort, EawWeights, Preset, Sampling};
+    let given = AtrousConfig {
+        preset: 4,
+        volume: 1,
+        firefly_filter: 1,
+        adaptive_rule: 1,
+        block_sort: 1,
+        eaw_weights: 0b101,
+        sampling: 2,
+        ..AtrousConfig::default_for([64, 36])
+    };
+    let expected = Config {
+        preset: Preset::Eaw,
+        volume: true,
+        firefly_filter: true,
+        adaptive_rule: AdaptiveRule::Percentiles,
+        block_sort: BlockSort::OddEven,
+        eaw_weights: EawWeights { radiance: true, normal: false, position: true },
+        sampling: Sampling::OneOf4x4,
+        ..Config::new([64, 36])
+    };
+    assert_eq!(given.to_config().expect("valid"), expected);
 }
 
 #[test]
@@ -61,7 +99,7 @@ fn null_and_wrong_sizes_are_told() {
 
 #[test]
 fn names_and_uses_fit() {
-    for preset in 0..4 {
+    for preset in 0..6 {
         let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
         assert_eq!(config.preset as u32, preset);
         let declaration = config.declare().expect("valid");

@@ -22,6 +22,8 @@ fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'sta
         "motion" => ("mv", XYZ),
         "forward_motion" => ("forward_motion", XYZ),
         "sparse_gradient" => ("sparse_gradient", &["X", "Y"]),
+        "noisy_volume" => (VOLUME, RGB),
+        "scattering_depth" => ("scattering_depth", &["Z"]),
         "confidence" => ("confidence", &["Y"]),
         "reshaded_radiance" => ("reshaded", RGB),
         "other_denoised_radiance" => (OTHER_DENOISED, RGB),
@@ -38,6 +40,7 @@ fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'sta
 
 /// The light that is filtered where it is one signal, without the emission.
 const LIGHTING: &str = "lighting";
+const VOLUME: &str = "volume";
 const EMISSION: &str = "emission";
 const OTHER_DENOISED: &str = "other_denoised";
 
@@ -57,16 +60,17 @@ impl Layer {
 
 /// Adds `noisy`, the light of all layers together: what the picture shows. One layer of light alone is it already.
 pub(crate) fn add_total(layers: &mut Vec<Layer>) {
-    let has_emission = layers.iter().any(|l| l.name == EMISSION);
+    let is_beside = |l: &Layer| matches!(l.name, EMISSION | VOLUME);
+    let is_alone = !layers.iter().any(is_beside);
     let mut filtered = layers.iter_mut().filter(|l| l.is_filtered());
     let first = filtered.next();
     // Where a host's own confidence replaces all gradients, there is nothing but the picture of the other denoiser.
     let is_dark = first.is_none();
-    if let (Some(only), None, false) = (first, filtered.next(), has_emission) {
+    if let (Some(only), None, true) = (first, filtered.next(), is_alone) {
         only.name = "noisy";
         return;
     }
-    let counts = |l: &&Layer| l.is_filtered() || l.name == EMISSION || (is_dark && l.name == OTHER_DENOISED);
+    let counts = |l: &&Layer| l.is_filtered() || is_beside(l) || (is_dark && l.name == OTHER_DENOISED);
     let total = |i: usize| {
         let mut lights = layers.iter().filter(counts).filter_map(|l| l.planes.get(i));
         let first: Vec<f32> = lights.next().map_or(Vec::new(), |(_, p)| p.values_as_f32().collect());

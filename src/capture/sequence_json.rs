@@ -102,6 +102,7 @@ fn config(c: &Config) -> Vec<(&'static str, String)> {
         Preset::Stabilize => "stabilize",
         Preset::Percentile => "percentile",
         Preset::Eaw => "eaw",
+        Preset::Volume => "volume",
     };
     let source = match c.gradient_source {
         GradientSource::ForwardProjected => "forward_projected",

@@ -35,8 +35,8 @@ pub enum DebugView {
     Depth = 11,
     /// A colour for every surface id as the filters see it (8 bits). a: the id.
     SurfaceId = 12,
-    /// Values of this frame that were not finite: one bar each, from the top, for depth, normal, motion, radiance, albedo, emission, forward motion;
-    /// the logarithm of their number against that of all pixels. a: the number.
+    /// Values of this frame that were not finite: one bar each, from the top, for depth, normal, motion, radiance, albedo, emission, forward motion,
+    /// scattering depth;    /// the logarithm of their number against that of all pixels. a: the number.
     BadValues = 13,
 }
 

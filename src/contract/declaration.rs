@@ -157,8 +157,7 @@ pub(crate) enum Work {
         shader: &'static Shader,
         /// À-trous level, or what else the shader's first push constant means.
         level: u32,
-        /// Pixels a side of what an invocation covers; of either frame where it is not 1, since strata of the previous frame are walked, too.
-        divisor: u32,
+        grid: Grid,
     },
     /// The same, with the view of the frame for the first push constant.
     DebugView {
@@ -166,6 +165,15 @@ pub(crate) enum Work {
         /// Bit i: binding i is what the shader calls it, and does not stand in for an image that the preset lacks.
         available: u32,
     },
+}
+
+/// Invocations of a dispatch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Grid {
+    /// One a pixel of this frame.
+    Pixels,
+    /// One a stratum of so many pixels a side, of this frame and of the previous one, which is walked, too.
+    Strata(u32),
 }
 
 /// Resources and passes: plain data, made without a device.

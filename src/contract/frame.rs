@@ -193,8 +193,10 @@ fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &
         sigma_rt: tuning.sigma_rt,
         sigma_rt_n: tuning.sigma_rt_n,
         sigma_rt_x: tuning.sigma_rt_x,
-        reserved_0: 0,
-        reserved_1: 0,
+        volume_alpha: tuning.volume_alpha,
+        volume_sigma_l: tuning.volume_sigma_l,
+        volume_sigma_z: tuning.volume_sigma_z,
+        volume_depth_tolerance: tuning.volume_depth_tolerance,
         exposure: tuning.exposure,
         taa_alpha: tuning.taa_alpha,
         taa_gamma: tuning.taa_gamma,
@@ -203,6 +205,6 @@ fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &
         previous_clip_w_scale: forward.previous_clip_w[0],
         previous_clip_w_offset: forward.previous_clip_w[1],
         gradient_scale: tuning.gradient_scale,
-        padding: [0; 3],
+        padding: 0,
     }
 }

@@ -15,11 +15,11 @@ pub(crate) use alias::{alias, Span};
 
 pub use access::{Access, BufferAccess, ImageAccess};
 pub use debug_view::DebugView;
-pub(crate) use declaration::Work;
 pub use declaration::{
     Boundary, BoundaryUse, Declaration, Lifetime, Memory, PassDecl, Phase, ResourceDecl, ResourceId, ResourceMemory, Shape, Use,
     UseFrame,
 };
+pub(crate) use declaration::{Grid, Work};
 #[cfg(feature = "executor")]
 pub(crate) use format::bytes_per_texel;
 #[cfg(any(test, feature = "executor"))]

@@ -114,8 +114,16 @@ tuning! {
     sigma_rt_n: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
     /// Position edge stopping of (EAW), as a share of the depth. Raising it blurs over gaps.
     sigma_rt_x: "depths", 0.001 ..= 64.0, 0.05;
-    /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 2 such history is dropped. Raising it lags less and leaves more noise after a partial change.
-    gradient_scale: "1", 0.0 ..= 16.0, 2.0;
+    /// Smallest weight of the new sample in the accumulated radiance of a volume, and in its moments. Raising it reacts faster and leaves more noise.
+    volume_alpha: "1", 0.0 ..= 1.0, 0.1;
+    /// Luminance edge stopping of a volume: tolerated difference in standard deviations. Raising it blurs the edges of light shafts more.
+    volume_sigma_l: "standard deviations", 0.0 ..= 128.0, 2.0;
+    /// Depth edge stopping of a volume: tolerated difference between the surfaces behind, as a share of the larger depth (PSVGF). Raising it blurs more over the outlines of surfaces.
+    volume_sigma_z: "depths", 0.001 ..= 64.0, 0.1;
+    /// Largest difference between the surfaces behind a pixel of a volume and behind its history, as a share of the larger depth (PSVGF). Raising it keeps more history; at 1 it is not tested.
+    volume_depth_tolerance: "depths", 0.0 ..= 1.0, 0.25;
+    /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 5 a change by a fifth drops all of it. Raising it lags less and leaves more noise where light changes a little.
+    gradient_scale: "1", 0.0 ..= 16.0, 5.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
     /// Weight of the new frame in temporal anti-aliasing (Karis 2014). Raising it is sharper in motion and jitters more.
@@ -125,11 +133,13 @@ tuning! {
 }
 
 impl Tuning {
-    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF).
+    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF). What was
+    /// accumulated with a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has
+    /// a `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.
     pub fn for_preset(preset: Preset) -> Self {
         match preset {
-            Preset::Svgf | Preset::Eaw => Self::default(),
-            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, ..Self::default() },
+            Preset::Svgf | Preset::Eaw | Preset::Volume => Self::default(),
+            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..Self::default() },
             Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
         }
     }

@@ -1,7 +1,7 @@
 //! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
 
-use super::{by_signals, Builder, Frame, Guides, Signal};
-use crate::contract::{Phase, ResourceId};
+use super::{by_signals, Builder, Frame, Guides, Signal, Volume, HDR};
+use crate::contract::{Lifetime, Phase, ResourceId};
 use crate::shaders;
 
 /// The kernel of a level.
@@ -40,4 +40,36 @@ pub(crate) fn atrous(b: &mut Builder, frame: Frame, guides: Guides, signals: &[S
         b.dispatch(name, Phase::AfterLighting, shader, level, uses);
     }
     filtered
+}
+
+const VOLUME_NAMES: [&str; 10] = [
+    "atrous_volume_0",
+    "atrous_volume_1",
+    "atrous_volume_2",
+    "atrous_volume_3",
+    "atrous_volume_4",
+    "atrous_volume_5",
+    "atrous_volume_6",
+    "atrous_volume_7",
+    "atrous_volume_8",
+    "atrous_volume_9",
+];
+
+/// The same for a volume. At least two levels, since the first one writes the history and the last one the output, which is returned.
+pub(crate) fn volume_atrous(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume, levels: u32) -> ResourceId {
+    let denoised = b.image("denoised_volume", HDR, Lifetime::Output);
+    let last = levels.max(2) - 1;
+    let mut from = volume.signal.pong;
+    for (level, name) in (0..=last).zip(VOLUME_NAMES) {
+        let to = match level {
+            0 => volume.signal.history,
+            l if l == last => denoised,
+            l if l % 2 == 1 => volume.signal.ping,
+            _ => volume.signal.pong,
+        };
+        let uses = vec![frame.constants.uniform(), guides.guide.sampled(), from.sampled(), to.written()];
+        b.dispatch(name, Phase::AfterLighting, &shaders::ATROUS_SIGNALS_1_VOLUME_1, level, uses);
+        from = to;
+    }
+    denoised
 }

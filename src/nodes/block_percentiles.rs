@@ -1,6 +1,6 @@
 //! Two percentiles of luminance in every 8×8 pixels. [PSVGF], block percentiles.
 
-use super::{Builder, Frame, Guides, Signal, PACKED_32};
+use super::{Builder, Frame, Guides, Signal, Volume, PACKED_32};
 use crate::config::BlockSort;
 use crate::contract::{Lifetime, Phase, ResourceId};
 use crate::shaders;
@@ -21,8 +21,17 @@ pub(crate) fn block_percentiles(
     for (signal, name) in signals.iter().zip(&NAMES[signals.len() - 1..]) {
         let percentiles = b.block_image(name, PACKED_32, Lifetime::Transient);
         let uses = vec![frame.constants.uniform(), guides.guide.sampled(), signal.ping.sampled(), percentiles.written()];
-        b.dispatch(name, Phase::AfterLighting, &shaders::BLOCK_PERCENTILES, sort as u32, uses);
+        b.dispatch(name, Phase::AfterLighting, &shaders::BLOCK_PERCENTILES_VOLUME_0, sort as u32, uses);
         images.push(percentiles);
     }
     images
+}
+
+/// The same for a volume, with the background.
+pub(crate) fn volume_percentiles(b: &mut Builder, frame: Frame, volume: &Volume, sort: BlockSort) -> ResourceId {
+    const NAME: &str = "block_percentiles_volume";
+    let percentiles = b.block_image(NAME, PACKED_32, Lifetime::Transient);
+    let uses = vec![frame.constants.uniform(), volume.signal.ping.sampled(), percentiles.written()];
+    b.dispatch(NAME, Phase::AfterLighting, &shaders::BLOCK_PERCENTILES_VOLUME_1, sort as u32, uses);
+    percentiles
 }

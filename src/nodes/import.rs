@@ -1,7 +1,7 @@
 //! Turns the host's guides into ours. The only stage that knows the host's encodings.
 
 use super::{Builder, Frame, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
-use crate::config::{Config, Preset};
+use crate::config::Config;
 use crate::contract::{Lifetime, Phase, ResourceId};
 use crate::shaders;
 
@@ -16,7 +16,7 @@ pub(crate) struct Guides {
 
 pub(crate) fn import(b: &mut Builder, frame: Frame, config: &Config) -> Guides {
     // A filter without history has no use for the guide of the previous frame.
-    let guide_lifetime = if config.preset == Preset::Eaw { Lifetime::Transient } else { Lifetime::History };
+    let guide_lifetime = if config.has_history() { Lifetime::History } else { Lifetime::Transient };
     let guides = Guides {
         guide: b.image("guide", PACKED_64, guide_lifetime),
         surface_motion: b.image("surface_motion", PACKED_64, Lifetime::Transient),

@@ -19,16 +19,18 @@ mod taa;
 mod temporal_accumulation;
 mod tone_map;
 mod variance;
+mod volume_motion;
+mod volume_points;
 
 pub(crate) use adaptive_alpha::{adaptive_alpha, host_confidence};
 pub(crate) use adaptive_history::{change_test, percentile_rule};
-pub(crate) use atrous::{atrous, Filtered, Kernel};
+pub(crate) use atrous::{atrous, volume_atrous, Filtered, Kernel};
 pub(crate) use block_difference::block_difference;
-pub(crate) use block_percentiles::{block_percentiles, BLOCK_SIZE};
+pub(crate) use block_percentiles::{block_percentiles, volume_percentiles, BLOCK_SIZE};
 pub(crate) use debug_view::{debug_view, Shown};
 pub(crate) use demodulate::demodulate;
 pub(crate) use eaw::eaw;
-pub(crate) use firefly::firefly;
+pub(crate) use firefly::{firefly, volume_firefly};
 pub(crate) use forward_project::forward_project;
 pub(crate) use gradient::{gradient, Gradients, Strata};
 pub(crate) use gradient_atrous::gradient_atrous;
@@ -36,13 +38,16 @@ pub(crate) use import::{import, Guides};
 pub(crate) use modulate::modulate;
 pub(crate) use start_frame::{start_frame, Frame, STATISTICS_COUNT};
 pub(crate) use taa::taa;
-pub(crate) use temporal_accumulation::{temporal_accumulation, Adaptation};
+pub(crate) use temporal_accumulation::{temporal_accumulation, volume_accumulation, Adaptation};
 pub(crate) use tone_map::tone_map;
-pub(crate) use variance::{variance, Estimate};
+pub(crate) use variance::{variance, volume_variance, Estimate};
+pub(crate) use volume_motion::volume_motion;
+pub(crate) use volume_points::{volume_points, Volume};
 
 use crate::config::Signals;
 use crate::contract::{
-    Access, Component, Declaration, ImageFormat, Lifetime, PassDecl, Phase, ResourceDecl, ResourceId, Shape, Use, UseFrame, Work,
+    Access, Component, Declaration, Grid, ImageFormat, Lifetime, PassDecl, Phase, ResourceDecl, ResourceId, Shape, Use, UseFrame,
+    Work,
 };
 use crate::shaders::Shader;
 use ash::vk;
@@ -123,7 +128,12 @@ impl Builder {
 
     /// One dispatch. `uses` stand in the order of the shader's bindings.
     pub fn dispatch(&mut self, name: &'static str, phase: Phase, shader: &'static Shader, level: u32, uses: Vec<Use>) {
-        self.pass(name, phase, Work::Dispatch { shader, level, divisor: 1 }, uses);
+        self.pass(name, phase, Work::Dispatch { shader, level, grid: Grid::Pixels }, uses);
+    }
+
+    /// One dispatch that covers the pixels of this frame and those of the previous one.
+    pub fn dispatch_either(&mut self, name: &'static str, phase: Phase, shader: &'static Shader, uses: Vec<Use>) {
+        self.pass(name, phase, Work::Dispatch { shader, level: 0, grid: Grid::Strata(1) }, uses);
     }
 
     /// A dispatch with one invocation a stratum.
@@ -136,7 +146,7 @@ impl Builder {
         level: u32,
         uses: Vec<Use>,
     ) {
-        self.pass(name, phase, Work::Dispatch { shader, level, divisor: strata.size }, uses);
+        self.pass(name, phase, Work::Dispatch { shader, level, grid: Grid::Strata(strata.size) }, uses);
     }
 
     /// A dispatch that shows the view of the frame. Bit i of `available`: use i does not stand in for another image.

@@ -1,6 +1,6 @@
 //! Blends each pixel with its own past, found by motion and tested tap by tap. \[SVGF\] 4.1.
 
-use super::{Builder, Frame, Guides, Signal};
+use super::{Builder, Frame, Guides, Signal, Volume};
 use crate::contract::{Phase, ResourceId};
 use crate::shaders::{self, Shader};
 
@@ -55,4 +55,21 @@ pub(crate) fn temporal_accumulation(b: &mut Builder, frame: Frame, guides: Guide
     }
     let shader = variants[2 * usize::from(signals.len() == 2) + usize::from(guides.object_normal.is_some())];
     b.dispatch("temporal_accumulation", Phase::AfterLighting, shader, 0, uses);
+}
+
+/// The same for a volume, along its own motion, tested by the depth of the surface behind alone [PSVGF].
+pub(crate) fn volume_accumulation(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume, volume_motion: ResourceId) {
+    let Signal { history, moments, ping, .. } = volume.signal;
+    let uses = vec![
+        frame.constants.uniform(),
+        guides.guide.sampled(),
+        guides.guide.previous(),
+        volume_motion.sampled(),
+        history.previous(),
+        moments.previous(),
+        ping.updated(),
+        moments.written(),
+    ];
+    let shader = &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_VOLUME_1;
+    b.dispatch("temporal_accumulation_volume", Phase::AfterLighting, shader, 0, uses);
 }

@@ -1,6 +1,6 @@
 //! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings. \[SVGF\] 4.2.
 
-use super::{by_signals, Builder, Frame, Guides, Signal};
+use super::{by_signals, Builder, Frame, Guides, Signal, Volume};
 use crate::contract::Phase;
 use crate::shaders;
 
@@ -23,4 +23,11 @@ pub(crate) fn variance(b: &mut Builder, frame: Frame, guides: Guides, signals: &
         Estimate::Fading => by_signals(signals, &shaders::VARIANCE_SIGNALS_1_FADE_1, &shaders::VARIANCE_SIGNALS_2_FADE_1),
     };
     b.dispatch("variance", Phase::AfterLighting, shader, 0, uses);
+}
+
+/// The fading estimate of a volume.
+pub(crate) fn volume_variance(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume) {
+    let Signal { ping, moments, pong, .. } = volume.signal;
+    let uses = vec![frame.constants.uniform(), guides.guide.sampled(), ping.sampled(), moments.sampled(), pong.written()];
+    b.dispatch("variance_volume", Phase::AfterLighting, &shaders::VARIANCE_SIGNALS_1_FADE_1_VOLUME_1, 0, uses);
 }

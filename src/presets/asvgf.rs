@@ -1,6 +1,6 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
-use super::{debug_view, firefly_filter, gradients, post_process};
+use super::{finish, firefly_filter, gradients};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
@@ -18,7 +18,6 @@ pub(crate) fn asvgf(config: &Config) -> Declaration {
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    post_process(&mut b, frame, guides, config, denoised);
     let shown = Shown {
         signals: &signals,
         moments: true,
@@ -27,6 +26,5 @@ pub(crate) fn asvgf(config: &Config) -> Declaration {
         gradient: change.gradient,
         percentiles: &percentiles,
     };
-    debug_view(&mut b, frame, guides, config, shown);
-    b.finish()
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

@@ -1,6 +1,6 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::{debug_view, firefly_filter, post_process};
+use super::{finish, firefly_filter};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Builder, Shown, Signal};
@@ -16,8 +16,6 @@ pub(crate) fn eaw(config: &Config) -> Declaration {
     let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
     let filtered = nodes::eaw(&mut b, frame, guides, &signals, config.levels);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    post_process(&mut b, frame, guides, config, denoised);
     let shown = Shown { signals: &signals, percentiles: &percentiles, ..Shown::default() };
-    debug_view(&mut b, frame, guides, config, shown);
-    b.finish()
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

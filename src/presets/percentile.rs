@@ -1,6 +1,6 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
-use super::{debug_view, post_process};
+use super::finish;
 use crate::config::{AdaptiveRule, Config};
 use crate::contract::Declaration;
 use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
@@ -25,7 +25,6 @@ pub(crate) fn percentile(config: &Config) -> Declaration {
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    post_process(&mut b, frame, guides, config, denoised);
     let shown = Shown {
         signals: &signals,
         moments: true,
@@ -34,6 +33,5 @@ pub(crate) fn percentile(config: &Config) -> Declaration {
         percentiles: &percentiles,
         ..Shown::default()
     };
-    debug_view(&mut b, frame, guides, config, shown);
-    b.finish()
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

@@ -1,6 +1,6 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
-use super::{debug_view, firefly_filter, post_process};
+use super::{finish, firefly_filter};
 use crate::config::Config;
 use crate::contract::Declaration;
 use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
@@ -16,8 +16,6 @@ pub(crate) fn svgf(config: &Config) -> Declaration {
     nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
     let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
     let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    post_process(&mut b, frame, guides, config, denoised);
     let shown = Shown { signals: &signals, moments: true, deviation: true, percentiles: &percentiles, ..Shown::default() };
-    debug_view(&mut b, frame, guides, config, shown);
-    b.finish()
+    finish(b, frame, guides, config, Some((denoised, shown)))
 }

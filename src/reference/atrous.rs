@@ -34,24 +34,35 @@ pub struct AtrousInputs<'a> {
 
 /// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the input.
 pub fn atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, SPLINE, level, inputs)
+    filter(frame, &Geometry::new(frame, inputs.guide, inputs.depth_gradient), SPLINE, level, inputs.irradiance)
 }
 
 /// The same with a 3×3 box for the kernel \[ASVGF\].
 pub fn box_atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, BOX, level, inputs)
+    filter(frame, &Geometry::new(frame, inputs.guide, inputs.depth_gradient), BOX, level, inputs.irradiance)
 }
 
-fn filter(frame: &FrameConstants, kernel: &[f32], level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+/// The same for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background \[PSVGF\].
+pub fn volume_atrous(frame: &FrameConstants, level: u32, guide: &Image<[u16; 4]>, radiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+    let mut filtered = filter(frame, &Geometry::of_volume(frame, guide), SPLINE, level, &[radiance]);
+    filtered.pop().unwrap_or_else(|| radiance.clone())
+}
+
+fn filter(
+    frame: &FrameConstants,
+    geometry: &Geometry,
+    kernel: &[f32],
+    level: u32,
+    irradiance: &[&Image<[f32; 4]>],
+) -> Vec<Image<[f32; 4]>> {
     let radius = kernel.len() as i32 / 2;
-    let geometry = Geometry::new(frame, inputs.guide, inputs.depth_gradient);
     let rect = RenderRect::new(frame.render_extent);
     let step = 1_i32.checked_shl(level).unwrap_or(i32::MAX / 4);
     // Geometry weights cost the most: they are computed once for the two signals that there can be.
-    let mut filtered = Vec::with_capacity(inputs.irradiance.len());
-    for pair in inputs.irradiance.chunks(2) {
+    let mut filtered = Vec::with_capacity(irradiance.len());
+    for pair in irradiance.chunks(2) {
         let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
-            let mut sums: [Sum; 2] = std::array::from_fn(|i| Sum::new(frame, &geometry, rect, pair.get(i).copied(), p));
+            let mut sums: [Sum; 2] = std::array::from_fn(|i| Sum::new(geometry, rect, pair.get(i).copied(), p));
             if geometry.is_background(p) {
                 return sums.map(|sum| sum.centre);
             }
@@ -81,7 +92,7 @@ struct Sum {
 }
 
 impl Sum {
-    fn new(frame: &FrameConstants, geometry: &Geometry, rect: RenderRect, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
+    fn new(geometry: &Geometry, rect: RenderRect, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
         let Some(image) = image else { return Self::default() };
         let centre = image.at(p);
         if geometry.is_background(p) {
@@ -90,7 +101,7 @@ impl Sum {
         Self {
             centre,
             luminance: texel_luminance(centre),
-            tolerance: frame.sigma_l * blurred_deviation(geometry, rect, image, p) + LUMINANCE_EPSILON,
+            tolerance: geometry.sigma_l * blurred_deviation(geometry, rect, image, p) + LUMINANCE_EPSILON,
             ..Self::default()
         }
     }

@@ -6,6 +6,7 @@ use super::guide::unpack_guide;
 use super::luminance::texel_luminance;
 use super::Image;
 use crate::FrameConstants;
+use glam::IVec2;
 
 /// What a block holds, of the luminance of the irradiance of its surface pixels; 0, 0 without any.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -36,8 +37,8 @@ pub fn unpack_percentiles(texel: u32) -> Percentiles {
 /// Inputs of [`block_percentiles`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockPercentilesInputs<'a> {
-    /// As written by `import`.
-    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`; `None` for a volume, of which every pixel takes part.
+    pub guide: Option<&'a Image<[u16; 4]>>,
     /// rgb: irradiance of one signal, as written by `demodulate`.
     pub irradiance: &'a Image<[f32; 4]>,
 }
@@ -45,9 +46,10 @@ pub struct BlockPercentilesInputs<'a> {
 /// One texel a block; see [`unpack_percentiles`].
 pub fn block_percentiles(frame: &FrameConstants, inputs: &BlockPercentilesInputs) -> Image<u32> {
     let blocks = Blocks::new(frame.render_extent);
-    Image::compute(allocated_blocks(inputs.guide), blocks.extent(), |block| {
-        let surfaces = Blocks::pixels(block, frame.render_extent).filter(|p| !unpack_guide(inputs.guide.at(*p)).is_background());
-        let mut luminances: Vec<f32> = surfaces.map(|p| texel_luminance(inputs.irradiance.at(p))).collect();
+    Image::compute(allocated_blocks(inputs.irradiance), blocks.extent(), |block| {
+        let takes_part = |p: &IVec2| !inputs.guide.is_some_and(|guide| unpack_guide(guide.at(*p)).is_background());
+        let pixels = Blocks::pixels(block, frame.render_extent).filter(takes_part);
+        let mut luminances: Vec<f32> = pixels.map(|p| texel_luminance(inputs.irradiance.at(p))).collect();
         luminances.sort_by(f32::total_cmp);
         let at = |share: f32| match luminances.len() {
             0 => 0.0,
@@ -69,7 +71,7 @@ mod tests {
         use super::super::Surface;
         // The right block has 3 columns: luminances 8 to 10, of which one pixel is background.
         let irradiance = paint(extent, |x, y| if x == 9 && y == 0 { [1000.0; 4] } else { [x as f32; 4] });
-        let inputs = BlockPercentilesInputs { guide: &guides.guide, irradiance: &irradiance };
+        let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
         let frame = FrameConstants { percentile_low: 0.0, percentile_up: 1.0, ..frame(extent) };
         let blocks = block_percentiles(&frame, &inputs);
         assert_eq!(blocks.extent(), [2, 1]);
@@ -83,7 +85,8 @@ mod tests {
         let extent = [8, 8];
         let guides = guides(extent, |_, _| super::super::Surface::default());
         let irradiance = noise(extent, 1);
-        let blocks = block_percentiles(&frame(extent), &BlockPercentilesInputs { guide: &guides.guide, irradiance: &irradiance });
+        let blocks =
+            block_percentiles(&frame(extent), &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance });
         assert_eq!(unpack_percentiles(blocks.texels()[0]), Percentiles::default());
     }
 }

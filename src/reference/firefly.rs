@@ -12,8 +12,8 @@ use glam::IVec2;
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]
 pub struct FireflyInputs<'a> {
-    /// As written by `import`.
-    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`; `None` for a volume, of which every pixel takes part.
+    pub guide: Option<&'a Image<[u16; 4]>>,
     /// As written by `block_percentiles` for this signal.
     pub block_percentiles: &'a Image<u32>,
     /// rgb: irradiance of one signal, as written by `demodulate`.
@@ -22,9 +22,9 @@ pub struct FireflyInputs<'a> {
 
 /// rgb: irradiance without outliers, half precision; alpha as it came.
 pub fn firefly(frame: &FrameConstants, inputs: &FireflyInputs) -> Image<[f32; 4]> {
-    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+    Image::compute(inputs.irradiance.extent(), frame.render_extent, |p| {
         let texel = inputs.irradiance.at(p);
-        if unpack_guide(inputs.guide.at(p)).is_background() {
+        if inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background()) {
             return texel;
         }
         let limit = limit_around(frame, inputs.block_percentiles, p);
@@ -60,8 +60,8 @@ mod tests {
 
     fn filtered(irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
         let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
-        let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: &guides.guide, irradiance });
-        firefly(&frame, &FireflyInputs { guide: &guides.guide, block_percentiles: &percentiles, irradiance })
+        let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
+        firefly(&frame, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
     }
 
     fn mean(image: &Image<[f32; 4]>) -> f64 {

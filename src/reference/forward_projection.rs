@@ -55,7 +55,7 @@ pub(crate) fn project(frame: &FrameConstants, world: Vec4) -> ForwardPosition {
 }
 
 /// The largest integer q with q·denominator ≤ numerator, both rounded to `f32`.
-fn floor_quotient(numerator: f32, denominator: f32) -> i32 {
+pub(crate) fn floor_quotient(numerator: f32, denominator: f32) -> i32 {
     let q = (numerator / denominator).floor();
     let fits = |q: f32| q * denominator <= numerator;
     let largest = [q + 1.0, q, q - 1.0].into_iter().find(|q| fits(*q));

@@ -2,6 +2,7 @@
 
 use super::guide::{unpack_guide, Surface};
 use super::surface_motion::unpack_depth_gradient;
+use super::volume::{relative_difference, volume_depth};
 use super::Image;
 use crate::FrameConstants;
 use glam::{IVec2, Vec2};
@@ -13,9 +14,23 @@ pub const DEPTH_EPSILON: f32 = 0.001;
 pub(crate) struct Geometry {
     surfaces: Image<Surface>,
     gradients: Image<Vec2>,
-    sigma_z: f32,
-    sigma_n: f32,
-    edge_falloff: f32,
+    edges: Edges,
+    /// Tolerated difference of luminance in standard deviations.
+    pub sigma_l: f32,
+}
+
+/// What geometry says of two pixels.
+#[derive(Clone, Copy)]
+enum Edges {
+    Surface {
+        sigma_z: f32,
+        sigma_n: f32,
+        edge_falloff: f32,
+    },
+    /// Depth alone, and less strictly; there is no background \[PSVGF\].
+    Volume {
+        sigma_z: f32,
+    },
 }
 
 impl Geometry {
@@ -23,9 +38,19 @@ impl Geometry {
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
-            sigma_z: frame.sigma_z,
-            sigma_n: frame.sigma_n,
-            edge_falloff: frame.edge_falloff,
+            edges: Edges::Surface { sigma_z: frame.sigma_z, sigma_n: frame.sigma_n, edge_falloff: frame.edge_falloff },
+            sigma_l: frame.sigma_l,
+        }
+    }
+
+    /// For a volume before the surfaces of the guide.
+    pub fn of_volume(frame: &FrameConstants, guide: &Image<[u16; 4]>) -> Self {
+        let seen = |p| Surface { linear_depth: volume_depth(guide.at(p)), ..Surface::default() };
+        Self {
+            surfaces: Image::compute(guide.extent(), frame.render_extent, seen),
+            gradients: Image::new([0; 2], Vec2::ZERO),
+            edges: Edges::Volume { sigma_z: frame.volume_sigma_z },
+            sigma_l: frame.volume_sigma_l,
         }
     }
 
@@ -46,8 +71,13 @@ impl Geometry {
         if at_q.is_background() {
             return 0.0;
         }
-        let sigmas = [self.sigma_z, self.sigma_n];
-        depth_and_normal_weight(sigmas, self.edge_falloff, &at_p, &at_q, self.gradients.at(p), (q - p).as_vec2())
+        match self.edges {
+            Edges::Surface { sigma_z, sigma_n, edge_falloff } => {
+                let offset = (q - p).as_vec2();
+                depth_and_normal_weight([sigma_z, sigma_n], edge_falloff, &at_p, &at_q, self.gradients.at(p), offset)
+            }
+            Edges::Volume { sigma_z } => (-relative_difference(at_p.linear_depth, at_q.linear_depth) / sigma_z).exp(),
+        }
     }
 }
 

@@ -127,15 +127,20 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
     }
 }
 
-/// The world-space unit normal of a texel, with whether it was not finite.
-fn world_normal(frame: &FrameConstants, projections: &Projections, v: [f32; 4]) -> (Vec3, bool) {
+/// The vector that a texel encodes, of any length, in the space that it is in.
+pub(crate) fn decode_normal(encoding: NormalEncoding, v: [f32; 4]) -> Vec3 {
     let (xy, xyz) = (Vec2::new(v[0], v[1]), Vec3::new(v[0], v[1], v[2]));
-    let n = match normal_encoding(frame) {
+    match encoding {
         NormalEncoding::Xyz => xyz,
         NormalEncoding::XyzUnorm => xyz * 2.0 - 1.0,
         NormalEncoding::Octahedral => from_square(xy),
         NormalEncoding::OctahedralUnorm => from_square(xy * 2.0 - 1.0),
-    };
+    }
+}
+
+/// The world-space unit normal of a texel, with whether it was not finite.
+fn world_normal(frame: &FrameConstants, projections: &Projections, v: [f32; 4]) -> (Vec3, bool) {
+    let n = decode_normal(normal_encoding(frame), v);
     let n = if normals_are_in_view_space(frame) { projections.world_direction(n) } else { n };
     // The squared length also is not finite where a component is, or is too large to be squared.
     let length_squared = n.length_squared();

@@ -52,17 +52,20 @@ mod temporal_accumulation;
 mod test_scene;
 mod tone_map;
 mod variance;
+mod volume;
+mod volume_motion;
+mod volume_points;
 
 pub use adaptive_alpha::{adaptive_alpha, AdaptiveAlphaInput};
 pub use adaptive_history::{change_test, percentile_rule, PercentileRuleInputs, CHANGE_EPSILON, RANGE_EPSILON};
-pub use atrous::{atrous, box_atrous, AtrousInputs, LUMINANCE_EPSILON};
+pub use atrous::{atrous, box_atrous, volume_atrous, AtrousInputs, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
 pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
 pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
 pub use blocks::BLOCK_SIZE;
 pub use debug_view::{debug_view, DebugViewInputs, LONG_HISTORY, REASON_COLOURS};
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
-pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources};
+pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources, VolumeInputs};
 pub use eaw::{eaw, EawInputs, HOLE};
 pub use firefly::{firefly, FireflyInputs};
 pub use forward_project::{forward_project, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates};
@@ -71,12 +74,17 @@ pub use gradient::{gradient, GradientInput, GradientInputs, GradientOutputs};
 pub use gradient_atrous::{gradient_atrous, GradientAtrousInputs, GRADIENT_ITERATIONS};
 pub use guide::{fold_id, pack_guide, unpack_guide, Surface};
 pub use image::Image;
+pub(crate) use import::decode_normal;
 pub use import::{import, ImportInputs, ImportOutputs};
 pub use luminance::luminance;
 pub use modulate::{modulate, ModulateInputs, ModulateOutputs};
 pub use moments::{pack_moments, unpack_moments, Moments, Reason};
 pub use nearest_history::HistoryGuides;
+#[cfg(test)]
+pub(crate) use octahedral::to_square;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
+pub(crate) use projection::Projections;
+pub(crate) use reprojection::motion_in_pixels;
 pub use reprojection::InstanceTransform;
 pub use statistics::{Counter, Statistics};
 pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};
@@ -85,7 +93,12 @@ pub use surface_motion::{
 };
 pub use taa::{taa, TaaInputs};
 pub use temporal_accumulation::{
-    temporal_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs, TemporalAccumulationOutputs,
+    temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
+    TemporalAccumulationOutputs, VolumeAccumulationInputs,
 };
 pub use tone_map::tone_map;
-pub use variance::{fading_variance, variance, VarianceInputs};
+pub use variance::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
+pub use volume_motion::{pack_volume_motion, unpack_volume_motion, volume_motion, VolumeMotionInputs};
+pub use volume_points::{
+    pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,
+};

@@ -62,7 +62,7 @@ pub(crate) fn reproject(
 }
 
 /// The host's motion as pixels of the previous frame, without jitter.
-fn motion_in_pixels(frame: &FrameConstants, v: Vec2) -> Vec2 {
+pub(crate) fn motion_in_pixels(frame: &FrameConstants, v: Vec2) -> Vec2 {
     let ratio = extent_ratio(frame);
     let v = if motion_is_negated(frame) { -v } else { v };
     let v = match motion_unit(frame) {

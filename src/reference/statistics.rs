@@ -21,6 +21,8 @@ pub enum Counter {
     Emission = 5,
     /// A forward motion that is not finite; once for every candidate that needs it.
     ForwardMotion = 6,
+    /// A scattering depth that is NaN.
+    ScatteringDepth = 7,
 }
 
 /// How many texels are true.

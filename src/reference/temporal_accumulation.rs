@@ -14,11 +14,12 @@ use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
 mod history_tests;
+mod taps;
 #[cfg(test)]
 mod tests;
+mod volume;
 
-/// Smallest sum of bilinear weights that the 2×2 taps are trusted with.
-const SMALLEST_WEIGHT_SUM: f32 = 0.01;
+pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// What the previous frame left of a signal.
 #[derive(Clone, Copy, Debug)]
@@ -180,19 +181,9 @@ impl Reprojected {
     }
 
     fn history(&self, surfaces: &Image<Surface>, repair: bool) -> History {
-        let corner = self.s.floor();
-        let f = self.s - corner;
-        let corner = corner.as_ivec2();
-        let bilinear = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(x, y)| {
-            let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
-            (corner + IVec2::new(x, y), weight)
-        });
-        let nearest = (self.s + 0.5).floor().as_ivec2();
-        let around = std::array::from_fn::<_, 9, _>(|i| (nearest + IVec2::new(i as i32 % 3 - 1, i as i32 / 3 - 1), 1.0));
-        self.taps(surfaces, &bilinear)
-            .or_else(|| self.taps(surfaces, &around))
+        taps::find(self.s, |q| self.refusal(surfaces, q))
             .or_else(|| if repair { self.repaired(surfaces) } else { None })
-            .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, nearest)))
+            .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, taps::nearest(self.s))))
     }
 
     /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one has a pixel that
@@ -223,20 +214,6 @@ impl Reprojected {
             way => (border[i] - start[i]) / way,
         };
         start + part(0).min(part(1)).clamp(0.0, 1.0) * way
-    }
-
-    /// The valid ones of some taps, weights normalised; `None` where they weigh too little.
-    fn taps(&self, surfaces: &Image<Surface>, candidates: &[(IVec2, f32)]) -> Option<History> {
-        let mut taps = [(IVec2::ZERO, 0.0); 9];
-        let mut sum = 0.0;
-        for (tap, &(q, weight)) in taps.iter_mut().zip(candidates) {
-            if self.refusal(surfaces, q) == Reason::None {
-                *tap = (q, weight);
-                sum += weight;
-            }
-        }
-        taps.iter_mut().for_each(|tap| tap.1 /= sum);
-        (sum >= SMALLEST_WEIGHT_SUM).then_some(History::Taps(taps))
     }
 }
 

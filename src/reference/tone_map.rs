@@ -5,10 +5,12 @@ use super::luminance::luminance;
 use super::Image;
 use crate::{FrameConstants, ToneCurve};
 
-/// Applies exposure and the tone curve of the frame. rgb of the result is 0..1 in half precision, alpha 1.
-pub fn tone_map(frame: &FrameConstants, denoised_radiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-    Image::compute(denoised_radiance.extent(), frame.render_extent, |p| {
-        let [r, g, b, _] = denoised_radiance.at(p);
+/// Applies exposure and the tone curve of the frame to the sum of radiances, of surfaces and of a volume. rgb of the result is 0..1 in half
+/// precision, alpha 1. Without any radiance an empty image.
+pub fn tone_map(frame: &FrameConstants, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
+    let extent = denoised.first().map_or([0; 2], |image| image.extent());
+    Image::compute(extent, frame.render_extent, |p| {
+        let [r, g, b] = [0, 1, 2].map(|i| denoised.iter().map(|image| image.at(p)[i]).sum::<f32>());
         let [r, g, b] = curve(frame.tone_curve, [r, g, b].map(|c| c * frame.exposure)).map(|c| round_to_half(c.clamp(0.0, 1.0)));
         [r, g, b, 1.0]
     })
@@ -33,7 +35,7 @@ mod tests {
 
     fn mapped(tone_curve: ToneCurve, exposure: f32, c: [f32; 3]) -> [f32; 4] {
         let frame = FrameConstants { tone_curve: tone_curve as u32, exposure, ..frame([1, 1]) };
-        tone_map(&frame, &Image::new([1, 1], [c[0], c[1], c[2], 0.5])).texels()[0]
+        tone_map(&frame, &[&Image::new([1, 1], [c[0], c[1], c[2], 0.5])]).texels()[0]
     }
 
     #[test]

@@ -43,12 +43,31 @@ pub fn variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f
 
 /// The same with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
 pub fn fading_variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    estimate(frame, inputs, |geometry, moments, p| {
-        let centre = moments.at(p);
-        let share = (frame.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
-        let spatial = spatial_variance(frame, geometry, moments, p, FADING_RADIUS);
-        (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
-    })
+    estimate(frame, inputs, |geometry, moments, p| faded_deviation(frame, geometry, moments, p))
+}
+
+fn faded_deviation(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+    let centre = moments.at(p);
+    let share = (frame.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
+    let spatial = spatial_variance(frame, geometry, moments, p, FADING_RADIUS);
+    (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
+}
+
+/// Inputs of [`volume_variance`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VolumeVarianceInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: accumulated radiance of the volume.
+    pub radiance: &'a Image<[f32; 4]>,
+    /// Its moments of this frame.
+    pub moments: &'a Image<[u16; 4]>,
+}
+
+/// [`fading_variance`] of a volume: weights by the depth of the surface behind alone, and no background.
+pub fn volume_variance(frame: &FrameConstants, inputs: &VolumeVarianceInputs) -> Image<[f32; 4]> {
+    let geometry = Geometry::of_volume(frame, inputs.guide);
+    estimate_signal(frame, &geometry, inputs.radiance, inputs.moments, |moments, p| faded_deviation(frame, &geometry, moments, p))
 }
 
 fn estimate(
@@ -60,14 +79,24 @@ fn estimate(
     let signals = inputs.irradiance.iter().zip(inputs.moments);
     signals
         .map(|(irradiance, moments)| {
-            let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
-            Image::compute(geometry.extent(), frame.render_extent, |p| {
-                let [r, g, b, _] = irradiance.at(p);
-                let deviation = if geometry.is_background(p) { 0.0 } else { deviation(&geometry, &moments, p) };
-                [store(r), store(g), store(b), store(deviation)]
-            })
+            estimate_signal(frame, &geometry, irradiance, moments, |moments, p| deviation(&geometry, moments, p))
         })
         .collect()
+}
+
+fn estimate_signal(
+    frame: &FrameConstants,
+    geometry: &Geometry,
+    irradiance: &Image<[f32; 4]>,
+    moments: &Image<[u16; 4]>,
+    deviation: impl Fn(&Image<Moments>, IVec2) -> f32 + Sync,
+) -> Image<[f32; 4]> {
+    let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
+    Image::compute(geometry.extent(), frame.render_extent, |p| {
+        let [r, g, b, _] = irradiance.at(p);
+        let deviation = if geometry.is_background(p) { 0.0 } else { deviation(&moments, p) };
+        [store(r), store(g), store(b), store(deviation)]
+    })
 }
 
 /// Of the window, scaled by how short the history is.

@@ -18,6 +18,7 @@ pub const TESTS: &[GpuTest] = &[
     ("values_that_are_not_finite_are_replayed", values_that_are_not_finite_are_replayed),
     ("every_preset_is_replayed", every_preset_is_replayed),
     ("every_source_of_gradients_is_replayed", every_source_of_gradients_is_replayed),
+    ("volumes_are_replayed", volumes_are_replayed),
     ("transforms_and_changing_tunables_are_replayed", transforms_and_changing_tunables_are_replayed),
 ];
 
@@ -43,12 +44,19 @@ fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, chang
             s.upload_buffer("instance_transforms", bytemuck::cast_slice(transforms)).expect("transforms");
             s.unbind("motion").expect("unbound");
         }
-        if config.signals == Signals::Together {
+        if s.executor().denoiser().declaration().find("emission").is_some() && config.signals == Signals::Together {
             let emission: Picture = inputs.guides.clean.iter().map(|c| [c[0] * 0.1, 0.0, 0.03, 1.0]).collect();
             s.upload("emission", &emission).expect("emission");
         }
         s.run(&inputs.params, &inputs.tuning).expect("a frame");
-        let image = s.download("denoised_radiance").expect("a picture");
+        let outputs = ["denoised_radiance", "denoised_volume"];
+        let declaration = s.executor().denoiser().declaration().clone();
+        let mut image = vec![[0.0; 4]; (config.allocated_extent[0] * config.allocated_extent[1]) as usize];
+        for name in outputs.into_iter().filter(|name| declaration.find(name).is_some()) {
+            for (sum, [r, g, b, _]) in image.iter_mut().zip(s.download(name).expect("a picture")) {
+                *sum = [sum[0] + r, sum[1] + g, sum[2] + b, 1.0];
+            }
+        }
         let rows = image.chunks_exact(config.allocated_extent[0] as usize).take(scene.extent[1] as usize);
         pictures.push(rows.flat_map(|row| row[..scene.extent[0] as usize].to_vec()).collect());
     }
@@ -218,6 +226,21 @@ fn every_source_of_gradients_is_replayed() {
             if gradient_source == GradientSource::Confidence {
                 inputs.images.push(("confidence", texels(i, 1.0)));
             }
+        });
+    }
+}
+
+fn volumes_are_replayed() {
+    let texels = |i: u32| (0..EXTENT[0] * EXTENT[1]).map(move |k| [0.4 * random(k, i, 5), 0.4 * random(k, i, 6), 0.2, 0.0]);
+    let base = Config::new(EXTENT);
+    for config in [
+        Config { volume: true, ..base },
+        Config { volume: true, preset: Preset::Percentile, signals: Signals::Apart, ..base },
+        Config { preset: Preset::Volume, ..base },
+    ] {
+        replay_of(config, |i, inputs| {
+            inputs.images.push(("noisy_volume", texels(i).collect()));
+            inputs.images.push(("scattering_depth", texels(i).map(|t| [0.2 + 5.0 * t[0], 0.0, 0.0, 0.0]).collect()));
         });
     }
 }

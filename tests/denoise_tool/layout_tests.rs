@@ -223,3 +223,16 @@ fn conventions_of_the_sequence_are_taken() {
     std::fs::write(&path, "{").expect("a file");
     assert!(matches!(Setup::new(&frames, &Wishes::default()), Err(ToolError::Json { path: p, .. }) if p == Path::new(&path)));
 }
+
+#[test]
+fn references_may_be_there_for_some_frames_only() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for i in 0..3 {
+        Sample::new(4, 2).flat("R G B", Type::Float, 0.5).write(&folder.path().join(format!("a_{i}.exr")));
+    }
+    Sample::new(4, 2).flat("R G B", Type::Float, 0.25).write(&folder.path().join("a_1_ref.exr"));
+    let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
+    let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+    let references: Vec<_> = files.iter().map(|f| frame::load(f, &setup).expect("a frame").reference.map(|r| r[0])).collect();
+    assert_eq!(references, [None, Some([0.25; 3]), None]);
+}

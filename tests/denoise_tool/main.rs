@@ -8,6 +8,8 @@ mod backend_reference;
 mod camera;
 #[path = "../../examples/denoise/captured_config.rs"]
 mod captured_config;
+#[path = "../../examples/denoise/check.rs"]
+mod check;
 #[path = "../../examples/denoise/cli.rs"]
 mod cli;
 #[path = "../../examples/denoise/conventions.rs"]
@@ -54,6 +56,7 @@ mod tool;
 mod bad_files;
 #[cfg(feature = "capture")]
 mod capture_tests;
+mod check_tests;
 mod fuzz;
 mod layout_tests;
 mod memory;

@@ -1,4 +1,4 @@
-//! The C++ host: built by its own script, once plainly and once with AddressSanitizer.
+//! The C++ host: built by its own script, once plainly on the static library, and once with AddressSanitizer on the shared one.
 
 use super::{checksums, of_executor, validated};
 use std::path::PathBuf;
@@ -9,9 +9,10 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn build(name: &str, flags: &[&str]) -> PathBuf {
+fn build(name: &str, crate_type: &str, flags: &[&str]) -> PathBuf {
     let program = root().join("target").join(name);
-    let output = Command::new(root().join("examples/host_cpp/build.sh")).arg(&program).args(flags).output().expect("build.sh");
+    let mut script = Command::new(root().join("examples/host_cpp/build.sh"));
+    let output = script.env("CRATE_TYPE", crate_type).arg(&program).args(flags).output().expect("build.sh");
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
         output.status.success(),
@@ -22,7 +23,7 @@ fn build(name: &str, flags: &[&str]) -> PathBuf {
 
 fn plain() -> PathBuf {
     static PLAIN: OnceLock<PathBuf> = OnceLock::new();
-    PLAIN.get_or_init(|| build("host_cpp", &[])).clone()
+    PLAIN.get_or_init(|| build("host_cpp", "staticlib", &[])).clone()
 }
 
 fn run(program: PathBuf, arguments: &[&str]) -> Output {
@@ -34,8 +35,14 @@ pub fn cpp_gives_the_bits_of_the_executor() {
     assert_eq!(checksums("host_cpp", &run(plain(), &[])), of_executor());
 }
 
+pub fn cpp_is_told_of_wrong_conventions() {
+    let output = run(plain(), &["--check"]);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success() && text.contains("motion: MISTAKE: the motion has the opposite sign"), "{text}");
+}
+
 pub fn the_c_abi_refuses_bad_input_under_address_sanitizer() {
-    let sanitized = build("host_cpp_asan", &["-fsanitize=address"]);
+    let sanitized = build("host_cpp_asan", "cdylib", &["-fsanitize=address"]);
     let output = run(sanitized.clone(), &["--bad-input"]);
     assert!(checksums("host_cpp --bad-input", &output).is_empty());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

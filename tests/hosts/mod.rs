@@ -25,6 +25,7 @@ pub const TESTS: &[GpuTest] = &[
     ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
     ("vk_graph_gives_the_bits_of_the_executor", vk_graph_gives_the_bits_of_the_executor),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
+    ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),
     ("phases_in_submissions_of_their_own_give_the_same_bits", submissions::phases_in_submissions_of_their_own_give_the_same_bits),
     ("the_boundary_names_what_crosses_between_phases", submissions::the_boundary_names_what_crosses_between_phases),
     (

@@ -191,8 +191,8 @@ pub fn sparse_and_confidence() {
 }
 
 pub fn stabilize() {
-    for gradient_source in [GradientSource::ForwardProjected, GradientSource::Confidence] {
-        let config = Config { preset: Preset::Stabilize, gradient_source, ..config([40, 23]) };
+    for (gradient_source, firefly_filter) in [(GradientSource::ForwardProjected, false), (GradientSource::Confidence, true)] {
+        let config = Config { preset: Preset::Stabilize, gradient_source, firefly_filter, ..config([40, 23]) };
         sequence(&config, [40, 23], |s, i, scene| {
             if gradient_source == GradientSource::Confidence {
                 let confidence: Vec<_> = (0..40 * 23).map(|k| [random(k, i, 3); 4]).collect();

@@ -6,9 +6,12 @@ use atrous::reference::{firefly, FireflyInputs};
 use atrous::UseFrame;
 
 pub fn check(c: &Captured, suffix: &str) {
-    let name = format!("filter_ping{suffix}");
+    let name = format!("{}{suffix}", c.accumulated());
+    // Every pixel of a volume takes part.
+    let guide = c.has("guide").then(|| c.packed("guide", UseFrame::Current));
+    assert_eq!(guide.is_none(), suffix == "_volume");
     let inputs = FireflyInputs {
-        guide: &c.packed("guide", UseFrame::Current),
+        guide: guide.as_ref(),
         block_percentiles: &c.block_uints(&format!("block_percentiles{suffix}")),
         irradiance: &c.halves(&name, UseFrame::Current),
     };

@@ -6,11 +6,12 @@ use atrous::UseFrame;
 
 /// The pass that claims strata: its result is compared when it was resolved.
 pub fn keep_claims(c: &Captured) -> Claims {
-    Claims { claimed: c.written_uints_of("gradient_claims", c.strata()).texels().iter().filter(|key| **key != 0).count() }
+    let claimed = c.written_uints_of("gradient_claims", c.strata()).texels().iter().filter(|key| **key != 0).count();
+    Claims { claimed, guide: None }
 }
 
 /// The pass that writes the samples down.
-pub fn check(c: &Captured, claims: Claims) {
+pub fn check(c: &Captured, claims: &Claims) {
     let strata = c.strata();
     let (guide, previous_guide) = (c.packed("guide", UseFrame::Current), c.packed("guide", UseFrame::Previous));
     let candidates = c.packed_of("gradient_candidates", UseFrame::Previous, strata);

@@ -18,6 +18,7 @@ mod taa;
 mod temporal_accumulation;
 mod tone_map;
 mod variance;
+mod volume;
 
 use super::support::{
     assert_valid,
@@ -55,6 +56,15 @@ pub const TESTS: &[GpuTest] = &[
         sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf4x4, signals: Signals::Apart, ..Config::new([40, 23]) })
     }),
     ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: 2, ..Config::new([64, 40]) }, [37, 21])),
+    ("volume", || sequence(&Config { preset: Preset::Volume, ..Config::new([61, 35]) })),
+    ("volume_of_one_pixel", || sequence(&Config { preset: Preset::Volume, levels: 1, ..Config::new([1, 1]) })),
+    ("volume_in_a_larger_image", || sequence_of(&Config { preset: Preset::Volume, levels: 2, ..Config::new([64, 40]) }, [37, 21])),
+    ("volume_beside_svgf", || {
+        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: 3, ..Config::new([61, 35]) })
+    }),
+    ("volume_beside_eaw", || sequence(&Config { volume: true, preset: Preset::Eaw, ..Config::new([40, 23]) })),
+    ("volume_at_other_resolutions", volume::other_resolutions),
+    ("volume_without_depths", volume::without_depths),
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
     ("normals_switched_off", || {
@@ -192,7 +202,9 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
     let scene = Scene { speed: 0.12, allocated: config.allocated_extent, ..Scene::new(extent) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     let emission = vec![[0.25, 0.5, 0.125, 0.0]; (config.allocated_extent[0] * config.allocated_extent[1]) as usize];
-    s.upload("emission", &emission).expect("emission");
+    if config.preset != Preset::Volume {
+        s.upload("emission", &emission).expect("emission");
+    }
     for i in 0..6 {
         let mut guides = scene.frame(i, i);
         leave_holes(&config, &mut guides);
@@ -205,10 +217,11 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
     assert_valid();
 }
 
-/// How many strata were claimed, from one pass to the next.
-#[derive(Clone, Copy, Default)]
+/// What is kept from a pass that claims to the one that resolves: how many texels were claimed, and the guide that was looked at.
+#[derive(Clone, Default)]
 pub struct Claims {
     claimed: usize,
+    guide: Option<Image<[u16; 4]>>,
 }
 
 /// Where the input is sub-sampled, the pixels without a sample.
@@ -264,9 +277,15 @@ fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
         "import" => import::check(captured),
         "forward_project_clear" => {}
         "forward_project_claim" => *claims = forward_project::keep_claims(captured),
-        "forward_project_resolve" => forward_project::check(captured, *claims),
+        "forward_project_resolve" => forward_project::check(captured, claims),
         "gradient" => gradient::check(captured),
         "adaptive_alpha" => gradient::check_alpha(captured),
+        "volume_motion_clear" => {}
+        "volume_motion_claim" => *claims = volume::keep_guide(captured),
+        "volume_motion_resolve" => volume::check_motion(captured, claims),
+        "volume_points" => volume::check_points(captured),
+        "temporal_accumulation_volume" => volume::check_accumulation(captured),
+        "variance_volume" => volume::check_variance(captured),
         "demodulate" => demodulate::check(captured),
         "temporal_accumulation" => temporal_accumulation::check(captured),
         "variance" => variance::check(captured),
@@ -281,6 +300,7 @@ fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
         name => match name.rsplit_once('_').and_then(|(stage, level)| Some((stage, level.parse().ok()?))) {
             Some(("eaw", level)) => eaw::check(captured, level),
             Some(("atrous", level)) => atrous::check(captured, level),
+            Some(("atrous_volume", level)) => volume::check_atrous(captured, level),
             Some(("gradient_atrous", level)) => gradient::check_atrous(captured, level),
             _ => panic!("no twin is compared with {name}"),
         },

@@ -1,7 +1,7 @@
 //! `tone_map`.
 
 use super::compare::{halves, HALF};
-use super::{run, Captured};
+use super::{each, run, Captured};
 use crate::support::{assert_valid, scene::Scene, session_with, upload};
 use atrous::config::PostProcess;
 use atrous::executor::SessionOptions;
@@ -9,7 +9,10 @@ use atrous::reference::tone_map;
 use atrous::{Config, ToneCurve, Tuning, UseFrame};
 
 pub fn check(c: &Captured) {
-    let twin = tone_map(&c.frame.constants, &c.halves("denoised_radiance", UseFrame::Current));
+    let names = ["denoised_radiance", "denoised_volume"].into_iter().filter(|name| c.has(name));
+    let radiances: Vec<_> = names.map(|name| c.halves(name, UseFrame::Current)).collect();
+    assert_eq!(radiances.len(), 1 + usize::from(c.config.volume));
+    let twin = tone_map(&c.frame.constants, &each(&radiances));
     let name = if c.config.post_process == PostProcess::ToneMapTaa { "tone_mapped" } else { "display" };
     halves(name, c, &c.written_halves(name), &twin, HALF);
 }

@@ -18,10 +18,14 @@ pub struct Guides {
     pub noisy_indirect: Vec<[f32; 4]>,
     /// What a converged renderer would give.
     pub clean: Vec<[f32; 4]>,
+    pub noisy_volume: Vec<[f32; 4]>,
+    pub scattering_depth: Vec<[f32; 4]>,
+    /// The volume of a converged renderer.
+    pub clean_volume: Vec<[f32; 4]>,
 }
 
 impl Guides {
-    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 8] {
+    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 10] {
         [
             ("depth", &self.depth),
             ("normal", &self.normal),
@@ -31,6 +35,8 @@ impl Guides {
             ("noisy_radiance", &self.noisy_radiance),
             ("noisy_direct", &self.noisy_direct),
             ("noisy_indirect", &self.noisy_indirect),
+            ("noisy_volume", &self.noisy_volume),
+            ("scattering_depth", &self.scattering_depth),
         ]
     }
 }
@@ -51,6 +57,14 @@ pub struct Scene {
 const FOCAL: f32 = 1.2;
 const WALL: f32 = 6.0;
 const BALL: [f32; 4] = [0.3, -0.2, 4.0, 1.0];
+
+/// Depth of a sheet of fog, before everything else.
+const FOG: f32 = 2.0;
+
+/// What the fog scatters towards the camera: stripes.
+fn fog(x: f32, y: f32) -> f32 {
+    0.5 + 0.45 * (4.0 * x + 1.5 * y).sin()
+}
 
 struct Hit {
     depth: f32,
@@ -102,7 +116,10 @@ impl Scene {
             noisy_radiance: nan.clone(),
             noisy_direct: nan.clone(),
             noisy_indirect: nan.clone(),
-            clean: nan,
+            clean: nan.clone(),
+            noisy_volume: nan.clone(),
+            scattering_depth: nan.clone(),
+            clean_volume: nan,
         };
         for (x, y) in pixels(self.extent) {
             let i = (y * self.allocated[0] + x) as usize;
@@ -121,6 +138,13 @@ impl Scene {
             g.noisy_direct[i] = rgba(0.75 * noise(u[1]).max(0.0));
             g.noisy_indirect[i] = rgba(0.25 * noise(u[2]).max(0.0));
             g.clean[i] = rgba(1.0);
+            let light = self.light * fog(self.camera(index) + direction[0] * FOG, direction[1] * FOG);
+            let u = [random(x, y, seed * 4 + 3), random(x, y, seed * 4 + 700)];
+            // Most samples of light in a fog are dark.
+            let noisy = if u[0] < 0.25 { 4.0 * light } else { 0.0 };
+            g.noisy_volume[i] = [noisy, 0.5 * noisy, 0.25 * noisy, 0.0];
+            g.clean_volume[i] = [light, 0.5 * light, 0.25 * light, 0.0];
+            g.scattering_depth[i] = [[0.0, f32::NAN, f32::INFINITY, FOG][((u[1] * 40.0) as usize).min(3)]; 4];
         }
         g
     }

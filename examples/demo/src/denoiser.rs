@@ -7,7 +7,7 @@ use atrous::{Config, DebugView, Device, FrameContext, FrameParams, Phase, ResetR
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
-use crate::{Outputs, PathTracer, Result, View};
+use crate::{view, PathTracer, Result};
 
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +18,8 @@ pub struct DenoiserOptions {
     pub signals: Signals,
     /// Edge-stopping functions of the preset `Eaw`.
     pub eaw_weights: EawWeights,
+    /// Whether fog has motion of its own; else it moves as the surfaces behind it.
+    pub volume_motion: bool,
     /// Tone map and temporal anti-aliasing after it.
     pub taa: bool,
     /// Per-frame numbers to start with.
@@ -31,16 +33,25 @@ impl DenoiserOptions {
     /// cost no more than SVGF on one signal.
     pub fn new(preset: Preset) -> Self {
         let signals = if preset == Preset::Svgf { Signals::Apart } else { Signals::Together };
-        let tuning = Tuning::for_preset(preset);
-        Self { preset, signals, eaw_weights: EawWeights::default(), taa: false, tuning, debug_view: false }
+        Self {
+            preset,
+            signals,
+            eaw_weights: EawWeights::default(),
+            volume_motion: true,
+            taa: false,
+            debug_view: false,
+            tuning: Tuning::for_preset(preset),
+        }
     }
 
-    fn config(&self, extent: vk::Extent2D) -> Config {
+    fn config(&self, tracer: &PathTracer) -> Config {
+        let extent = tracer.extent();
         Config {
             frames_in_flight: 1,
             preset: self.preset,
             signals: self.signals,
             eaw_weights: self.eaw_weights,
+            volume: tracer.volume().is_some(),
             debug_view: self.debug_view,
             post_process: if self.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
             conventions: Conventions {
@@ -77,17 +88,17 @@ impl FrameDenoiser {
     /// # Errors
     /// A device without what the denoiser needs, or no memory.
     pub fn new(gpu: &Gpu, tracer: &PathTracer, options: &DenoiserOptions) -> Result<Self> {
-        let config = options.config(tracer.extent());
+        let config = options.config(tracer);
         let host = Device { instance: gpu.instance(), physical_device: gpu.physical_device(), device: gpu.device() };
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
-            keep: &[GRADIENT],
+            keep: &[view::GRADIENT],
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
         let mut executor = unsafe { Executor::new(host, &config, wanted)? };
-        for (name, image) in inputs(tracer.outputs(), options.signals) {
+        for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }
         let transforms = tracer.previous_from_current();
@@ -187,76 +198,6 @@ impl FrameDenoiser {
         self.executor.denoiser().config().preset
     }
 
-    /// What [`Self::view`] can show: the preset says.
-    pub fn views(&self) -> impl Iterator<Item = View> + '_ {
-        View::ALL.into_iter().filter(|view| {
-            let needed: &[&str] = match view {
-                View::HistoryLength => &[self.name_of("moments")],
-                View::Deviation => &[self.name_of("moments"), self.name_of("irradiance_history")],
-                View::Gradient => &[GRADIENT],
-                View::Lambda => &["history_confidence"],
-                View::Alpha => &["history_confidence", self.name_of("moments")],
-            };
-            needed.iter().all(|name| self.has(name))
-        })
-    }
-
-    /// One number for each pixel of the last frame.
-    ///
-    /// # Errors
-    /// A view that is not among [`Self::views`], or no memory.
-    pub fn view(&mut self, view: View) -> Result<Vec<f32>> {
-        match view {
-            View::HistoryLength => self.history_length(),
-            View::Deviation => Ok(self.read(self.name_of("irradiance_history"))?.iter().map(|t| t[3]).collect()),
-            View::Gradient => self.gradient(),
-            View::Lambda => self.lambda(),
-            View::Alpha => self.alpha(),
-        }
-    }
-
-    fn history_length(&mut self) -> Result<Vec<f32>> {
-        let moments = self.read(self.name_of("moments"))?;
-        Ok(moments.iter().map(|m| half::f16::from_bits(m[2] as u16).to_f32()).collect())
-    }
-
-    fn lambda(&mut self) -> Result<Vec<f32>> {
-        Ok(self.read("history_confidence")?.iter().map(|c| 1.0 - c[0]).collect())
-    }
-
-    /// As the stage `temporal_accumulation` has it.
-    fn alpha(&mut self) -> Result<Vec<f32>> {
-        let least = self.tuning.alpha;
-        let (lambda, length) = (self.lambda()?, self.history_length()?);
-        Ok(lambda.iter().zip(length).map(|(l, n)| (least + l * (1.0 - least)).max(1.0 / n)).collect())
-    }
-
-    /// Every pixel gets the gradient of its stratum.
-    fn gradient(&mut self) -> Result<Vec<f32>> {
-        let strata = self.read(GRADIENT)?;
-        let [width, height] = self.executor.denoiser().declaration().allocated_extent();
-        let size = self.executor.denoiser().config().stratum_size;
-        let across = width.div_ceil(size);
-        let at = |i: u32| strata[(i / width / size * across + i % width / size) as usize];
-        Ok((0..width * height)
-            .map(at)
-            .map(|[change, brightest, ..]| if brightest > 0.0 { change / brightest } else { 0.0 })
-            .collect())
-    }
-
-    fn has(&self, name: &str) -> bool {
-        self.executor.denoiser().declaration().find(name).is_some()
-    }
-
-    /// The image of a signal, or that of its direct light where there are two.
-    fn name_of(&self, image: &'static str) -> &'static str {
-        match (self.has(image), image) {
-            (false, "moments") => "moments_direct",
-            (false, "irradiance_history") => "irradiance_history_direct",
-            _ => image,
-        }
-    }
-
     /// Texels of one of the denoiser's outputs or histories in the last frame: `display`, `denoised_radiance`, ...
     ///
     /// # Errors
@@ -274,6 +215,25 @@ impl FrameDenoiser {
         Ok(copy.to_floats(&buffer.bytes()[..copy.bytes as usize]))
     }
 
+    /// Writes the inputs of the next frames as an EXR sequence: see [`atrous::capture`].
+    ///
+    /// # Errors
+    /// A folder that cannot be written, or that holds a sequence.
+    #[cfg(feature = "capture")]
+    pub fn capture(&mut self, folder: &std::path::Path, frames: u32) -> Result<()> {
+        Ok(self.executor.capture(folder, frames)?)
+    }
+
+    /// Writes what is left of a capture.
+    ///
+    /// # Errors
+    /// What ended the capture early.
+    #[cfg(feature = "capture")]
+    pub fn finish_capture(&mut self) -> Result<u32> {
+        // SAFETY: every submission of the engine is waited for.
+        Ok(unsafe { self.executor.finish_capture()? })
+    }
+
     /// GPU time of each pass in the frame before the last.
     pub fn times(&self) -> Vec<PassTime> {
         self.executor.times()
@@ -285,10 +245,8 @@ impl FrameDenoiser {
     }
 }
 
-/// Where the last of the five passes of `gradient_atrous` leaves the reconstructed gradient.
-const GRADIENT: &str = "gradient_pong";
-
-fn inputs(outputs: &Outputs, signals: Signals) -> Vec<(&'static str, &Image)> {
+fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'static str, &'a Image)> {
+    let outputs = tracer.outputs();
     let mut inputs = vec![
         ("depth", &outputs.depth),
         ("normal", &outputs.normal),
@@ -297,9 +255,13 @@ fn inputs(outputs: &Outputs, signals: Signals) -> Vec<(&'static str, &Image)> {
         ("albedo", &outputs.albedo),
         ("emission", &outputs.emission),
     ];
-    match signals {
+    match options.signals {
         Signals::Apart => inputs.extend([("noisy_direct", &outputs.direct), ("noisy_indirect", &outputs.indirect)]),
         Signals::Together => inputs.push(("noisy_radiance", &outputs.scattered)),
+    }
+    if let Some(volume) = tracer.volume() {
+        inputs.push(("noisy_volume", &volume.noisy_volume));
+        inputs.extend(options.volume_motion.then_some(("scattering_depth", &volume.scattering_depth)));
     }
     inputs
 }

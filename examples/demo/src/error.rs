@@ -141,6 +141,9 @@ pub enum Error {
         /// Frames rendered.
         frames: u32,
     },
+    /// `--capture` without the code for it.
+    #[error("--capture needs the feature `capture`: cargo run --release --package atrous-demo --features capture -- --capture")]
+    NoCapture,
     /// A reference of no samples has no mean.
     #[error("a reference of 0 samples per pixel has no mean: ask for 1 or more (1024 is a good start)")]
     NoSamples,

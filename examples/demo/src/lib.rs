@@ -14,6 +14,7 @@ pub mod report;
 pub mod scene;
 pub mod tracer;
 pub mod view;
+pub mod volume;
 #[cfg(feature = "window")]
 pub mod window;
 
@@ -21,5 +22,6 @@ pub use denoiser::{DenoiserOptions, FrameDenoiser};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
-pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions};
+pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions, Volume};
 pub use view::View;
+pub use volume::VolumeFrame;

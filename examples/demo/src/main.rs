@@ -1,5 +1,6 @@
 //! Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
 
+mod capture;
 mod options;
 mod run;
 mod times;

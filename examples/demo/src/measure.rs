@@ -2,7 +2,7 @@
 
 use atrous::quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 
-use crate::{FrameDenoiser, Gpu, PathTracer, Result, View};
+use crate::{FrameDenoiser, Gpu, PathTracer, Reference, Result, View, VolumeFrame};
 
 /// One frame, read back.
 pub struct Frame {
@@ -16,6 +16,8 @@ pub struct Frame {
     pub denoised: Vec<Denoised>,
     /// The converged radiance, where it was rendered.
     pub reference: Option<Vec<[f32; 3]>>,
+    /// The part of it all that a medium scattered, where the scene has one.
+    pub volume: Option<VolumeFrame>,
     motion: Vec<[f32; 2]>,
     expected_previous_depth: Vec<f32>,
     depth: Vec<f32>,
@@ -46,10 +48,15 @@ pub struct Scores {
 }
 
 impl Denoised {
-    fn read(denoiser: &mut FrameDenoiser) -> Result<Self> {
+    /// Surfaces, and with them the volume, which is noted down by itself as well.
+    fn read(denoiser: &mut FrameDenoiser, volume: Option<&mut VolumeFrame>) -> Result<Self> {
         let views: Vec<View> = denoiser.views().collect();
         let views = views.into_iter().map(|view| Ok((view, denoiser.view(view)?))).collect::<Result<_>>()?;
-        Ok(Self { radiance: rgb(denoiser.read("denoised_radiance")?), views })
+        let mut radiance = rgb(denoiser.read("denoised_radiance")?);
+        if let Some(volume) = volume {
+            add(&mut radiance, volume.read_denoised(denoiser)?);
+        }
+        Ok(Self { radiance, views })
     }
 }
 
@@ -61,19 +68,33 @@ impl Frame {
     pub fn read<'a>(gpu: &Gpu, tracer: &PathTracer, denoisers: impl IntoIterator<Item = &'a mut FrameDenoiser>) -> Result<Self> {
         let outputs = tracer.outputs();
         let (scattered, emission) = (gpu.read_image(&outputs.scattered)?, gpu.read_image(&outputs.emission)?);
-        let noisy = scattered.iter().zip(&emission).map(|(s, e)| [s[0] + e[0], s[1] + e[1], s[2] + e[2]]).collect();
+        let mut noisy = scattered.iter().zip(&emission).map(|(s, e)| [s[0] + e[0], s[1] + e[1], s[2] + e[2]]).collect::<Vec<_>>();
+        let mut volume = VolumeFrame::read(gpu, tracer)?;
+        if let Some(volume) = &volume {
+            add(&mut noisy, &volume.noisy);
+        }
+        let denoised = denoisers.into_iter().map(|d| Denoised::read(d, volume.as_mut())).collect::<Result<_>>()?;
         let motion = gpu.read_image(&outputs.motion)?;
         Ok(Self {
             index: tracer.frame(),
             extent: [tracer.extent().width, tracer.extent().height],
             noisy,
-            denoised: denoisers.into_iter().map(Denoised::read).collect::<Result<_>>()?,
+            denoised,
             reference: None,
+            volume,
             motion: motion.iter().map(|m| [m[0], m[1]]).collect(),
             expected_previous_depth: motion.iter().map(|m| m[2]).collect(),
             depth: gpu.read_image(&outputs.depth)?.iter().map(|d| d[0]).collect(),
             surface_id: gpu.read_image_u32(&outputs.surface_id)?,
         })
+    }
+
+    /// Keeps what the frame is measured against.
+    pub fn set_reference(&mut self, reference: Reference) {
+        self.reference = Some(reference.radiance());
+        if let Some(volume) = &mut self.volume {
+            volume.reference = reference.volume;
+        }
     }
 
     /// Scores of the noisy picture, then of each denoised one; `None` without a reference.
@@ -123,6 +144,10 @@ impl Frame {
     }
 }
 
-fn rgb(texels: Vec<[f32; 4]>) -> Vec<[f32; 3]> {
+fn add(sum: &mut [[f32; 3]], other: &[[f32; 3]]) {
+    sum.iter_mut().zip(other).for_each(|(s, o)| (0..3).for_each(|c| s[c] += o[c]));
+}
+
+pub(crate) fn rgb(texels: Vec<[f32; 4]>) -> Vec<[f32; 3]> {
     texels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
 }

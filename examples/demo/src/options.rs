@@ -13,7 +13,7 @@ use clap::{Parser, ValueEnum};
 #[derive(Parser)]
 #[command(version)]
 pub struct Options {
-    /// Scenes: cornell, pillars, glossy, hall, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    /// Scenes: cornell, pillars, glossy, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
@@ -46,6 +46,9 @@ pub struct Options {
     /// Paths per pixel of a reference; 0: no references
     #[arg(long, default_value_t = 1024)]
     pub reference_spp: u32,
+    /// Write what each filter is given as an EXR sequence, with the references: OUT/SCENE/capture_FILTER, for `examples/denoise` (feature `capture`)
+    #[arg(long)]
+    pub capture: bool,
     /// Index or a part of the name of the device
     #[arg(long)]
     pub device: Option<String>,
@@ -55,6 +58,9 @@ pub struct Options {
     /// Run under the Khronos validation layer; its messages are errors
     #[arg(long)]
     pub validate: bool,
+    /// Fog moves as the surfaces behind it, instead of having motion of its own: to compare
+    #[arg(long)]
+    pub surface_motion: bool,
     /// Lights keep their intensity
     #[arg(long)]
     pub static_light: bool,
@@ -207,7 +213,14 @@ impl Options {
         };
         let mut tuning = defaults.tuning;
         self.set(&mut tuning)?;
-        Ok(DenoiserOptions { signals, taa: self.taa, eaw_weights: self.eaw_weights, tuning, ..defaults })
+        Ok(DenoiserOptions {
+            signals,
+            taa: self.taa,
+            eaw_weights: self.eaw_weights,
+            volume_motion: !self.surface_motion,
+            tuning,
+            ..defaults
+        })
     }
 
     fn set(&self, tuning: &mut Tuning) -> Result<()> {

@@ -38,13 +38,18 @@ pub fn write_strip(path: &Path, title: &str, frame: &Frame, names: &[&str], scor
     if let Some(reference) = &frame.reference {
         strip = strip.panel("reference", Picture::from_linear(w, h, reference, 1.0)?);
     }
-    if let [only] = &frame.denoised[..] {
-        for (view, values) in &only.views {
-            let (label, picture) = view.paint(frame.extent, values)?;
-            strip = strip.panel(label, picture);
-        }
+    let views = match &frame.denoised[..] {
+        [only] => &only.views[..],
+        _ => &[],
+    };
+    for (view, values) in views {
+        let (label, picture) = view.paint(frame.extent, values)?;
+        strip = strip.panel(label, picture);
     }
-    Ok(strip.columns(4).render()?.write_png(path)?)
+    // Five fit into a row; more are shared out between two.
+    let panels = 1 + frame.denoised.len() + usize::from(frame.reference.is_some()) + views.len();
+    let columns = if panels > 5 { panels.div_ceil(2) } else { panels };
+    Ok(strip.columns(columns as u32).render()?.write_png(path)?)
 }
 
 /// Mean scores over the frames that have a reference.

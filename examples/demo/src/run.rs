@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use atrous_demo::measure::{Frame, Scores};
-use atrous_demo::{report, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
+use atrous_demo::{report, volume, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use crate::capture;
 use crate::options::Options;
 use crate::times::Times;
 
@@ -32,8 +33,19 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let mut contenders = options.presets().into_iter().map(contender).collect::<Result<Vec<_>>>()?;
     let folder = options.out.join(&scene.name);
     make(&folder.join("sequence"))?;
+    let captured = |name: &str| folder.join(format!("capture_{name}"));
+    if options.capture {
+        for c in &mut contenders {
+            capture::start(&mut c.denoiser, &captured(c.name), options.frames)?;
+        }
+    }
     let mut measured = sequence(options, gpu, &scene.name, &mut tracer, &mut contenders, &folder)?;
     references(options, &scene.name, &mut tracer, &mut measured)?;
+    if options.capture {
+        for c in &mut contenders {
+            capture::finish(&mut c.denoiser, &captured(c.name), &measured)?;
+        }
+    }
     let text = tables(options, &scene.name, &measured, &contenders, &folder)?;
     println!("\n{}\n\n{text}", scene.name);
     let path = folder.join("table.md");
@@ -83,7 +95,7 @@ fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: 
         tracer.begin_frame(frame.index)?;
         let before = i as u64 * u64::from(options.reference_spp);
         let reference = tracer.render_reference(options.reference_spp, |done, _| bar.set_position(before + u64::from(done)))?;
-        frame.reference = Some(reference.radiance());
+        frame.set_reference(reference);
     }
     bar.finish();
     Ok(())
@@ -105,6 +117,7 @@ fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Cont
     if !scored.is_empty() {
         text += &score_tables(options, scene, &scored, contenders)?;
     }
+    text += &volumes(scene, measured, &names, folder)?;
     if let [only] = contenders {
         if let Some(means) = only.times.means() {
             text += &format!("{}\n\n", report::time_table(&means)?);
@@ -112,6 +125,22 @@ fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Cont
         text += &format!("{}\n", report::memory_table(&only.denoiser)?);
     }
     Ok(text)
+}
+
+/// The same of the volume by itself, where the scene has one.
+fn volumes(scene: &str, measured: &[Frame], names: &[&str], folder: &Path) -> Result<String> {
+    let mut errors: Vec<(u32, Vec<f64>)> = Vec::new();
+    for (frame, of_frame) in measured.iter().filter_map(|frame| Some((frame, frame.volume.as_ref()?))) {
+        let path = folder.join(format!("volume_{:04}.png", frame.index));
+        let composites: Vec<_> = frame.denoised.iter().map(|d| &d.radiance[..]).collect();
+        volume::write_strip(&path, &format!("{scene}, volume, frame {}", frame.index), of_frame, names, &composites)?;
+        errors.extend(of_frame.errors()?.map(|e| (frame.index, e)));
+    }
+    if errors.is_empty() {
+        return Ok(String::new());
+    }
+    let names: Vec<_> = ["noisy"].iter().chain(names).copied().collect();
+    Ok(format!("{}\n\n", volume::error_table(&names, &errors)?))
 }
 
 fn score_tables(options: &Options, scene: &str, scored: &[(u32, Vec<Scores>)], contenders: &[Contender]) -> Result<String> {

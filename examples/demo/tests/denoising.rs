@@ -3,7 +3,7 @@
 mod support;
 
 use ash::vk::Extent2D;
-use atrous::config::Signals;
+use atrous::config::{EawWeights, Preset, Signals};
 use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
 use support::{built_in, Validated};
@@ -22,7 +22,7 @@ fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &DenoiserOption
     }
     let mut frame = Frame::read(&gpu.0, &tracer, [&mut denoiser]).expect("pictures");
     let reference = tracer.render_reference(512, |_, _| {}).expect("a reference");
-    frame.reference = Some(reference.radiance());
+    frame.set_reference(reference);
     let scores = frame.scores(None).expect("finite pictures").expect("a reference");
     println!("{name}, frame {}: noisy {:?}, denoised {:?}", frame.index, scores[0], scores[1]);
     scores
@@ -52,6 +52,29 @@ fn signals_together_are_cleaner_than_noise() {
     let scores = last_frame(&gpu, "cornell", 8, &DenoiserOptions { signals: Signals::Together, ..DenoiserOptions::default() });
     let (noisy, denoised) = (scores[0], scores[1]);
     assert!(denoised.rmse <= noisy.rmse / 3.0, "{} of {}", denoised.rmse, noisy.rmse);
+}
+
+/// [EAW] Figure 4: without weights it is a blur, and each weight that is added keeps more of what should not be blurred.
+#[test]
+fn each_weight_of_eaw_improves_a_single_frame() {
+    let Some(gpu) = Validated::new() else { return };
+    let small = Extent2D { width: 160, height: 90 };
+    let mut tracer = PathTracer::new(&gpu.0, &built_in("cornell", SceneOptions::default()), small, TracerOptions::default())
+        .expect("a path tracer");
+    let reference = tracer.render_reference(64, |_, _| {}).expect("a reference").radiance();
+    let errors = [0, 1, 2, 3].map(|count| {
+        let options = DenoiserOptions { eaw_weights: EawWeights::first(count), ..DenoiserOptions::new(Preset::Eaw) };
+        let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
+        denoiser.render(&mut tracer).expect("a submit");
+        let mut frame = Frame::read(&gpu.0, &tracer, [&mut denoiser]).expect("pictures");
+        frame.reference = Some(reference.clone());
+        let scores = frame.scores(None).expect("finite pictures").expect("a reference");
+        [scores[0].rmse, scores[1].rmse]
+    });
+    println!("noisy, and with 0 to 3 weights: {errors:.4?}");
+    assert!(errors.windows(2).all(|pair| pair[1][1] < pair[0][1]), "{errors:?}");
+    let [noisy, filtered] = errors[3];
+    assert!(filtered * filtered <= noisy * noisy / 10.0, "{errors:?}");
 }
 
 #[test]

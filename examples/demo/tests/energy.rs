@@ -4,27 +4,13 @@ mod support;
 
 use std::sync::Arc;
 
-use atrous_demo::scene::{Environment, Material, Mesh, View};
+use atrous_demo::scene::{Environment, Material, View};
 use atrous_demo::{LightSampling, Scene, SceneOptions, TracerOptions};
-use glam::{vec3, Affine3A, Vec2, Vec3};
-use support::{built_in, mean, render, rgb, tracer, Validated};
+use glam::{vec3, Affine3A, Vec3};
+use support::{built_in, cube, mean, render, rgb, tracer, Validated};
 
 fn view(eye: Vec3) -> View {
     View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 0.9 }
-}
-
-/// A cube of side 2 about the origin whose faces look inwards or outwards.
-fn cube(inwards: bool) -> Mesh {
-    let mut mesh = Mesh::default();
-    for axis in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z] {
-        let u = axis.any_orthonormal_vector();
-        let v = axis.cross(u);
-        let corners = vec![axis - u - v, axis + u - v, axis + u + v, axis - u + v];
-        let triangles = if inwards { vec![[0, 2, 1], [0, 3, 2]] } else { vec![[0, 1, 2], [0, 2, 3]] };
-        let normal = if inwards { -axis } else { axis };
-        mesh.append(&Mesh { positions: corners, normals: vec![normal; 4], uvs: vec![Vec2::ZERO; 4], triangles });
-    }
-    mesh
 }
 
 fn assert_near(name: &str, given: f64, expected: f64, tolerance: f64) {

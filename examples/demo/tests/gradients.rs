@@ -64,7 +64,7 @@ fn flickering_light_leaves_half_of_the_error_of_svgf() {
             continue;
         }
         let mut frame = Frame::read(&gpu.0, &tracer, [&mut svgf, &mut asvgf]).expect("pictures");
-        frame.reference = Some(tracer.render_reference(64, |_, _| {}).expect("a reference").radiance());
+        frame.set_reference(tracer.render_reference(64, |_, _| {}).expect("a reference"));
         let scores = frame.scores(None).expect("finite pictures").expect("a reference");
         println!("frame {index}: noisy {:.4}, SVGF {:.4}, A-SVGF {:.4}", scores[0].rmse, scores[1].rmse, scores[2].rmse);
         sums[0] += scores[1].rmse;

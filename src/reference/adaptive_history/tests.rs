@@ -23,7 +23,7 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
         depth_gradient: &guides.depth_gradient,
         previous_guide: &guides.guide,
     };
-    let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: guides.guide, irradiance: &irradiance });
+    let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
     let published = percentile_rule(&frame, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
     let history = SignalHistory { irradiance: &history, moments: &moments };
     let difference = block_difference(&frame, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });

@@ -100,13 +100,12 @@ impl Denoiser {
     pub(super) fn outliers(&self, frame: &FrameConstants, imported: &ImportOutputs, irradiance: Vec<Image<[f32; 4]>>) -> Outliers {
         let is_filtered = match self.config.preset {
             Preset::Percentile => true,
-            Preset::Stabilize => false,
             _ => self.config.firefly_filter,
         };
         if !is_filtered {
             return Outliers { irradiance, block_percentiles: Vec::new() };
         }
-        let guide = &imported.guide;
+        let guide = Some(&imported.guide);
         let percentiles = |irradiance| block_percentiles(frame, &BlockPercentilesInputs { guide, irradiance });
         let block_percentiles: Vec<_> = irradiance.iter().map(percentiles).collect();
         let signals = irradiance.iter().zip(&block_percentiles);

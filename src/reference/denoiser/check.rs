@@ -10,12 +10,19 @@ pub(super) fn check(config: &Config, frame: &FrameContext, inputs: &DenoiserInpu
             return Err(Error::RenderExtent { render, allocated });
         }
     }
-    let signals = usize::from(config.signals == Signals::Apart && config.preset != Preset::Stabilize) + 1;
+    let signals = match (config.preset, config.signals) {
+        (Preset::Volume, _) => 0,
+        (Preset::Stabilize, _) | (_, Signals::Together) => 1,
+        (_, Signals::Apart) => 2,
+    };
     // A host that knows what changed need not show the noisy picture to a preset that does not filter it.
     let unused = config.preset == Preset::Stabilize && config.gradient_source == GradientSource::Confidence;
     if inputs.noisy.len() != signals && !unused {
         let (given, needed) = (format!("{} images", inputs.noisy.len()), format!("{signals}, as Config::signals says"));
         return Err(Error::Size { resource: "noisy".into(), given, needed });
+    }
+    if config.has_volume() && inputs.volume.is_none() {
+        return Err(Error::NotBound("noisy_volume".into()));
     }
     let gradients = &inputs.gradients;
     let needs_forward_motion = config.reshades() && config.forward_motion;
@@ -55,6 +62,8 @@ fn extents<'a>(inputs: &'a DenoiserInputs) -> impl Iterator<Item = (&'static str
         ("reshaded_radiance", gradients.reshaded_radiance),
         ("confidence", gradients.confidence),
         ("other_denoised_radiance", gradients.other_denoised_radiance),
+        ("noisy_volume", inputs.volume.map(|volume| volume.noisy_volume)),
+        ("scattering_depth", inputs.volume.and_then(|volume| volume.scattering_depth)),
     ];
     let ids = guides.surface_id.map(|image| ("surface_id", image.extent()));
     images.into_iter().chain(noisy).filter_map(|(name, image)| Some((name, image?.extent()))).chain(ids)

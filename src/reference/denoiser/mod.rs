@@ -10,6 +10,12 @@ mod check;
 mod sequence_tests;
 #[cfg(test)]
 mod tests;
+mod volume;
+#[cfg(test)]
+mod volume_tests;
+
+use volume::VolumeHistory;
+pub use volume::VolumeInputs;
 
 /// What the host gives for one frame; every image has the allocated extent, where nothing else is said.
 #[derive(Clone, Copy, Debug)]
@@ -24,6 +30,8 @@ pub struct DenoiserInputs<'a> {
     pub emission: Option<&'a Image<[f32; 4]>>,
     /// For presets with gradients.
     pub gradients: GradientSources<'a>,
+    /// Where the configuration has a volume.
+    pub volume: Option<VolumeInputs<'a>>,
 }
 
 /// What the presets `Asvgf` and `Stabilize` take besides; which of it is read, [`Config::gradient_source`] says.
@@ -44,8 +52,10 @@ pub struct GradientSources<'a> {
 /// What one frame gives back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DenoiserOutputs {
-    /// rgb: linear radiance; alpha 1.
+    /// rgb: linear radiance; alpha 1. Black from a preset without surfaces.
     pub denoised_radiance: Image<[f32; 4]>,
+    /// rgb: linear radiance of the volume; alpha: its standard deviation.
+    pub denoised_volume: Option<Image<[f32; 4]>>,
     /// rgb: 0..1, where the configuration has a post-process.
     pub display: Option<Image<[f32; 4]>>,
     /// Bad input, summed over the stages.
@@ -86,6 +96,7 @@ struct History {
     moments: Vec<Image<[u16; 4]>>,
     noisy_luminance: Option<Image<u32>>,
     gradient_candidates: Option<Image<[u16; 4]>>,
+    volume: Option<VolumeHistory>,
     display: Option<Image<[f32; 4]>>,
 }
 
@@ -138,7 +149,7 @@ impl Denoiser {
     pub fn frame(&mut self, frame: &FrameContext, inputs: &DenoiserInputs, with_views: bool) -> Result<DenoiserOutputs, Error> {
         check::check(&self.config, frame, inputs)?;
         let constants = &frame.constants;
-        let guides = if self.config.preset == Preset::Eaw {
+        let guides = if matches!(self.config.preset, Preset::Eaw | Preset::Volume) {
             // Object-space normals serve the history alone.
             ImportInputs { object_normal: None, ..inputs.guides }
         } else {
@@ -157,8 +168,13 @@ impl Denoiser {
             constants,
             &ModulateInputs { guide: &imported.guide, irradiance: &irradiance, albedo: inputs.albedo, emission: inputs.emission },
         );
-        let display = self.post_process(constants, &imported, &modulated.denoised_radiance);
-        let stages = [imported.statistics, gradients.statistics, demodulated.statistics, modulated.statistics];
+        let volume = self.volume(constants, &imported, inputs);
+        let surfaces = Some(&modulated.denoised_radiance).filter(|_| self.config.preset != Preset::Volume);
+        let radiances: Vec<_> = surfaces.into_iter().chain(volume.as_ref().map(|volume| &volume.denoised)).collect();
+        let display = self.post_process(constants, &imported, &radiances);
+        let of_volume = volume.as_ref().map_or(Statistics::default(), |volume| volume.statistics);
+        let stages = [imported.statistics, gradients.statistics, demodulated.statistics, modulated.statistics, of_volume];
+        let (denoised_volume, volume) = volume.map(|volume| (volume.denoised, volume.history)).unzip();
         self.history = Some(History {
             guide: imported.guide.clone(),
             object_normal_guide: imported.object_normal_guide.clone(),
@@ -166,10 +182,12 @@ impl Denoiser {
             moments: filtered.moments.clone(),
             noisy_luminance: gradients.noisy_luminance,
             gradient_candidates: gradients.candidates,
+            volume,
             display: display.clone(),
         });
         Ok(DenoiserOutputs {
             denoised_radiance: modulated.denoised_radiance,
+            denoised_volume,
             display,
             statistics: std::array::from_fn(|i| stages.iter().map(|s| s[i]).sum()),
             views: with_views.then(|| views(imported, outliers.irradiance, confidence, filtered)),
@@ -183,6 +201,9 @@ impl Denoiser {
         irradiance: &[Image<[f32; 4]>],
         confidence: Option<&Image<f32>>,
     ) -> Filtered {
+        if self.config.preset == Preset::Volume {
+            return Filtered::default();
+        }
         if self.config.preset == Preset::Eaw {
             let level = |level, irradiance: &[&_]| eaw(frame, level, &EawInputs { guide: &imported.guide, irradiance });
             return Filtered { levels: self.levels(irradiance, level), ..Filtered::default() };
@@ -245,12 +266,12 @@ impl Denoiser {
         &self,
         frame: &FrameConstants,
         imported: &ImportOutputs,
-        radiance: &Image<[f32; 4]>,
+        radiances: &[&Image<[f32; 4]>],
     ) -> Option<Image<[f32; 4]>> {
         if self.config.post_process == PostProcess::None {
             return None;
         }
-        let tone_mapped = tone_map(frame, radiance);
+        let tone_mapped = tone_map(frame, radiances);
         if self.config.post_process == PostProcess::ToneMap {
             return Some(tone_mapped);
         }

@@ -42,7 +42,14 @@ impl Sequence {
         self.denoiser
             .frame(
                 &context,
-                &DenoiserInputs { guides, noisy: &[&noisy], albedo: None, emission: None, gradients: GradientSources::default() },
+                &DenoiserInputs {
+                    guides,
+                    noisy: &[&noisy],
+                    albedo: None,
+                    emission: None,
+                    gradients: GradientSources::default(),
+                    volume: None,
+                },
                 true,
             )
             .expect("usable")

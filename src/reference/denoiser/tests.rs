@@ -64,6 +64,7 @@ fn the_sky_passes_untouched() {
         albedo: Some(&host.albedo),
         emission: None,
         gradients: GradientSources::default(),
+        volume: None,
     };
     let output = first_frame(&Config::new(EXTENT), &inputs).denoised_radiance;
     let mut changed = 0;
@@ -103,6 +104,7 @@ fn no_bad_value_of_any_input_reaches_an_output() {
         albedo: Some(&images[6]),
         emission: Some(&images[7]),
         gradients: GradientSources::default(),
+        volume: None,
     };
     let config = Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
     let (mut state, mut denoiser) = (FrameState::default(), Denoiser::new(config).expect("usable"));
@@ -134,6 +136,7 @@ fn a_wrong_image_is_named() {
         albedo: None,
         emission: None,
         gradients: GradientSources::default(),
+        volume: None,
     };
     let mut message = |inputs: &DenoiserInputs| denoiser.frame(&context, inputs, false).expect_err("wrong").to_string();
     assert!(message(&DenoiserInputs { albedo: Some(&small), ..good }).contains("albedo"));
@@ -155,6 +158,7 @@ fn views_and_post_process_come_when_asked_for() {
         albedo: Some(&host.albedo),
         emission: None,
         gradients: GradientSources::default(),
+        volume: None,
     };
     let config = Config { levels: 3, ..Config::new(EXTENT) };
     let output = first_frame(&config, &inputs);
@@ -166,7 +170,7 @@ fn views_and_post_process_come_when_asked_for() {
     assert!(output.display.is_none());
     let mapped = first_frame(&Config { post_process: PostProcess::ToneMap, ..config }, &inputs);
     let context = frame_with(&config, &FrameParams::new(EXTENT), &FrameParams::new(EXTENT));
-    assert_eq!(mapped.display, Some(tone_map(&context, &mapped.denoised_radiance)));
+    assert_eq!(mapped.display, Some(tone_map(&context, &[&mapped.denoised_radiance])));
 }
 
 #[test]
@@ -178,6 +182,7 @@ fn one_pixel_is_an_image() {
         albedo: None,
         emission: None,
         gradients: GradientSources::default(),
+        volume: None,
     };
     let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([1, 1]) };
     let output = first_frame(&config, &inputs);

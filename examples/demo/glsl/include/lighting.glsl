@@ -13,6 +13,8 @@ layout(set = 1, binding = 3, rgba32f) uniform writeonly image2D indirect_image;
 layout(set = 1, binding = 4, rgba32f) uniform writeonly image2D emission_image;
 layout(set = 1, binding = 5, rgba32f) uniform writeonly image2D scattered_image;
 
+vec3 seen_emission(Surface s) { return s.emission * medium_transmittance(distance(frame.camera.eye.xyz, s.position)); }
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
@@ -21,14 +23,15 @@ void main() {
     vec3 emission;
     if (pixel_sample.visibility.instance == NO_INSTANCE) {
         emission = environment(normalize(ray_direction(frame.camera, vec2(pixel) + 0.5 + frame.jitter_epsilon_weight.xy)));
+        emission *= medium_transmittance(1.0e30);
     } else {
         Surface s = surface_at(pixel_sample.visibility, pixel_sample.eye);
-        emission = s.emission;
+        emission = seen_emission(s);
         Rng rng = rng_new(pixel_sample.seed, 0u);
         lighting = trace_path(s, pixel_sample.eye, rng);
     }
     // What is seen directly is not filtered, so it is this frame's everywhere.
-    if (pixel_sample.is_reused) emission = surface_at(fetch_visibility(pixel), frame.camera.eye.xyz).emission;
+    if (pixel_sample.is_reused) emission = seen_emission(surface_at(fetch_visibility(pixel), frame.camera.eye.xyz));
     imageStore(direct_image, pixel, vec4(lighting.direct, 1.0));
     imageStore(indirect_image, pixel, vec4(lighting.indirect, 1.0));
     imageStore(emission_image, pixel, vec4(emission, 1.0));

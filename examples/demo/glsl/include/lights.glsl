@@ -77,19 +77,24 @@ float emitter_density(Surface emitter, vec3 direction, float distance) {
     return emitter.emission_weight / frame.jitter_epsilon_weight.w * distance * distance / cosine;
 }
 
+// One light as it is seen without anything in the way. False: there is none, or it faces away.
+bool sample_light(vec3 from, vec2 u, out LightSample found) {
+    if (frame.counts.x == 0u) return false;
+    Light light = load_light(select_light(u.x));
+    uint kind = floatBitsToUint(light.position_kind.w) & 3u;
+    if (kind == LIGHT_TRIANGLE) found = sample_triangle(light, from, u);
+    else if (kind == LIGHT_SUN) found = sample_sun(light, u);
+    else found = sample_point(light, from);
+    return found.distance > 0.0;
+}
+
 // Reflected radiance from one sampled light. `weighted`: sampled directions find area lights, too.
 vec3 next_event(Surface s, vec3 view, vec2 u, bool weighted) {
-    if (frame.counts.x == 0u) return vec3(0.0);
-    Light light = load_light(select_light(u.x));
     vec3 origin = ray_origin(s);
-    uint kind = floatBitsToUint(light.position_kind.w) & 3u;
     LightSample found;
-    if (kind == LIGHT_TRIANGLE) found = sample_triangle(light, origin, u);
-    else if (kind == LIGHT_SUN) found = sample_sun(light, u);
-    else found = sample_point(light, origin);
-    if (found.distance <= 0.0) return vec3(0.0);
+    if (!sample_light(origin, u, found)) return vec3(0.0);
     float density;
-    vec3 reflected = evaluate_bsdf(s, view, found.direction, density) * found.radiance;
+    vec3 reflected = evaluate_bsdf(s, view, found.direction, density) * found.radiance * medium_transmittance(found.distance);
     if (weighted && found.density > 0.0) reflected *= found.density / (found.density + density);
     if (max(reflected.r, max(reflected.g, reflected.b)) <= 0.0) return vec3(0.0);
     return occluded(origin, found.direction, found.distance * 0.9995) ? vec3(0.0) : reflected;

@@ -29,12 +29,13 @@ vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
         vec3 weight;
         float density;
         vec3 direction = sample_bsdf(s, view, u, weight, density);
-        if (luminance(weight) > 0.0 && !occluded(ray_origin(s), direction, 1.0e30)) radiance += weight * environment(direction);
+        if (luminance(weight) > 0.0 && !occluded(ray_origin(s), direction, 1.0e30)) radiance += weight * environment(direction) * medium_transmittance(1.0e30);
     }
     return radiance;
 }
 
-Lighting trace_path(Surface s, vec3 eye, inout Rng rng) {
+// As it leaves the surface towards the eye.
+Lighting surface_lighting(Surface s, vec3 eye, inout Rng rng) {
     Lighting result = Lighting(vec3(0.0), vec3(0.0));
     vec3 view = normalize(eye - s.position);
     vec2 light_u = random2(rng);
@@ -46,14 +47,22 @@ Lighting trace_path(Surface s, vec3 eye, inout Rng rng) {
     vec3 origin = ray_origin(s);
     Hit hit = closest_hit(origin, direction);
     if (hit.instance == NO_INSTANCE) {
-        result.direct += weight * environment(direction);
+        result.direct += weight * environment(direction) * medium_transmittance(1.0e30);
         return result;
     }
+    weight *= medium_transmittance(hit.distance);
     Surface second = surface_at(Visibility(hit.instance, hit.triangle, hit.barycentrics), origin);
     if (second.emission_weight > 0.0)
         result.direct += weight * second.emission * hit_weight(second, direction, hit.distance, density);
     result.indirect = weight * second_vertex(second, -direction, rng);
     return result;
+}
+
+// As it reaches the eye.
+Lighting trace_path(Surface s, vec3 eye, inout Rng rng) {
+    Lighting lighting = surface_lighting(s, eye, rng);
+    float seen = medium_transmittance(distance(eye, s.position));
+    return Lighting(lighting.direct * seen, lighting.indirect * seen);
 }
 
 #endif

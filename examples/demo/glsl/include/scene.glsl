@@ -67,6 +67,8 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     vec4 sky_horizon;
     vec4 sky_ground;
     uvec4 counts;               // x: lights, y: how lights are sampled, z: triangles
+    vec4 medium;                // x: extinction, 1 / scene unit, 0 without a medium; y: mean cosine of the scattering angle
+    vec4 medium_scattering;     // rgb: scattering coefficient, 1 / scene unit
 } frame;
 // Texel buffers of four words, since they are read several times faster than storage buffers on a CPU device, and not
 // slower on a GPU. Unsigned, so that no driver takes packed integers for denormal floats.
@@ -113,6 +115,9 @@ Light load_light(uint index) {
     uint base = 4u * index;
     return Light(fetch_floats(lights, base), fetch_floats(lights, base + 1u), fetch_floats(lights, base + 2u), fetch_floats(lights, base + 3u));
 }
+
+// Of the medium over a distance; 1 without one.
+float medium_transmittance(float distance) { return frame.medium.x > 0.0 ? exp(-frame.medium.x * distance) : 1.0; }
 
 float luminance(vec3 radiance) { return dot(radiance, vec3(0.2126, 0.7152, 0.0722)); }
 

@@ -1,6 +1,7 @@
 //! Worlds to look at: meshes, materials, lights and a camera, all of them functions of the frame index.
 
 mod cornell;
+mod fog;
 mod glossy;
 mod gltf_bounds;
 mod gltf_file;
@@ -8,12 +9,14 @@ mod gltf_parts;
 mod hall;
 mod lamp;
 mod material;
+mod medium;
 mod mesh;
 mod pillars;
 mod shapes;
 
 pub use lamp::{Environment, Lamp};
 pub use material::{Material, Pattern, Texture};
+pub use medium::Medium;
 pub use mesh::Mesh;
 
 use glam::{Affine3A, Vec3};
@@ -24,7 +27,7 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 4] = ["cornell", "pillars", "glossy", "hall"];
+pub const BUILT_IN: [&str; 5] = ["cornell", "pillars", "glossy", "hall", "fog"];
 
 /// Parts of the animation that stand still.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -95,6 +98,8 @@ pub struct Scene {
     pub lamps: Vec<Lamp>,
     /// Light from everywhere.
     pub environment: Environment,
+    /// What lies between the surfaces, if anything.
+    pub medium: Option<Medium>,
     camera: Box<dyn Fn(f32) -> View + Send + Sync>,
     light_scale: Box<dyn Fn(u32) -> f32 + Send + Sync>,
     options: SceneOptions,
@@ -111,6 +116,7 @@ impl Scene {
             instances: Vec::new(),
             lamps: Vec::new(),
             environment: Environment::default(),
+            medium: None,
             camera: Box::new(move |_| view),
             light_scale: Box::new(|_| 1.0),
             options: SceneOptions::default(),
@@ -128,6 +134,7 @@ impl Scene {
             "pillars" => pillars::scene(),
             "glossy" => glossy::scene(),
             "hall" => hall::scene(),
+            "fog" => fog::scene(),
             _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,
             _ => return Err(Error::UnknownScene { given: name.to_string() }),
         };

@@ -9,11 +9,13 @@ mod outputs;
 mod reference;
 mod reshading;
 mod scene_buffers;
+mod volume;
 
 pub use camera::Camera;
 pub use outputs::Outputs;
 pub use reference::{Reference, ReferenceSums};
 pub use reshading::Reshading;
+pub use volume::Volume;
 
 use std::sync::Arc;
 
@@ -69,6 +71,7 @@ pub struct PathTracer {
     gbuffer: Pipeline,
     lighting: Pipeline,
     scene_layout: SetLayout,
+    volume: Option<Volume>,
 }
 
 impl PathTracer {
@@ -97,6 +100,7 @@ impl PathTracer {
             frame: 0,
             view: scene.view(0),
             buffers,
+            volume: scene.medium.map(|_| Volume::new(gpu, &scene_layout, &outputs)).transpose()?,
             outputs,
             scene_layout,
         };
@@ -136,6 +140,8 @@ impl PathTracer {
             sky_horizon: layout::with(horizon, 0.0),
             sky_ground: layout::with(ground, 0.0),
             counts: [state.light_count, self.options.light_sampling as u32, 0, 0],
+            medium: self.scene.medium.map_or([0.0; 4], |m| [m.extinction, m.anisotropy, 0.0, 0.0]),
+            medium_scattering: self.scene.medium.map_or([0.0; 4], |m| layout::with(m.scattering, 0.0)),
         };
         self.buffers.set_constants(&constants);
         Ok(())
@@ -161,6 +167,14 @@ impl PathTracer {
     pub fn record_lighting(&mut self, cmd: vk::CommandBuffer) {
         self.prepare_lighting(cmd);
         self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
+        self.record_volume(cmd);
+    }
+
+    fn record_volume(&self, cmd: vk::CommandBuffer) {
+        if let Some(volume) = &self.volume {
+            general_barrier(self.gpu.device(), cmd, &[&volume.noisy_volume, &volume.scattering_depth]);
+            volume.pipeline.record(cmd, &[&self.scene_set, &volume.set], &[], self.extent);
+        }
     }
 
     fn prepare_lighting(&self, cmd: vk::CommandBuffer) {
@@ -174,6 +188,11 @@ impl PathTracer {
     /// The images of the frame.
     pub fn outputs(&self) -> &Outputs {
         &self.outputs
+    }
+
+    /// What the medium of the scene scatters, where there is one; written by every lighting pass.
+    pub fn volume(&self) -> Option<&Volume> {
+        self.volume.as_ref()
     }
 
     /// For each `surface_id` three rows of the map from world space now to world space in the previous frame (entry 0:

@@ -10,7 +10,7 @@ use ash::vk;
 use super::barriers::{general_barrier, memory_barrier};
 use super::{shaders, PathTracer};
 use crate::error::{Error, Result};
-use crate::gpu::{storage_images, DescriptorSet, Image, Pipeline, SetLayout};
+use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
 
 /// A submit should take about this long: short enough for a driver's watchdog, long enough to waste nothing.
 const SUBMIT_TIME: Duration = Duration::from_millis(300);
@@ -27,6 +27,8 @@ pub struct Reference {
     pub indirect: Vec<[f32; 3]>,
     /// Emitters and environment seen directly.
     pub emission: Vec<[f32; 3]>,
+    /// Light that the medium scattered once towards the eye, where the scene has one.
+    pub volume: Option<Vec<[f32; 3]>>,
     /// Samples for each pixel.
     pub samples: u32,
 }
@@ -34,15 +36,17 @@ pub struct Reference {
 impl Reference {
     /// The picture: all light together.
     pub fn radiance(&self) -> Vec<[f32; 3]> {
-        let sum = |((d, i), e): ((&[f32; 3], &[f32; 3]), &[f32; 3])| [0, 1, 2].map(|c| d[c] + i[c] + e[c]);
-        self.direct.iter().zip(&self.indirect).zip(&self.emission).map(sum).collect()
+        let mut layers = vec![&self.direct, &self.indirect, &self.emission];
+        layers.extend(&self.volume);
+        let sum = |i: usize| [0, 1, 2].map(|c| layers.iter().map(|layer| layer[i][c]).sum());
+        (0..self.direct.len()).map(sum).collect()
     }
 }
 
 /// A reference that grows.
-pub struct ReferenceSums {
-    /// Sums of light that was scattered once, and twice, `R32G32B32A32_SFLOAT`.
-    pub sums: [Image; 2],
+pub struct ReferenceSums<const N: usize> {
+    /// Sums of radiance, `R32G32B32A32_SFLOAT`.
+    pub sums: [Image; N],
     /// Samples for each pixel in them.
     pub samples: u32,
     batch: u32,
@@ -50,7 +54,7 @@ pub struct ReferenceSums {
     pipeline: Pipeline,
 }
 
-impl ReferenceSums {
+impl<const N: usize> ReferenceSums<N> {
     /// Adds samples of the tracer's frame, whose G-buffer was drawn: as many as take about `time`, at most `limit` in all. Waits for them.
     ///
     /// # Errors
@@ -73,25 +77,52 @@ impl ReferenceSums {
         self.batch = next_batch(count, start.elapsed(), time);
         Ok(())
     }
+
+    /// Linear radiance, row by row.
+    fn means(&self, gpu: &Gpu) -> Result<[Vec<[f32; 3]>; N]> {
+        let scale = 1.0 / self.samples as f32;
+        let mut means = [const { Vec::new() }; N];
+        for (mean, sum) in means.iter_mut().zip(&self.sums) {
+            *mean = gpu.read_image(sum)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect();
+        }
+        Ok(means)
+    }
 }
 
 impl PathTracer {
-    /// Sums without a sample. They read the images of this tracer.
+    /// Sums without a sample of light that was scattered once, and twice. They read the images of this tracer.
     ///
     /// # Errors
     /// No memory.
-    pub fn reference_sums(&self) -> Result<ReferenceSums> {
+    pub fn reference_sums(&self) -> Result<ReferenceSums<2>> {
+        self.sums(["direct_sum", "indirect_sum"], [&self.outputs.visibility, &self.outputs.seed], shaders::REFERENCE)
+    }
+
+    /// The same of light that the medium scattered, where there is one.
+    ///
+    /// # Errors
+    /// No memory.
+    pub fn volume_sums(&self) -> Result<Option<ReferenceSums<1>>> {
+        if self.volume.is_none() {
+            return Ok(None);
+        }
+        self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], shaders::VOLUME_REFERENCE).map(Some)
+    }
+
+    fn sums<const N: usize>(&self, names: [&'static str; N], read: [&Image; 2], shader: &[u8]) -> Result<ReferenceSums<N>> {
         let gpu = &self.gpu;
         let sum = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_SFLOAT, self.extent);
-        let sums = [sum("direct_sum")?, sum("indirect_sum")?];
-        let images = [&self.outputs.visibility, &self.outputs.seed, &sums[0], &sums[1]].map(|image| image.view);
-        let layout = SetLayout::new(gpu, &storage_images(4))?;
+        let sums = names.into_iter().map(sum).collect::<Result<Vec<_>>>()?;
+        let images: Vec<_> = read.into_iter().chain(&sums).map(|image| image.view).collect();
+        let layout = SetLayout::new(gpu, &storage_images(images.len()))?;
         let set = DescriptorSet::of_images(gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(gpu, shaders::REFERENCE, &[&self.scene_layout, &layout], 12)?;
+        let pipeline = Pipeline::new(gpu, shader, &[&self.scene_layout, &layout], 12)?;
         gpu.submit(|cmd| {
-            general_barrier(gpu.device(), cmd, &[&sums[0], &sums[1]]);
+            general_barrier(gpu.device(), cmd, &sums.iter().collect::<Vec<_>>());
             Ok(())
         })?;
+        let mut sums = sums.into_iter();
+        let sums = std::array::from_fn(|_| sums.next().expect("an image for each name"));
         Ok(ReferenceSums { sums, samples: 0, batch: 1, set, pipeline })
     }
 
@@ -115,16 +146,19 @@ impl PathTracer {
             sums.add(self, SUBMIT_TIME, samples)?;
             progress(sums.samples, samples);
         }
-        let mean = |image: &Image, count: u32| -> Result<Vec<[f32; 3]>> {
-            let scale = 1.0 / count as f32;
-            Ok(gpu.read_image(image)?.into_iter().map(|[r, g, b, _]| [r * scale, g * scale, b * scale]).collect())
-        };
-        Ok(Reference {
-            direct: mean(&sums.sums[0], samples)?,
-            indirect: mean(&sums.sums[1], samples)?,
-            emission: mean(&self.outputs.emission, 1)?,
-            samples,
-        })
+        let [direct, indirect] = sums.means(&gpu)?;
+        let emission = gpu.read_image(&self.outputs.emission)?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect();
+        Ok(Reference { direct, indirect, emission, volume: self.volume_reference(samples)?, samples })
+    }
+
+    /// Mean radiance of the medium, where there is one. The visibility pass of the frame has run.
+    fn volume_reference(&self, samples: u32) -> Result<Option<Vec<[f32; 3]>>> {
+        let Some(mut sums) = self.volume_sums()? else { return Ok(None) };
+        while sums.samples < samples {
+            sums.add(self, SUBMIT_TIME, samples)?;
+        }
+        let [volume] = sums.means(&self.gpu)?;
+        Ok(Some(volume))
     }
 }
 

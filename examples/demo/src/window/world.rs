@@ -32,7 +32,7 @@ pub struct World {
     asked: String,
     // Before the tracer, whose images they read.
     filters: Vec<Filter>,
-    reference: Option<ReferenceSums>,
+    reference: Option<ReferenceSums<2>>,
     wants_reference: bool,
     tracer: PathTracer,
     clock: Clock,

@@ -2,6 +2,12 @@
 
 use crate::error::Error;
 
+mod conventions;
+
+pub use conventions::{
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+};
+
 /// Which lighting components are filtered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Signals {
@@ -10,132 +16,6 @@ pub enum Signals {
     Together,
     /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow edges that the sum blurs.
     Apart,
-}
-
-/// How `depth` is encoded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum DepthEncoding {
-    /// View-space depth along the view axis, positive, in scene units.
-    #[default]
-    Linear = 0,
-    /// What a depth buffer holds. `FrameParams::clip_from_view` says how: reversed, infinite and orthographic projections all work.
-    Device = 1,
-    /// Distance from the camera to the surface along the ray.
-    RayLength = 2,
-}
-
-/// How `normal` is encoded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum NormalEncoding {
-    /// xyz in −1..1; need not be of unit length.
-    #[default]
-    Xyz = 0,
-    /// xyz stored as v·0.5 + 0.5.
-    XyzUnorm = 1,
-    /// Octahedral xy in −1..1.
-    Octahedral = 2,
-    /// Octahedral xy stored as v·0.5 + 0.5.
-    OctahedralUnorm = 3,
-}
-
-/// In which space normals are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NormalSpace {
-    /// World space.
-    #[default]
-    World,
-    /// View space of the current frame.
-    View,
-}
-
-/// Unit of `motion`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum MotionUnit {
-    /// Pixels of the render extent.
-    Pixels = 0,
-    /// Fractions of the render extent.
-    #[default]
-    Uv = 1,
-    /// Normalised device coordinates: two across the image.
-    Ndc = 2,
-}
-
-/// Sign of `motion`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum MotionDirection {
-    /// Previous position minus current position.
-    #[default]
-    PreviousMinusCurrent,
-    /// Current position minus previous position.
-    CurrentMinusPrevious,
-}
-
-/// What the z component of `motion` is (2.5D motion).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum MotionDepth {
-    /// Nothing: the previous depth is computed from the matrices, which is right for what does not move along the view axis by itself.
-    #[default]
-    None = 0,
-    /// Previous linear depth minus current linear depth.
-    Difference = 1,
-    /// The previous linear depth itself.
-    Absolute = 2,
-}
-
-/// Which way the camera looks in view space.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ViewForward {
-    /// Along −z (right-handed; OpenGL, glTF).
-    #[default]
-    NegativeZ,
-    /// Along +z (left-handed; Direct3D).
-    PositiveZ,
-}
-
-/// How the host encodes its guides. Only the stage `import` knows them; behind it there is one encoding.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conventions {
-    /// Depth.
-    pub depth: DepthEncoding,
-    /// Linear depths from here on are background. Default: infinity.
-    pub background_depth: f32,
-    /// Normal encoding.
-    pub normal: NormalEncoding,
-    /// Normal space.
-    pub normal_space: NormalSpace,
-    /// Motion unit.
-    pub motion_unit: MotionUnit,
-    /// Motion sign.
-    pub motion_direction: MotionDirection,
-    /// Whether y of the motion points up. Default: false.
-    pub motion_y_up: bool,
-    /// Whether the motion includes the change of jitter. Default: false.
-    pub motion_jittered: bool,
-    /// z of the motion.
-    pub motion_depth: MotionDepth,
-    /// View direction.
-    pub view_forward: ViewForward,
-}
-
-impl Default for Conventions {
-    fn default() -> Self {
-        Self {
-            depth: DepthEncoding::default(),
-            background_depth: f32::INFINITY,
-            normal: NormalEncoding::default(),
-            normal_space: NormalSpace::default(),
-            motion_unit: MotionUnit::default(),
-            motion_direction: MotionDirection::default(),
-            motion_y_up: false,
-            motion_jittered: false,
-            motion_depth: MotionDepth::default(),
-            view_forward: ViewForward::default(),
-        }
-    }
 }
 
 /// What is done after the denoised radiance.
@@ -164,6 +44,8 @@ pub enum Preset {
     Percentile,
     /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame. Has holes painted in where [`Config::sampling`] says so.
     Eaw,
+    /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`Config::volume`] adds the same passes to another preset.
+    Volume,
 }
 
 /// The edge-stopping functions of [`Preset::Eaw`].
@@ -256,6 +138,14 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
     pub levels: u32,
+    /// Whether the host has a volume (fog, smoke), whose radiance is filtered apart, with motion of its own \[PSVGF\]: an input `noisy_volume`, an output
+    /// `denoised_volume`. It is what the medium itself scatters towards the camera; the surfaces' radiance is what reaches the camera through it. The
+    /// two add up to the picture, and the post-process has their sum. Costs 40 bytes a pixel, and 8 of the output. Default: false.
+    ///
+    /// The optional input `scattering_depth` says where: for every pixel the linear depth (scene units, along the view axis, as `guide` has it) of one
+    /// point that contributes much, as a distance that was chosen by transmittance does. 0, infinite or NaN: none. It is carried to the next frame to
+    /// give the volume its motion; without the input a volume moves as the surfaces behind it.
+    pub volume: bool,
     /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\]. [`Preset::Percentile`] always does.
     /// Default: false.
     pub firefly_filter: bool,
@@ -299,6 +189,7 @@ impl Config {
             preset: Preset::default(),
             signals: Signals::default(),
             levels: 5,
+            volume: false,
             firefly_filter: false,
             adaptive_rule: AdaptiveRule::default(),
             block_sort: BlockSort::default(),
@@ -332,6 +223,16 @@ impl Config {
             }
         }
         Ok(())
+    }
+
+    /// Whether a volume is filtered.
+    pub(crate) fn has_volume(&self) -> bool {
+        self.volume || self.preset == Preset::Volume
+    }
+
+    /// Whether any pass reads what the previous frame left.
+    pub(crate) fn has_history(&self) -> bool {
+        self.has_volume() || self.preset != Preset::Eaw
     }
 
     /// Whether the host's path tracer has to re-shade the pixels that `forward_project` picks.

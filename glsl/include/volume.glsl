@@ -1,0 +1,17 @@
+// What the filters of a volume know of a pixel: how far one sees through it. Normals and ids of surfaces say nothing of it. Twin: src/reference/volume.rs.
+#ifndef VOLUME_GLSL
+#define VOLUME_GLSL
+#include "guide.glsl"
+
+// Where nothing is hit: beyond every surface, and finite.
+const float VOLUME_FAR = 1e30;
+
+float volume_depth(uvec4 packed) {
+    float z = unpack_depth(packed);
+    return z == 0.0 ? VOLUME_FAR : min(z, VOLUME_FAR);
+}
+
+// Difference of two depths as a share of the larger one: 0 to 1.
+float relative_difference(float z, float z_tap) { return abs(z - z_tap) / max(z, z_tap); }
+
+#endif

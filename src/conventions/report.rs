@@ -1,0 +1,143 @@
+//! What the test says.
+
+use crate::config::Conventions;
+use std::fmt;
+
+/// What became of one of the questions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The guides are as declared.
+    Agrees,
+    /// They are clearly otherwise: [`Finding::mistake`] and [`Finding::remedy`].
+    Mistake,
+    /// They are not as declared, and nothing that is known fits them.
+    Unexplained,
+    /// The two frames cannot tell; [`Finding::mistake`] says why.
+    Inconclusive,
+    /// The host gives nothing of the kind.
+    Absent,
+}
+
+/// Which residual.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// How far the depth of the previous frame is from where depth and matrices of this frame put it, pixels.
+    Depth,
+    /// Between the host's motion and that of what stands still, by depth and matrices; pixels.
+    Motion,
+    /// Between z of the host's motion, read as the previous depth, and that of what stands still; percent.
+    MotionDepth,
+    /// Between the host's normals and those of the surface that the depth makes, degrees.
+    Normals,
+}
+
+/// Medians of a residual over the pixels that tell.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evidence {
+    /// Which residual.
+    pub measure: Measure,
+    /// With the declared conventions. Infinite: beyond the image or behind the camera.
+    pub declared: f32,
+    /// With what fits better.
+    pub fitting: Option<f32>,
+    /// Pixels that tell.
+    pub pixels: usize,
+}
+
+/// The answer to one question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finding {
+    /// In one word.
+    pub verdict: Verdict,
+    /// What is wrong, or why nothing can be said; empty where all is well.
+    pub mistake: String,
+    /// What to change; empty where nothing is known.
+    pub remedy: String,
+    /// In numbers.
+    pub evidence: Vec<Evidence>,
+    /// Mistakes that these two frames would not show.
+    pub untested: Vec<String>,
+}
+
+impl Finding {
+    pub(super) fn new(verdict: Verdict, mistake: impl Into<String>) -> Self {
+        Self { verdict, mistake: mistake.into(), remedy: String::new(), evidence: Vec::new(), untested: Vec::new() }
+    }
+}
+
+/// What the test says of two frames; [`fmt::Display`] has it in sentences.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// Depth, handedness, matrices and jitter.
+    pub geometry: Finding,
+    /// Motion, x and y.
+    pub motion: Finding,
+    /// z of the motion, where `Conventions::motion_depth` says that it has a meaning.
+    pub motion_depth: Finding,
+    /// Normals.
+    pub normals: Finding,
+    /// The declared conventions with every remedy that a field of theirs can express.
+    pub conventions: Conventions,
+}
+
+impl Report {
+    /// The findings with their names.
+    pub fn findings(&self) -> [(&'static str, &Finding); 4] {
+        [
+            ("depth and matrices", &self.geometry),
+            ("motion", &self.motion),
+            ("z of motion", &self.motion_depth),
+            ("normals", &self.normals),
+        ]
+    }
+
+    /// Whether anything is wrong: a mistake, or guides that nothing explains.
+    pub fn complains(&self) -> bool {
+        self.findings().iter().any(|(_, finding)| matches!(finding.verdict, Verdict::Mistake | Verdict::Unexplained))
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (name, finding) in self.findings() {
+            if finding.verdict == Verdict::Absent {
+                continue;
+            }
+            let verdict = match finding.verdict {
+                Verdict::Agrees => "as declared",
+                Verdict::Mistake => "MISTAKE: ",
+                Verdict::Unexplained => "UNEXPLAINED: ",
+                Verdict::Inconclusive => "cannot be told: ",
+                Verdict::Absent => "",
+            };
+            writeln!(f, "{name}: {verdict}{}", finding.mistake)?;
+            for evidence in &finding.evidence {
+                writeln!(f, "    {evidence}")?;
+            }
+            if !finding.remedy.is_empty() {
+                writeln!(f, "    change: {}", finding.remedy)?;
+            }
+            if !finding.untested.is_empty() {
+                writeln!(f, "    these frames would not show: {}", finding.untested.join("; "))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Evidence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (what, unit) = match self.measure {
+            Measure::Depth => ("depth, reprojected into the previous frame, is off by", "pixels"),
+            Measure::Motion => ("motion differs from that by depth and matrices by", "pixels"),
+            Measure::MotionDepth => ("the previous depth by the motion differs from that by the matrices by", "percent"),
+            Measure::Normals => ("normals differ from those of the depth by", "degrees"),
+        };
+        let number = |v: f32| if v.is_finite() { format!("{v:.2} {unit}") } else { "more than the image".to_owned() };
+        write!(f, "{what} {}", number(self.declared))?;
+        if let Some(fitting) = self.fitting {
+            write!(f, ", and by {} otherwise", number(fitting))?;
+        }
+        write!(f, " (median of {} pixels)", self.pixels)
+    }
+}

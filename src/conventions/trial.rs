@@ -1,0 +1,252 @@
+//! One geometry held against two frames, and what follows from that for motion and normals.
+
+use super::contest::{self, explained, judge, median, Outcome, Residuals, Rule, Votes, DEPTH, MOTION, NORMALS};
+use super::evidence::{Affine, Pair, Point, Scene};
+use super::geometry::Geometry;
+use super::readings::{MotionReading, NormalReading};
+use super::report::{Evidence, Finding, Measure, Verdict};
+use crate::config::Conventions;
+use crate::error::Error;
+
+/// Motion below this many pixels is not called motion.
+const MOVES: f32 = 0.25;
+
+/// A geometry with its residuals. Those of motion and normals are by the readings that fit best, so that a mistake there is not blamed on it.
+pub(super) struct Trial<'a> {
+    pub geometry: Geometry,
+    pub(super) scene: Scene<'a>,
+    pub(super) pair: &'a Pair<'a>,
+    pub(super) points: Vec<Point>,
+    depth: Residuals,
+    motion: Residuals,
+    normals: Residuals,
+}
+
+impl<'a> Trial<'a> {
+    /// # Errors
+    /// Names the field of the parameters that is unusable.
+    pub fn new(geometry: Geometry, pair: &'a Pair<'a>) -> Result<Self, Error> {
+        let scene = Scene::new(&geometry, pair)?;
+        let points: Vec<_> = pair.pixels.iter().map(|p| scene.point(*p)).collect();
+        let depth = points.iter().map(|p| p.depth).collect();
+        let motions = MotionReading::declared(&geometry.conventions).all();
+        let motion = best(MOTION, motions.into_iter().map(|m| scene.motion_residuals(m, &points)));
+        let normals = NormalReading::declared(&geometry.conventions).all();
+        let normals = best(NORMALS, normals.into_iter().map(|n| scene.normal_residuals(n, &points)));
+        Ok(Self { geometry, scene, pair, points, depth, motion, normals })
+    }
+
+    fn measures(&self) -> [(Measure, Rule, &Residuals); 3] {
+        [(Measure::Depth, DEPTH, &self.depth), (Measure::Motion, MOTION, &self.motion), (Measure::Normals, NORMALS, &self.normals)]
+    }
+
+    /// The votes of each measure between this geometry and another one.
+    fn votes(&self, other: &Self) -> [(Measure, Votes); 3] {
+        let others = other.measures();
+        let mut i = 0;
+        self.measures().map(|(measure, rule, residuals)| {
+            let votes = Votes::of(rule, residuals, others[i].2);
+            i += 1;
+            (measure, votes)
+        })
+    }
+
+    fn against(&self, other: &Self) -> Outcome {
+        let votes = self.votes(other);
+        let sum = |f: fn(&Votes) -> usize| votes.iter().map(|(_, v)| f(v)).sum();
+        match judge(sum(|v| v.for_first), sum(|v| v.for_second), self.pair.pixels.len()) {
+            // What happens to fit where this one is silent, and nothing else, does not fit.
+            Outcome::Second if other.explains() <= self.explains() => Outcome::Undecided,
+            outcome => outcome,
+        }
+    }
+
+    /// Residuals that are explained.
+    fn explains(&self) -> usize {
+        self.measures().into_iter().map(|(_, rule, residuals)| residuals.iter().filter(|r| **r <= rule.explains).count()).sum()
+    }
+
+    fn surfaces(&self) -> usize {
+        self.points.iter().filter(|p| !p.motion.is_nan()).count()
+    }
+
+    fn median_motion(&self) -> f32 {
+        median(self.points.iter().map(|p| p.motion.length()))
+    }
+
+    pub(super) fn agreement(&self, measure: Measure, residuals: &[f32]) -> Evidence {
+        let declared = median(residuals.iter().copied());
+        Evidence { measure, declared, fitting: None, pixels: residuals.iter().filter(|r| !r.is_nan()).count() }
+    }
+
+    /// Why frames cannot tell.
+    pub(super) fn nothing_tells(&self) -> Finding {
+        let (surfaces, pixels, motion) = (self.surfaces(), self.pair.pixels.len(), self.median_motion());
+        let why = if surfaces < contest::LEAST {
+            format!("{surfaces} of {pixels} pixels are surfaces; check depth, background_depth and surface_id")
+        } else if motion < MOVES {
+            format!(
+                "nothing moves: by depth and matrices, pixels move by {motion:.2}; give two frames between which the camera moves"
+            )
+        } else {
+            "too few pixels see a difference; give two frames between which the camera moves and turns, with slanted surfaces"
+                .to_owned()
+        };
+        Finding::new(Verdict::Inconclusive, why)
+    }
+
+    /// Whether the motion is as declared, given this geometry; and how to read it.
+    pub fn motion_finding(&self, declared: &Conventions) -> (Finding, MotionReading) {
+        let declared = MotionReading::declared(declared);
+        if !self.scene.has_motion() {
+            return (Finding::new(Verdict::Absent, ""), declared);
+        }
+        let candidates: Vec<_> =
+            declared.all().into_iter().map(|m| (m, self.scene.affine(m), self.scene.motion_residuals(m, &self.points))).collect();
+        let pairwise = |a: usize, b: usize| self.motion_votes(&candidates[a], &candidates[b]);
+        let contest = Contest::new(candidates.len(), self.pair.pixels.len(), pairwise);
+        let name = |i: usize| declared.changes(candidates[i].0);
+        let is_single = |i: usize| declared.differences(candidates[i].0) == 1 && candidates[i].1 != candidates[0].1;
+        let moving: Residuals =
+            self.points.iter().zip(&candidates[0].2).filter(|(p, _)| p.motion.length() > MOVES).map(|(_, r)| *r).collect();
+        // Jitter alone says nothing of sign and unit.
+        let is_sign = |i: usize| candidates[i].0 == declared.negated();
+        let mut finding = contest.finding(Measure::Motion, name, is_single, is_sign);
+        if finding.verdict != Verdict::Mistake && explained(MOTION, &moving).is_some_and(|part| part < 0.5) {
+            let is_zero = self.pair.pixels.iter().all(|p| self.scene.motion_texel(*p).is_none_or(|m| m == glam::Vec2::ZERO));
+            let what = if is_zero { "the motion is 0 everywhere, though the camera moves" } else { "no unit, sign or axis fits" };
+            finding = Finding::new(Verdict::Unexplained, what);
+        } else if finding.verdict == Verdict::Inconclusive {
+            finding = self.nothing_tells();
+        }
+        if finding.evidence.is_empty() && !moving.is_empty() {
+            finding.evidence.push(self.agreement(Measure::Motion, &moving));
+        }
+        (finding, candidates[contest.champion].0)
+    }
+
+    /// Votes of the pixels where a host that means one of the two would be read otherwise by the other one.
+    fn motion_votes(&self, a: &(MotionReading, Affine, Residuals), b: &(MotionReading, Affine, Residuals)) -> Votes {
+        let mut votes = Votes::default();
+        for ((point, first), second) in self.points.iter().zip(&a.2).zip(&b.2) {
+            let misread = |from: &Affine, to: &Affine| (to.read(from.write(point.motion)) - point.motion).length() > MOTION.margin;
+            if misread(&a.1, &b.1) && misread(&b.1, &a.1) {
+                votes.count(MOTION, *first, *second);
+            }
+        }
+        votes
+    }
+
+    /// The same for normals.
+    pub fn normals_finding(&self, declared: &Conventions) -> (Finding, NormalReading) {
+        let declared = NormalReading::declared(declared);
+        if !self.scene.has_normals() {
+            return (Finding::new(Verdict::Absent, ""), declared);
+        }
+        let candidates: Vec<_> = declared.all().into_iter().map(|n| (n, self.scene.normal_residuals(n, &self.points))).collect();
+        let pairwise = |a: usize, b: usize| Votes::of(NORMALS, &candidates[a].1, &candidates[b].1);
+        let contest = Contest::new(candidates.len(), self.pair.pixels.len(), pairwise);
+        let name = |i: usize| declared.changes(candidates[i].0);
+        let mut finding = contest.finding(Measure::Normals, name, |i| declared.differences(candidates[i].0) == 1, |_| true);
+        let residuals = &candidates[0].1;
+        if finding.verdict != Verdict::Mistake && explained(NORMALS, residuals).is_some_and(|part| part < 0.5) {
+            finding = Finding::new(Verdict::Unexplained, "no encoding, space or axis fits");
+        } else if finding.verdict == Verdict::Inconclusive {
+            finding = self.nothing_tells();
+        }
+        if finding.evidence.is_empty() && residuals.iter().any(|r| !r.is_nan()) {
+            finding.evidence.push(self.agreement(Measure::Normals, residuals));
+        }
+        (finding, candidates[contest.champion].0)
+    }
+}
+
+/// Of the residuals by several readings those that explain most; the earlier ones where several do.
+fn best(rule: Rule, readings: impl Iterator<Item = Residuals>) -> Residuals {
+    let count = |residuals: &Residuals| residuals.iter().filter(|r| **r <= rule.explains).count();
+    readings.reduce(|best, other| if count(&other) > count(&best) { other } else { best }).unwrap_or_default()
+}
+
+/// The first candidate against all others.
+pub(super) struct Contest {
+    outcomes: Vec<Outcome>,
+    /// What fits: the first candidate, or the one that beat it and is not beaten itself.
+    pub(super) champion: usize,
+    /// Between the first candidate and the champion.
+    votes: Votes,
+}
+
+impl Contest {
+    pub(super) fn new(count: usize, pixels: usize, pairwise: impl Fn(usize, usize) -> Votes) -> Self {
+        let outcome = |a: usize, b: usize| {
+            let votes = pairwise(a, b);
+            judge(votes.for_first, votes.for_second, pixels)
+        };
+        let outcomes: Vec<_> = (0..count).map(|i| if i == 0 { Outcome::Undecided } else { outcome(0, i) }).collect();
+        let champion = champion(&outcomes, outcome);
+        Self { votes: pairwise(0, champion), outcomes, champion }
+    }
+
+    /// The finding: a mistake where another candidate won; agreement where a decisive one was ruled out. `name` says what is wrong and what to
+    /// change; those that are single mistakes and could not be told apart are listed.
+    pub(super) fn finding(
+        &self,
+        measure: Measure,
+        name: impl Fn(usize) -> (Vec<String>, Vec<String>),
+        is_single: impl Fn(usize) -> bool,
+        is_decisive: impl Fn(usize) -> bool,
+    ) -> Finding {
+        if self.champion != 0 {
+            let (mistakes, remedies) = name(self.champion);
+            let (declared, fitting) = self.votes.medians();
+            let evidence = Evidence { measure, declared, fitting: Some(fitting), pixels: self.votes.voters() };
+            return Finding {
+                remedy: remedies.join("; "),
+                evidence: vec![evidence],
+                ..Finding::new(Verdict::Mistake, mistakes.join("; "))
+            };
+        }
+        let of = |outcome| (1..self.outcomes.len()).filter(move |i| self.outcomes[*i] == outcome);
+        if !of(Outcome::First).any(&is_decisive) {
+            return Finding::new(Verdict::Inconclusive, "");
+        }
+        let untested = of(Outcome::Undecided).filter(|i| is_single(*i)).map(|i| name(i).0.join("; ")).collect();
+        Finding { untested, ..Finding::new(Verdict::Agrees, "") }
+    }
+}
+
+/// Of those that beat the first candidate the earliest that no other one of them beats; 0 where none does.
+fn champion(outcomes: &[Outcome], outcome: impl Fn(usize, usize) -> Outcome) -> usize {
+    let winners = (1..outcomes.len()).filter(|i| outcomes[*i] == Outcome::Second);
+    winners.reduce(|champion, other| if outcome(champion, other) == Outcome::Second { other } else { champion }).unwrap_or(0)
+}
+
+/// Whether depth and matrices are as declared; and what fits instead, where something clearly does.
+pub(super) fn geometry_finding<'t, 'a>(declared: &Trial<'a>, alternatives: &'t [Trial<'a>]) -> (Finding, Option<&'t Trial<'a>>) {
+    let outcomes: Vec<_> =
+        std::iter::once(Outcome::Undecided).chain(alternatives.iter().map(|other| declared.against(other))).collect();
+    let champion = champion(&outcomes, |a, b| alternatives[a - 1].against(&alternatives[b - 1]));
+    if champion != 0 {
+        let fitting = &alternatives[champion - 1];
+        let votes = declared.votes(fitting).into_iter().filter(|(_, votes)| votes.voters() > 0);
+        let evidence = votes.map(|(measure, votes)| {
+            let (declared, fitting) = votes.medians();
+            Evidence { measure, declared, fitting: Some(fitting), pixels: votes.voters() }
+        });
+        let remedy = fitting.geometry.remedy.clone();
+        let finding = Finding { remedy, evidence: evidence.collect(), ..Finding::new(Verdict::Mistake, fitting.geometry.mistake) };
+        return (finding, Some(fitting));
+    }
+    let mut finding = if explained(DEPTH, &declared.depth).is_some_and(|part| part < 0.5) {
+        Finding::new(Verdict::Unexplained, "the depth of the previous frame is not where depth and matrices of this one put it")
+    } else if outcomes.contains(&Outcome::First) {
+        let undecided = alternatives.iter().zip(&outcomes[1..]).filter(|(_, o)| **o == Outcome::Undecided);
+        Finding { untested: undecided.map(|(t, _)| t.geometry.mistake.to_owned()).collect(), ..Finding::new(Verdict::Agrees, "") }
+    } else {
+        declared.nothing_tells()
+    };
+    if declared.surfaces() > 0 {
+        finding.evidence.push(declared.agreement(Measure::Depth, &declared.depth));
+    }
+    (finding, None)
+}

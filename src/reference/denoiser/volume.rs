@@ -1,0 +1,73 @@
+//! The filter of a volume: what stands behind the surfaces of a frame, or by itself.
+
+use super::*;
+
+/// What a host with a volume gives; both have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VolumeInputs<'a> {
+    /// rgb: noisy radiance of the volume.
+    pub noisy_volume: &'a Image<[f32; 4]>,
+    /// See [`VolumePointsInputs::scattering_depth`].
+    pub scattering_depth: Option<&'a Image<[f32; 4]>>,
+}
+
+/// What the next frame needs of the volume of this one.
+#[derive(Clone, Debug)]
+pub(super) struct VolumeHistory {
+    radiance: Image<[f32; 4]>,
+    moments: Image<[u16; 4]>,
+    points: Image<[u16; 4]>,
+}
+
+/// A filtered volume.
+pub(super) struct FilteredVolume {
+    pub denoised: Image<[f32; 4]>,
+    pub history: VolumeHistory,
+    pub statistics: Statistics,
+}
+
+impl Denoiser {
+    /// The volume of a frame, where the configuration has one.
+    pub(super) fn volume(
+        &self,
+        frame: &FrameConstants,
+        imported: &ImportOutputs,
+        inputs: &DenoiserInputs,
+    ) -> Option<FilteredVolume> {
+        let inputs = inputs.volume.filter(|_| self.config.has_volume())?;
+        let VolumeInputs { noisy_volume, scattering_depth } = inputs;
+        let previous = self.history.as_ref().and_then(|history| Some((&history.guide, history.volume.as_ref()?)));
+        let motion = VolumeMotionInputs {
+            guide: &imported.guide,
+            surface_motion: &imported.surface_motion,
+            previous_points: previous.map(|(_, volume)| &volume.points),
+        };
+        let volume_motion = volume_motion(frame, &motion);
+        let taken_in = volume_points(frame, &VolumePointsInputs { noisy_volume, scattering_depth });
+        let radiance = self.volume_without_outliers(frame, taken_in.radiance);
+        let signals = previous.map(|(_, volume)| SignalHistory { irradiance: &volume.radiance, moments: &volume.moments });
+        let accumulation = VolumeAccumulationInputs {
+            guide: &imported.guide,
+            volume_motion: &volume_motion,
+            radiance: &radiance,
+            previous: previous.map(|(guide, _)| PreviousFrame { guide, signals: signals.as_slice() }),
+        };
+        let (accumulated, moments) = volume_accumulation(frame, &accumulation);
+        let variance = VolumeVarianceInputs { guide: &imported.guide, radiance: &accumulated, moments: &moments };
+        let level = |level, radiance: &_| volume_atrous(frame, level, &imported.guide, radiance);
+        let first = level(0, &volume_variance(frame, &variance));
+        // At least two: the first is the history.
+        let denoised = (2..self.config.levels).fold(level(1, &first), |radiance, i| level(i, &radiance));
+        let history = VolumeHistory { radiance: first, moments, points: taken_in.volume_points };
+        Some(FilteredVolume { denoised, history, statistics: taken_in.statistics })
+    }
+
+    fn volume_without_outliers(&self, frame: &FrameConstants, irradiance: Image<[f32; 4]>) -> Image<[f32; 4]> {
+        if !self.config.firefly_filter {
+            return irradiance;
+        }
+        let block_percentiles = block_percentiles(frame, &BlockPercentilesInputs { guide: None, irradiance: &irradiance });
+        let inputs = FireflyInputs { guide: None, block_percentiles: &block_percentiles, irradiance: &irradiance };
+        firefly(frame, &inputs)
+    }
+}

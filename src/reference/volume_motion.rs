@@ -1,0 +1,126 @@
+//! The stage `volume_motion` \[PSVGF\]: points of the previous frame, carried forward to this one, give a volume motion vectors of its own.
+
+use super::binary16::{from_half_bits, half_bits};
+use super::conventions::is_reset;
+use super::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
+use super::guide::unpack_guide;
+use super::volume_points::unpack_volume_point;
+use super::{render_rect::RenderRect, Image};
+use crate::FrameConstants;
+use glam::IVec2;
+
+#[cfg(test)]
+mod tests;
+
+/// Steps of a pixel in which a motion is found.
+const STEPS: f32 = 64.0;
+
+/// A texel of `volume_motion`: pixels of the previous frame.
+pub fn pack_volume_motion([x, y]: [f32; 2]) -> u32 {
+    u32::from(half_bits(x)) | u32::from(half_bits(y)) << 16
+}
+
+/// The content of a texel of `volume_motion`.
+pub fn unpack_volume_motion(texel: u32) -> [f32; 2] {
+    [from_half_bits(texel as u16), from_half_bits((texel >> 16) as u16)]
+}
+
+/// Inputs of [`volume_motion`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VolumeMotionInputs<'a> {
+    /// As written by `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// As written by `import`, for pixels in which no point lands.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// As written by `volume_points` in the previous frame. Not read in a reset frame; `None` is treated as one.
+    pub previous_points: Option<&'a Image<[u16; 4]>>,
+}
+
+/// The point that contributes most in a pixel.
+#[derive(Clone, Copy, Default)]
+struct Winner {
+    /// 0: there is none.
+    key: u32,
+    /// In steps.
+    motion: [f32; 2],
+    weight: f32,
+}
+
+/// A black point counts next to nothing, but more than none.
+const SMALLEST_LUMINANCE: f32 = 1.0 / 1_048_576.0;
+const LARGEST_DEPTH: f32 = 1e6;
+
+/// For every pixel the mean motion of the points that contribute most in the 3×3 pixels around, else that of its surface; see
+/// [`unpack_volume_motion`].
+pub fn volume_motion(frame: &FrameConstants, inputs: &VolumeMotionInputs) -> Image<u32> {
+    let mut winners = Image::new(inputs.guide.extent(), Winner::default());
+    if let Some(points) = inputs.previous_points.filter(|_| !is_reset(frame)) {
+        let [width, height] = frame.previous_render_extent;
+        for index in 0..width * height {
+            let q = IVec2::new((index % width) as i32, (index / width) as i32);
+            let point = unpack_volume_point(points.at(q));
+            if point.linear_depth == 0.0 {
+                continue;
+            }
+            let position = project(frame, previous_world_position(frame, q, point.linear_depth));
+            let Some(p) = covering_pixel(frame, &position) else { continue };
+            let surface = unpack_guide(inputs.guide.at(p));
+            if !surface.is_background() && position.depth > surface.linear_depth * position.depth_denominator {
+                continue;
+            }
+            let key = key_of(index, width * height, point.contribution);
+            if let Some(winner) = winners.get_mut(p.x, p.y).filter(|winner| key > winner.key) {
+                let luminance = f32::from_bits(u32::from(point.contribution) << 16).max(SMALLEST_LUMINANCE);
+                let motion = [0, 1].map(|axis| motion_steps(frame, q, &position, axis) as f32);
+                *winner = Winner { key, motion, weight: luminance * point.linear_depth.min(LARGEST_DEPTH) };
+            }
+        }
+    }
+    Image::compute(inputs.guide.extent(), frame.render_extent, |p| match mean_motion(frame, &winners, p) {
+        Some(motion) => pack_volume_motion(motion),
+        None => {
+            let [x, y, ..] = inputs.surface_motion.at(p);
+            u32::from(x) | u32::from(y) << 16
+        }
+    })
+}
+
+/// Since a single point is anywhere along its ray. Motion falls with depth, so its mean with the weight luminance·depth is the motion at the
+/// mean depth, in proportion to luminance; points just before the camera move far and would spoil any other mean.
+fn mean_motion(frame: &FrameConstants, winners: &Image<Winner>, p: IVec2) -> Option<[f32; 2]> {
+    let (mut sum, mut weight) = ([0.0_f32; 2], 0.0_f32);
+    for (_, at) in RenderRect::new(frame.render_extent).window(p, 1, 1) {
+        let winner = winners.at(at);
+        if winner.key != 0 {
+            sum = [0, 1].map(|axis| sum[axis] + winner.motion[axis] * winner.weight);
+            weight += winner.weight;
+        }
+    }
+    (weight > 0.0).then(|| sum.map(|sum| representable(nearest_quotient(sum, weight))))
+}
+
+fn nearest_quotient(numerator: f32, denominator: f32) -> i32 {
+    floor_quotient(numerator + 0.5 * denominator, denominator)
+}
+
+/// By which the points in a pixel are ranked: as much of the contribution as there is room for, and the number of the pixel plus 1 below.
+fn key_of(index: u32, count: u32, contribution: u16) -> u32 {
+    let mask = (2 << count.ilog2()) - 1;
+    u32::from(contribution) << 17 & !mask | (index + 1)
+}
+
+/// Motion of a point from pixel `q` of the previous frame to its position in this one, unjittered: the nearest step on one axis.
+fn motion_steps(frame: &FrameConstants, q: IVec2, position: &ForwardPosition, axis: usize) -> i32 {
+    let (w, side) = (position.denominator[axis], frame.render_extent[axis] as f32);
+    let before = (q[axis] as f32 + 0.5 + frame.previous_jitter[axis]) * side * w;
+    let now = (position.numerator[axis] + frame.jitter[axis] * w) * frame.previous_render_extent[axis] as f32;
+    let denominator = side * w;
+    nearest_quotient((before - now) * STEPS, denominator)
+}
+
+/// Exact as a half float, which has 11 bits: of a longer motion the low ones are cut.
+fn representable(steps: i32) -> f32 {
+    let magnitude = steps.unsigned_abs();
+    let excess = magnitude.checked_ilog2().unwrap_or(0).saturating_sub(10);
+    steps.signum() as f32 * (magnitude >> excess << excess) as f32 / STEPS
+}
