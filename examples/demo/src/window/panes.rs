@@ -66,7 +66,7 @@ impl Panes {
 pub struct PaneWriter {
     layout: SetLayout,
     pipeline: Pipeline,
-    /// Left and right. The same ones in every frame: Mesa's software device takes a shader with a new set for a new shader, and compiles it.
+    /// Left and right.
     sets: [DescriptorSet; 2],
 }
 

@@ -133,8 +133,7 @@ impl Presenter {
     /// # Errors
     /// A lost device.
     pub fn is_ready(&self) -> Result<bool> {
-        // SAFETY: the fence is ours.
-        unsafe { self.gpu.device().get_fence_status(self.slots[self.next].complete) }.doing("ask for a frame")
+        self.gpu.is_signalled(self.slots[self.next].complete).doing("ask for a frame")
     }
 
     /// Draws a frame; `false`: the device is not ready for it, or the window has no pixels. Then nothing happened, try again later.
@@ -229,7 +228,7 @@ impl Presenter {
         }
     }
 
-    /// New glyphs are rare: then this waits for the device. Old textures go when no frame in flight can use them.
+    /// New glyphs are rare: then this waits for the device, since they are written into a texture that frames in flight read. Old textures go when no frame in flight can use them.
     fn update_textures(&mut self, delta: &egui::TexturesDelta) -> Result<()> {
         let Some(egui) = &mut self.egui else { return Ok(()) };
         for (age, ids) in &mut self.outdated {
@@ -244,6 +243,8 @@ impl Presenter {
         }
         if !delta.set.is_empty() {
             let queue = self.gpu.queue();
+            // SAFETY: the queue is locked.
+            unsafe { self.gpu.device().queue_wait_idle(*queue) }.doing("wait for the device")?;
             egui.set_textures(*queue, self.pool, &delta.set)?;
         }
         Ok(())
