@@ -1,6 +1,6 @@
 //! The window: what the denoiser does, and why, while it runs.
 //!
-//! Two threads. The engine's ([`engine`]) animates, traces, denoises and fills two images; the window's ([`app`]) takes input, draws those
+//! Two threads. The engine's (`engine`) animates, traces, denoises and fills two images; the window's (`app`) takes input, draws those
 //! images with the panel over them, and never waits for the engine. Both submit to one queue, in turns.
 
 mod app;
