@@ -40,7 +40,7 @@ fn shoot(demo: &mut Demo, left: &str, right: &str) -> [Picture; 2] {
 }
 
 #[test]
-#[ignore = "one run of three hangs on software Vulkan, whose queue thread then never gets done; cargo test -p atrous-demo --features window --test window -- --ignored"]
+#[ignore = "two runs of ten fail: a key that the window never saw, or a screen that was read too early"]
 fn a_session_with_keys_mouse_and_another_size() {
     let Some(display) = Display::open() else { return };
     let out = folder("window-session");
