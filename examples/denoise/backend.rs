@@ -101,9 +101,7 @@ impl Backend for GpuBackend {
         self.session.run(&frame.params, &frame.tuning)?;
         let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
         for name in &self.results {
-            for (sum, texel) in radiance.iter_mut().zip(self.session.download(name)?) {
-                *sum = std::array::from_fn(|c| sum[c] + texel[c]);
-            }
+            add(&mut radiance, &self.session.download(name)?);
         }
         let mut outputs = FrameOutputs { radiance, views: Vec::new() };
         if views {
@@ -112,6 +110,13 @@ impl Backend for GpuBackend {
             }
         }
         Ok(outputs)
+    }
+}
+
+/// Adds a part of the picture.
+pub fn add(radiance: &mut [[f32; 3]], part: &[[f32; 4]]) {
+    for (sum, texel) in radiance.iter_mut().zip(part) {
+        *sum = std::array::from_fn(|c| sum[c] + texel[c]);
     }
 }
 

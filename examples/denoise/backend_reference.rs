@@ -1,6 +1,6 @@
 //! The CPU twin behind the same trait: slow, and the measure of what the GPU should give.
 
-use crate::backend::{Backend, FrameOutputs, MomentsView};
+use crate::backend::{add, Backend, FrameOutputs, MomentsView};
 use crate::error::Result;
 use crate::frame::{FrameInputs, Texels};
 use atrous::config::{GradientSource, Preset, Signals};
@@ -82,9 +82,7 @@ impl Backend for ReferenceBackend {
         let surfaces = Some(&outputs.denoised_radiance).filter(|_| self.config.preset != Preset::Volume);
         let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
         for image in surfaces.into_iter().chain(&outputs.denoised_volume) {
-            for (sum, texel) in radiance.iter_mut().zip(image.texels()) {
-                *sum = std::array::from_fn(|c| sum[c] + texel[c]);
-            }
+            add(&mut radiance, image.texels());
         }
         Ok(FrameOutputs { radiance, views: outputs.views.map(|v| self.moments(&v)).unwrap_or_default() })
     }

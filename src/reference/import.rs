@@ -39,6 +39,13 @@ pub struct ImportInputs<'a> {
     pub instance_transforms: Option<&'a [InstanceTransform]>,
 }
 
+impl<'a> ImportInputs<'a> {
+    /// What every host gives, without anything optional.
+    pub const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
+        Self { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
+    }
+}
+
 impl ImportInputs<'_> {
     fn id(&self, p: IVec2) -> Option<u32> {
         self.surface_id.map(|ids| ids.at(p))

@@ -34,6 +34,13 @@ pub struct DenoiserInputs<'a> {
     pub volume: Option<VolumeInputs<'a>>,
 }
 
+impl<'a> DenoiserInputs<'a> {
+    /// Guides and noise, without anything optional.
+    pub fn new(guides: ImportInputs<'a>, noisy: &'a [&'a Image<[f32; 4]>]) -> Self {
+        Self { guides, noisy, albedo: None, emission: None, gradients: GradientSources::default(), volume: None }
+    }
+}
+
 /// What the presets `Asvgf` and `Stabilize` take besides; which of it is read, [`Config::gradient_source`] says.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct GradientSources<'a> {

@@ -30,29 +30,8 @@ impl Sequence {
         let context = self.state.begin(&self.config, params, &Tuning::default()).expect("usable");
         let fill = |texel: [f32; 4]| embed(&Image::new(params.render_extent, texel), allocated, [f32::NAN; 4]);
         let (depth, normal, noisy) = (fill([4.0; 4]), fill([0.0, 0.0, 1.0, 0.0]), embed(noisy, allocated, [f32::NAN; 4]));
-        let guides = ImportInputs {
-            depth: &depth,
-            normal: &normal,
-            motion: None,
-            surface_id: None,
-            roughness: None,
-            object_normal: None,
-            instance_transforms: None,
-        };
-        self.denoiser
-            .frame(
-                &context,
-                &DenoiserInputs {
-                    guides,
-                    noisy: &[&noisy],
-                    albedo: None,
-                    emission: None,
-                    gradients: GradientSources::default(),
-                    volume: None,
-                },
-                true,
-            )
-            .expect("usable")
+        let guides = ImportInputs::new(&depth, &normal);
+        self.denoiser.frame(&context, &DenoiserInputs::new(guides, &[&noisy]), true).expect("usable")
     }
 }
 

@@ -25,15 +25,7 @@ impl Host {
     }
 
     fn guides(&self) -> ImportInputs<'_> {
-        ImportInputs {
-            depth: &self.depth,
-            normal: &self.normal,
-            motion: None,
-            surface_id: None,
-            roughness: None,
-            object_normal: None,
-            instance_transforms: None,
-        }
+        ImportInputs::new(&self.depth, &self.normal)
     }
 }
 
@@ -58,19 +50,13 @@ fn the_sky_passes_untouched() {
     let mut host = Host::new(EXTENT, 1);
     host.depth = paint(EXTENT, |x, _| [if x < 6 { f32::INFINITY } else { 4.0 }; 4]);
     let noisy = round_image_to_half(&host.noisy);
-    let inputs = DenoiserInputs {
-        guides: host.guides(),
-        noisy: &[&noisy],
-        albedo: Some(&host.albedo),
-        emission: None,
-        gradients: GradientSources::default(),
-        volume: None,
-    };
+    let noisy = [&noisy];
+    let inputs = DenoiserInputs { albedo: Some(&host.albedo), ..DenoiserInputs::new(host.guides(), &noisy) };
     let output = first_frame(&Config::new(EXTENT), &inputs).denoised_radiance;
     let mut changed = 0;
     for y in 0..9 {
         for x in 0..13 {
-            let (a, b) = (noisy.get(x, y).expect("inside"), output.get(x, y).expect("inside"));
+            let (a, b) = (noisy[0].get(x, y).expect("inside"), output.get(x, y).expect("inside"));
             if x < 6 {
                 assert_eq!(a[..3], b[..3]);
             } else {
@@ -130,14 +116,8 @@ fn a_wrong_image_is_named() {
     let config = Config::new(EXTENT);
     let context = FrameState::default().begin(&config, &FrameParams::new(EXTENT), &Tuning::default()).expect("usable");
     let mut denoiser = Denoiser::new(config).expect("usable");
-    let good = DenoiserInputs {
-        guides: host.guides(),
-        noisy: &[&host.noisy],
-        albedo: None,
-        emission: None,
-        gradients: GradientSources::default(),
-        volume: None,
-    };
+    let noisy = [&host.noisy];
+    let good = DenoiserInputs::new(host.guides(), &noisy);
     let mut message = |inputs: &DenoiserInputs| denoiser.frame(&context, inputs, false).expect_err("wrong").to_string();
     assert!(message(&DenoiserInputs { albedo: Some(&small), ..good }).contains("albedo"));
     assert!(message(&DenoiserInputs { noisy: &[&small], ..good }).contains("noisy"));
@@ -152,14 +132,8 @@ fn a_wrong_image_is_named() {
 #[test]
 fn views_and_post_process_come_when_asked_for() {
     let host = Host::new(EXTENT, 1);
-    let inputs = DenoiserInputs {
-        guides: host.guides(),
-        noisy: &[&host.noisy],
-        albedo: Some(&host.albedo),
-        emission: None,
-        gradients: GradientSources::default(),
-        volume: None,
-    };
+    let noisy = [&host.noisy];
+    let inputs = DenoiserInputs { albedo: Some(&host.albedo), ..DenoiserInputs::new(host.guides(), &noisy) };
     let config = Config { levels: 3, ..Config::new(EXTENT) };
     let output = first_frame(&config, &inputs);
     let views = output.views.expect("asked for");
@@ -176,14 +150,8 @@ fn views_and_post_process_come_when_asked_for() {
 #[test]
 fn one_pixel_is_an_image() {
     let host = Host::new([1, 1], 1);
-    let inputs = DenoiserInputs {
-        guides: host.guides(),
-        noisy: &[&host.noisy],
-        albedo: None,
-        emission: None,
-        gradients: GradientSources::default(),
-        volume: None,
-    };
+    let noisy = [&host.noisy];
+    let inputs = DenoiserInputs::new(host.guides(), &noisy);
     let config = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([1, 1]) };
     let output = first_frame(&config, &inputs);
     assert_eq!(output.denoised_radiance.texels()[0][0], round_to_half(host.noisy.texels()[0][0]));

@@ -28,23 +28,12 @@ impl Host {
         let mut frame = |i: u32| {
             let params: FrameParams = camera(EXTENT, Vec3::new(0.05 * i as f32, 0.0, 0.0));
             let context = state.begin(&config, &params, &Tuning::default()).expect("usable");
-            let noisy = noise(EXTENT, i);
-            let volume = VolumeInputs { noisy_volume: &noisy, scattering_depth: Some(&self.scattering_depth) };
+            let radiance = noise(EXTENT, i);
+            let volume = VolumeInputs { noisy_volume: &radiance, scattering_depth: Some(&self.scattering_depth) };
+            let noisy: &[&_] = if config.preset == Preset::Volume { &[] } else { &[&radiance] };
             let inputs = DenoiserInputs {
-                guides: ImportInputs {
-                    depth: &self.depth,
-                    normal: &self.normal,
-                    motion: None,
-                    surface_id: None,
-                    roughness: None,
-                    object_normal: None,
-                    instance_transforms: None,
-                },
-                noisy: if config.preset == Preset::Volume { &[] } else { &[&noisy] },
-                albedo: None,
-                emission: None,
-                gradients: GradientSources::default(),
                 volume: with_volume.then_some(volume),
+                ..DenoiserInputs::new(ImportInputs::new(&self.depth, &self.normal), noisy)
             };
             denoiser.frame(&context, &inputs, false)
         };

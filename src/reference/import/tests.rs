@@ -14,10 +14,6 @@ fn with_conventions(conventions: Conventions, params: FrameParams) -> FrameConst
     frame_with(&config, &params, &params)
 }
 
-fn inputs<'a>(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> ImportInputs<'a> {
-    ImportInputs { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
-}
-
 fn up(extent: [u32; 2]) -> Image<[f32; 4]> {
     Image::new(extent, [0.0, 1.0, 0.0, 0.0])
 }
@@ -63,7 +59,7 @@ fn every_depth_encoding_gives_the_linear_depth() {
                     };
                     [d, 9.0, 9.0, 9.0]
                 });
-                let imported = import(&frame, &inputs(&depths, &up(EXTENT)));
+                let imported = import(&frame, &ImportInputs::new(&depths, &up(EXTENT)));
                 for texel in imported.guide.texels() {
                     let given = unpack_guide(*texel).linear_depth;
                     assert!((given - z).abs() < 2e-3, "{name}, {depth:?}, {view_forward:?}: {given}");
@@ -82,7 +78,7 @@ fn background_is_recognised_and_packed_as_zeros() {
     let ids = paint(extent, |x, _| u32::from(x != 6));
     let frame = with_conventions(Conventions { background_depth: 50.0, ..Conventions::default() }, FrameParams::new(extent));
     let normal = Image::new(extent, [f32::NAN; 4]);
-    let imported = import(&frame, &ImportInputs { surface_id: Some(&ids), ..inputs(&depth, &normal) });
+    let imported = import(&frame, &ImportInputs { surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) });
     for (x, texel) in imported.guide.texels().iter().enumerate() {
         assert_eq!(*texel == [0; 4], x != 4, "{}", depths[x]);
         assert_eq!(unpack_guide(*texel).is_background(), x != 4);
@@ -98,7 +94,7 @@ fn a_device_depth_of_infinity_is_background() {
     let params = FrameParams { clip_from_view: projection.to_cols_array_2d(), ..FrameParams::new([2, 1]) };
     let frame = with_conventions(Conventions { depth: DepthEncoding::Device, ..Conventions::default() }, params);
     let depth = paint([2, 1], |x, _| [if x == 0 { 0.0 } else { f32::INFINITY }, 0.0, 0.0, 0.0]);
-    let imported = import(&frame, &inputs(&depth, &up([2, 1])));
+    let imported = import(&frame, &ImportInputs::new(&depth, &up([2, 1])));
     assert_eq!(imported.guide.texels(), &[[0; 4]; 2]);
     assert_eq!(imported.statistics, [0; 8]);
 }
@@ -121,7 +117,7 @@ fn every_normal_encoding_gives_the_world_normal() {
                     NormalEncoding::OctahedralUnorm => [square.x * 0.5 + 0.5, square.y * 0.5 + 0.5, 7.0],
                 };
                 let (depth, image) = (Image::new([1, 1], [2.0; 4]), Image::new([1, 1], [x, y, z, 0.0]));
-                let imported = import(&frame, &inputs(&depth, &image));
+                let imported = import(&frame, &ImportInputs::new(&depth, &image));
                 let read = Vec3::from(unpack_guide(imported.guide.texels()[0]).normal);
                 assert!(read.distance(n) < 0.0045, "{normal:?} {normal_space:?}: {read} for {n}");
                 assert_eq!(imported.statistics, [0; 8]);
@@ -139,7 +135,7 @@ fn a_normal_without_direction_faces_the_camera() {
         let params = FrameParams { view_from_world, ..FrameParams::new([5, 1]) };
         let frame = with_conventions(Conventions { view_forward, ..Conventions::default() }, params);
         let normal = paint([5, 1], |x, _| bad[x as usize]);
-        let imported = import(&frame, &inputs(&Image::new([5, 1], [1.0; 4]), &normal));
+        let imported = import(&frame, &ImportInputs::new(&Image::new([5, 1], [1.0; 4]), &normal));
         for texel in imported.guide.texels() {
             assert!(Vec3::from(unpack_guide(*texel).normal).distance(expected) < 1e-3, "{:?}", unpack_guide(*texel));
         }
@@ -150,7 +146,7 @@ fn a_normal_without_direction_faces_the_camera() {
 #[test]
 fn the_gradient_of_a_plane_is_its_slope_up_to_the_border() {
     let depth = paint(EXTENT, |x, y| [5.0 + 0.5 * x as f32 - 0.25 * y as f32, 0.0, 0.0, 0.0]);
-    let imported = import(&frame(EXTENT), &inputs(&depth, &up(EXTENT)));
+    let imported = import(&frame(EXTENT), &ImportInputs::new(&depth, &up(EXTENT)));
     assert!(imported.depth_gradient.texels().iter().all(|g| unpack_depth_gradient(*g) == [0.5, -0.25]));
 }
 
@@ -160,19 +156,19 @@ fn the_gradient_does_not_look_across_a_step_an_id_or_the_background() {
     let depths = [1.0, 1.5, 9.0, 9.25, 0.0, 4.0];
     let depth = paint(extent, |x, _| [depths[x as usize]; 4]);
     let normal = up(extent);
-    let plain = import(&frame(extent), &inputs(&depth, &normal));
+    let plain = import(&frame(extent), &ImportInputs::new(&depth, &normal));
     let along =
         |image: &ImportOutputs| image.depth_gradient.texels().iter().map(|g| unpack_depth_gradient(*g)[0]).collect::<Vec<_>>();
     assert_eq!(along(&plain), [0.5, 0.5, 0.25, 0.25, 0.0, 0.0]);
     let ids = paint(extent, |x, _| if x == 0 { 300 } else { 301 });
-    let apart = import(&frame(extent), &ImportInputs { surface_id: Some(&ids), ..inputs(&depth, &normal) });
+    let apart = import(&frame(extent), &ImportInputs { surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) });
     assert_eq!(along(&apart), [0.0, 7.5, 0.25, 0.25, 0.0, 0.0]);
 }
 
 #[test]
 fn equal_differences_of_opposite_sign_take_the_forward_one() {
     let depth = paint([3, 1], |x, _| [if x == 1 { 3.0 } else { 2.0 }; 4]);
-    let imported = import(&frame([3, 1]), &inputs(&depth, &up([3, 1])));
+    let imported = import(&frame([3, 1]), &ImportInputs::new(&depth, &up([3, 1])));
     assert_eq!(unpack_depth_gradient(imported.depth_gradient.texels()[1]), [-1.0, 0.0]);
 }
 
@@ -182,14 +178,14 @@ fn roughness_and_ids_reach_the_guide() {
     let given = [0.2, -3.0, 7.0, f32::NAN];
     let roughness = paint([4, 1], |x, _| [given[x as usize]; 4]);
     let ids = paint([4, 1], |x, _| 254 + x as u32);
-    let full = ImportInputs { roughness: Some(&roughness), surface_id: Some(&ids), ..inputs(&depth, &normal) };
+    let full = ImportInputs { roughness: Some(&roughness), surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) };
     let read = import(&frame([4, 1]), &full).guide.map(|t| unpack_guide(*t));
     let expected = [0.2, 0.0, 1.0, 1.0];
     for (i, surface) in read.texels().iter().enumerate() {
         assert!((surface.roughness - expected[i]).abs() < 1e-6);
         assert_eq!(surface.id, fold_id(254 + i as u32));
     }
-    let bare = import(&frame([4, 1]), &inputs(&depth, &normal)).guide.map(|t| unpack_guide(*t));
+    let bare = import(&frame([4, 1]), &ImportInputs::new(&depth, &normal)).guide.map(|t| unpack_guide(*t));
     assert!(bare.texels().iter().all(|s| s.roughness == 1.0 && s.id == 1));
 }
 
@@ -208,14 +204,14 @@ fn no_bad_value_reaches_an_output() {
         surface_id: Some(&ids),
         roughness: Some(&roughness),
         instance_transforms: Some(&transforms),
-        ..inputs(&depth, &normal)
+        ..ImportInputs::new(&depth, &normal)
     };
     for flags in 0..1 << 14 {
         if flags % 37 != 0 {
             continue;
         }
         let frame = FrameConstants { flags, clip_from_view: camera(extent, Vec3::ZERO).clip_from_view, ..frame(extent) };
-        for inputs in [optional, inputs(&depth, &normal)] {
+        for inputs in [optional, ImportInputs::new(&depth, &normal)] {
             let imported = import(&frame, &inputs);
             for texel in imported.guide.texels() {
                 let surface = unpack_guide(*texel);
@@ -238,9 +234,9 @@ fn a_render_rect_gives_the_bits_of_a_tight_image() {
     let large = [19, 11];
     let depth = noise(EXTENT, 1).map(|t| t.map(|v| v + 1.0));
     let (normal, motion) = (noise(EXTENT, 2).map(|t| [t[0] - 0.5, t[1], 0.4, 0.0]), noise(EXTENT, 3));
-    let tight = import(&frame(EXTENT), &ImportInputs { motion: Some(&motion), ..inputs(&depth, &normal) });
+    let tight = import(&frame(EXTENT), &ImportInputs { motion: Some(&motion), ..ImportInputs::new(&depth, &normal) });
     let [depth, normal, motion] = [depth, normal, motion].map(|image| embed(&image, large, [f32::NAN; 4]));
-    let loose = import(&frame(EXTENT), &ImportInputs { motion: Some(&motion), ..inputs(&depth, &normal) });
+    let loose = import(&frame(EXTENT), &ImportInputs { motion: Some(&motion), ..ImportInputs::new(&depth, &normal) });
     assert_eq!(embed(&tight.guide, large, [0; 4]), loose.guide);
     assert_eq!(embed(&tight.surface_motion, large, [0; 4]), loose.surface_motion);
     assert_eq!(embed(&tight.depth_gradient, large, 0), loose.depth_gradient);
