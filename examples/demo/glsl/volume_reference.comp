@@ -1,6 +1,6 @@
 #version 450
 // Ground truth of the medium: the estimator of volume.comp over many samples of each pixel, as reference.comp has it for surfaces.
-// In: seed, depth. In and out: volume_sum (linear radiance times samples).
+// In: seed, depth. In and out: volume_sum (rgb: linear radiance times samples, a: samples).
 #extension GL_GOOGLE_include_directive : require
 #define RANDOM_SOBOL
 #include "medium.glsl"
@@ -9,22 +9,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 1, binding = 0, r32ui) uniform readonly uimage2D seed_image;
 layout(set = 1, binding = 1, r32f) uniform readonly image2D depth_image;
 layout(set = 1, binding = 2, rgba32f) uniform image2D volume_sum_image;
-layout(push_constant) uniform Range {
-    uint first_sample;
-    uint sample_count;
-    uint seed;
-} range;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
-    vec3 sum = range.first_sample == 0u ? vec3(0.0) : imageLoad(volume_sum_image, pixel).rgb;
-    uint seed = imageLoad(seed_image, pixel).r ^ range.seed ^ MEDIUM_SEED;
+    vec4 sum = imageLoad(volume_sum_image, pixel);
+    uint seed = imageLoad(seed_image, pixel).r ^ REFERENCE_SEED ^ MEDIUM_SEED;
     float depth = imageLoad(depth_image, pixel).r;
     vec2 position = vec2(pixel) + 0.5 + frame.jitter_epsilon_weight.xy;
-    for (uint i = range.first_sample; i < range.first_sample + range.sample_count; i++) {
-        Rng rng = rng_new(seed, i);
-        sum += scatter_once(position, depth, rng).radiance;
-    }
-    imageStore(volume_sum_image, pixel, vec4(sum, 1.0));
+    Rng rng = rng_new(seed, uint(sum.a));
+    imageStore(volume_sum_image, pixel, sum + vec4(scatter_once(position, depth, rng).radiance, 1.0));
 }

@@ -31,6 +31,9 @@ vec2 random2(inout Rng rng) {
 
 #else
 
+// Tells the reference's random numbers from the noisy picture's.
+const uint REFERENCE_SEED = 0x5bd1e995u;
+
 // Laine-Karras permutation on bit-reversed numbers: an Owen scramble, with Vegdahl's constants.
 uint laine_karras(uint x, uint seed) {
     x ^= x * 0x3d20adeau;

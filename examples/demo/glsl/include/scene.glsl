@@ -58,7 +58,8 @@ const uint LIGHT_SAMPLING_MIS = 0u;
 const uint LIGHT_SAMPLING_LIGHTS = 1u;
 const uint LIGHT_SAMPLING_BSDF = 2u;
 
-layout(set = 0, binding = 0, std140) uniform FrameConstants {
+// A storage buffer, since Mesa's software driver (22.3) compiles a shader whose loops end by a value of a uniform buffer for every frame.
+layout(set = 0, binding = 0, std430) readonly buffer FrameConstants {
     CameraFrame camera;
     CameraFrame previous_camera;
     uvec4 extent_frame_seed;    // xy: extent, z: frame index, w: user seed

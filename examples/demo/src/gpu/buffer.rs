@@ -20,7 +20,7 @@ pub enum MemoryKind {
     Readback,
 }
 
-/// A buffer and its memory. Usage: storage, uniform, transfer source and destination.
+/// A buffer and its memory. Usage: storage, texels, transfer source and destination.
 pub struct Buffer {
     /// The buffer.
     pub handle: vk::Buffer,
@@ -38,7 +38,6 @@ impl Buffer {
     pub fn new(gpu: &Gpu, name: &str, size: u64, kind: MemoryKind) -> Result<Self> {
         let size = size.max(16);
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
-            | vk::BufferUsageFlags::UNIFORM_BUFFER
             | vk::BufferUsageFlags::UNIFORM_TEXEL_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;

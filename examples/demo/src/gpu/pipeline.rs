@@ -50,7 +50,6 @@ pub(crate) fn storage_images(count: usize) -> Vec<vk::DescriptorType> {
 /// A buffer in a descriptor set.
 #[derive(Clone, Copy)]
 pub(crate) enum Bound {
-    Uniform(vk::Buffer),
     Storage(vk::Buffer),
     Texels(vk::BufferView),
 }
@@ -59,7 +58,6 @@ impl Bound {
     /// Its descriptor type.
     pub fn kind(self) -> vk::DescriptorType {
         match self {
-            Self::Uniform(_) => vk::DescriptorType::UNIFORM_BUFFER,
             Self::Storage(_) => vk::DescriptorType::STORAGE_BUFFER,
             Self::Texels(_) => vk::DescriptorType::UNIFORM_TEXEL_BUFFER,
         }
@@ -103,7 +101,7 @@ impl DescriptorSet {
                     views = [*view];
                     write.texel_buffer_view(&views)
                 }
-                Bound::Uniform(buffer) | Bound::Storage(buffer) => {
+                Bound::Storage(buffer) => {
                     buffers = [vk::DescriptorBufferInfo::default().buffer(*buffer).range(vk::WHOLE_SIZE)];
                     write.buffer_info(&buffers)
                 }

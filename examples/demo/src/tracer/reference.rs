@@ -10,13 +10,11 @@ use ash::vk;
 use super::barriers::{general_barrier, memory_barrier};
 use super::{shaders, PathTracer};
 use crate::error::{Error, Result};
-use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
+use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout, WHOLE_IMAGE};
 
 /// A submit should take about this long: short enough for a driver's watchdog, long enough to waste nothing.
 const SUBMIT_TIME: Duration = Duration::from_millis(300);
 const LARGEST_BATCH: u32 = 64;
-/// Tells the reference's random numbers from the noisy picture's.
-const REFERENCE_SEED: u32 = 0x5bd1_e995;
 
 /// Means over all samples, row by row, linear radiance.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,16 +43,25 @@ impl Reference {
 
 /// A reference that grows.
 pub struct ReferenceSums<const N: usize> {
-    /// Sums of radiance, `R32G32B32A32_SFLOAT`.
+    /// Sums of radiance, and samples in them, `R32G32B32A32_SFLOAT`.
     pub sums: [Image; N],
-    /// Samples for each pixel in them.
-    pub samples: u32,
+    samples: u32,
     batch: u32,
     set: DescriptorSet,
     pipeline: Pipeline,
 }
 
 impl<const N: usize> ReferenceSums<N> {
+    /// Samples for each pixel so far.
+    pub fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The next samples are the first ones.
+    pub fn restart(&mut self) {
+        self.samples = 0;
+    }
+
     /// Adds samples of the tracer's frame, whose G-buffer was drawn: as many as take about `time`, at most `limit` in all. Waits for them.
     ///
     /// # Errors
@@ -64,18 +71,33 @@ impl<const N: usize> ReferenceSums<N> {
         if count == 0 {
             return Ok(());
         }
-        let constants = [self.samples, count, REFERENCE_SEED];
         let (gpu, start) = (&tracer.gpu, Instant::now());
         gpu.submit(|cmd| {
+            if self.samples == 0 {
+                self.clear(gpu, cmd);
+            }
             let compute = vk::PipelineStageFlags::COMPUTE_SHADER;
             let (written, used) = (vk::AccessFlags::MEMORY_WRITE, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
-            memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
-            self.pipeline.record(cmd, &[&tracer.scene_set, &self.set], bytemuck::cast_slice(&constants), tracer.extent);
+            for _ in 0..count {
+                memory_barrier(gpu.device(), cmd, (vk::PipelineStageFlags::ALL_COMMANDS, written), (compute, used));
+                self.pipeline.record(cmd, &[&tracer.scene_set, &self.set], &[], tracer.extent);
+            }
             Ok(())
         })?;
         self.samples += count;
         self.batch = next_batch(count, start.elapsed(), time);
         Ok(())
+    }
+
+    fn clear(&self, gpu: &Gpu, cmd: vk::CommandBuffer) {
+        let used = (vk::PipelineStageFlags::ALL_COMMANDS, vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE);
+        let cleared = (vk::PipelineStageFlags::TRANSFER, vk::AccessFlags::TRANSFER_WRITE);
+        memory_barrier(gpu.device(), cmd, used, cleared);
+        for sum in &self.sums {
+            let zero = vk::ClearColorValue { float32: [0.0; 4] };
+            // SAFETY: `cmd` is recording; the image is alive, has the usage, and is in GENERAL.
+            unsafe { gpu.device().cmd_clear_color_image(cmd, sum.handle, vk::ImageLayout::GENERAL, &zero, &[WHOLE_IMAGE]) };
+        }
     }
 
     /// Linear radiance, row by row.
@@ -116,7 +138,7 @@ impl PathTracer {
         let images: Vec<_> = read.into_iter().chain(&sums).map(|image| image.view).collect();
         let layout = SetLayout::new(gpu, &storage_images(images.len()))?;
         let set = DescriptorSet::of_images(gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(gpu, shader, &[&self.scene_layout, &layout], 12)?;
+        let pipeline = Pipeline::new(gpu, shader, &[&self.scene_layout, &layout], 0)?;
         gpu.submit(|cmd| {
             general_barrier(gpu.device(), cmd, &sums.iter().collect::<Vec<_>>());
             Ok(())

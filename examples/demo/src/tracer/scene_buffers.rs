@@ -67,7 +67,7 @@ impl SceneBuffers {
     /// The buffers in the order of the bindings of set 0.
     pub fn bindings(&self) -> [Bound; 8] {
         [
-            Bound::Uniform(self.frame.buffer.handle),
+            Bound::Storage(self.frame.buffer.handle),
             self.nodes.bound(),
             self.triangles.bound(),
             self.attributes.bound(),

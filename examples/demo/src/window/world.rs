@@ -101,7 +101,7 @@ impl World {
     pub fn frame(&mut self, settings: &Settings, view: Option<View>, advance: bool, reset: bool) -> Result<()> {
         let (now, before) = self.clock.tick(&self.scene, settings, view, advance);
         if let Some(reference) = self.reference.as_mut().filter(|_| now != before) {
-            reference.samples = 0;
+            reference.restart();
         }
         self.tracer.begin_moment(self.seed, &now, &before)?;
         self.seed += 1;
@@ -154,7 +154,7 @@ impl World {
 
     /// Paths of each pixel in the reference.
     pub fn reference_samples(&self) -> u32 {
-        self.reference.as_ref().map_or(0, |r| r.samples)
+        self.reference.as_ref().map_or(0, ReferenceSums::samples)
     }
 
     /// Whether a filter has seen the last frame.
@@ -179,7 +179,7 @@ impl World {
                 (Content::Filtered(_), Some(filter), _) => Source::of(&filter.radiance),
                 (Content::Reference, _, Some(reference)) => {
                     let [direct, indirect] = &reference.sums;
-                    let weight = 1.0 / reference.samples.max(1) as f32;
+                    let weight = 1.0 / reference.samples().max(1) as f32;
                     Source { images: [direct, indirect, &outputs.emission], weights: [weight, weight, 1.0] }
                 }
                 _ => Source { images: [&outputs.scattered, &outputs.emission, &outputs.emission], weights: [1.0, 1.0, 0.0] },
