@@ -128,7 +128,7 @@ impl App {
         let record = self.options.record.clone();
         self.shared.want(|wanted| {
             wanted.settings = settings;
-            wanted.requests.extend(record.map(|folder| Request::Record(Some(folder))));
+            wanted.requests.extend(record.map(Request::Record));
         });
         let proxy = self.proxy.clone();
         // The loop may be gone already when the last frame is done.
@@ -174,10 +174,7 @@ impl App {
             Action::Panel => settings.panel = !settings.panel,
             Action::Help => self.help = !self.help,
             Action::Screenshot => self.request(Request::Screenshot(self.options.out.clone())),
-            Action::Record => {
-                let is_on = self.shared.report().recording;
-                self.request(Request::Record((!is_on).then(|| self.options.out.join("sequence"))));
-            }
+            Action::Record => self.request(Request::Record(self.options.out.join("sequence"))),
             Action::RecordPath => self.request(Request::RecordPath(self.options.camera_path())),
             Action::ReplayPath => self.request(Request::ReplayPath(self.options.camera_path())),
             Action::SaveSettings => self.save(),
@@ -369,8 +366,12 @@ impl ApplicationHandler<Woken> for App {
             WindowEvent::Resized(_) => live.presenter.invalidate(),
             WindowEvent::DroppedFile(path) => self.settings.scene = path.to_string_lossy().into_owned(),
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
-            WindowEvent::Focused(false) => self.held = Held::default(),
-            WindowEvent::KeyboardInput { event, .. } if !typing => self.key(event_loop, &event),
+            WindowEvent::Focused(focused) => {
+                self.log.line(&format!("focused {focused}"));
+                self.held = Held::default();
+            }
+            // A key that is down when the window gets the keyboard comes once more, synthetic.
+            WindowEvent::KeyboardInput { event, is_synthetic: false, .. } if !typing => self.key(event_loop, &event),
             WindowEvent::RedrawRequested => {
                 if let Err(error) = self.turn(event_loop) {
                     self.fail(event_loop, error);

@@ -46,11 +46,11 @@ impl Jobs {
         }
     }
 
-    fn record(&mut self, shared: &Shared, folder: Option<PathBuf>) {
+    fn record(&mut self, shared: &Shared, folder: PathBuf) {
         if let Some((folder, frames)) = self.sequence.take() {
             shared.say(false, format!("{frames} frames are in {}", folder.display()));
+            return;
         }
-        let Some(folder) = folder else { return };
         match make(&folder) {
             Ok(()) => self.sequence = Some((folder, 0)),
             Err(error) => shared.say(true, error.to_string()),

@@ -55,7 +55,7 @@ impl Log {
             self.line(&format!("picture {x} {y} {width} {height} window {} {}", window[0], window[1]));
         }
         let state = format!(
-            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={} camera={} help={help} held={}",
+            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={} camera={} recording={} help={help} held={}",
             settings.left,
             settings.right,
             settings.divider,
@@ -64,6 +64,7 @@ impl Log {
             settings.magnifier,
             settings.panel,
             if settings.animate_camera { "path" } else { "free" },
+            report.recording,
             over.holds_divider,
         );
         if state != self.state {

@@ -40,8 +40,8 @@ pub struct Wanted {
 pub enum Request {
     /// Both halves and each by itself, at the picture's own size.
     Screenshot(PathBuf),
-    /// From now on every frame into a folder; `None`: no longer.
-    Record(Option<PathBuf>),
+    /// From now on every frame into a folder; at the second time no longer.
+    Record(PathBuf),
     /// From now on the camera's way; at the second time it is written.
     RecordPath(PathBuf),
     /// Flies a recorded way.

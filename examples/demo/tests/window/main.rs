@@ -40,7 +40,6 @@ fn shoot(demo: &mut Demo, left: &str, right: &str) -> [Picture; 2] {
 }
 
 #[test]
-#[ignore = "two runs of ten fail: a key that the window never saw, or a screen that was read too early"]
 fn a_session_with_keys_mouse_and_another_size() {
     let Some(display) = Display::open() else { return };
     let out = folder("window-session");
@@ -59,14 +58,12 @@ fn a_session_with_keys_mouse_and_another_size() {
 }
 
 fn filters_and_pictures(demo: &mut Demo) {
-    let [noisy, first] = shoot(demo, "noisy", "asvgf");
-    assert!(brightness(&noisy) > 10.0 && brightness(&first) > 10.0, "black");
-    assert!(different(&noisy, &first) > 500, "left and right of the divider are alike");
-    for (key, name) in [("2", "svgf"), ("4", "percentile"), ("5", "eaw")] {
+    for (key, name) in [("3", "asvgf"), ("2", "svgf"), ("4", "percentile"), ("5", "eaw")] {
         demo.key(key);
         demo.wait(name, |line| line.starts_with("frame") && line.contains(&format!("right={name} ")));
-        let [_, other] = shoot(demo, "noisy", name);
-        assert!(different(&first, &other) > 50, "{name} changes nothing");
+        let [noisy, filtered] = shoot(demo, "noisy", name);
+        assert!(brightness(&noisy) > 10.0 && brightness(&filtered) > 10.0, "black");
+        assert!(different(&noisy, &filtered) > 500, "{name} leaves the noise as it is");
     }
     demo.key("shift+3");
     demo.wait("A-SVGF left", |line| line.starts_with("frame") && line.contains("left=asvgf right=eaw"));
@@ -108,7 +105,7 @@ fn divider(demo: &mut Demo, display: &Display) {
         (part(0.02, 0.23), part(0.3, 0.51))
     };
     let (mut left, mut right) = rough();
-    for _ in 0..20 {
+    for _ in 0..100 {
         if left > 2.0 * right {
             break;
         }
@@ -150,8 +147,7 @@ fn camera_and_files(demo: &mut Demo, out: &Path) {
     demo.wait("a camera path", |line| line.starts_with("message a camera path of"));
     demo.key("F5");
     demo.key("F3");
-    demo.wait("a frame", |line| line.starts_with("frame"));
-    demo.wait("a frame", |line| line.starts_with("frame"));
+    demo.wait("a recording", |line| line.starts_with("state") && line.contains("recording=true"));
     demo.key("F3");
     demo.wait("a sequence", |line| line.starts_with("message") && line.contains("frames are in"));
     assert!(out.join("sequence/00000.png").is_file());

@@ -106,12 +106,7 @@ impl Demo {
     pub fn wait(&mut self, what: &str, wanted: impl Fn(&str) -> bool) -> String {
         let start = Instant::now();
         loop {
-            if let Some(line) = self.next_line() {
-                if let Some(numbers) = line.strip_prefix("picture ") {
-                    let parsed: Vec<f32> = numbers.split(' ').filter_map(|n| n.parse().ok()).collect();
-                    self.picture.copy_from_slice(&parsed[..4]);
-                }
-                self.lines.push(line.clone());
+            if let Some(line) = self.read_line() {
                 if wanted(&line) {
                     return line;
                 }
@@ -120,12 +115,25 @@ impl Demo {
             let ended = self.child.try_wait().expect("a child");
             let late = start.elapsed() > PATIENCE;
             if ended.is_some() || late {
-                let tail = self.lines[self.lines.len().saturating_sub(15)..].join("\n");
+                let telling: Vec<&str> = self.lines.iter().map(String::as_str).filter(|l| !l.starts_with("frame")).collect();
+                let tail = [&telling[telling.len().saturating_sub(15)..], &[self.lines.last().map_or("", String::as_str)]]
+                    .concat()
+                    .join("\n");
                 let _ = self.child.kill();
                 panic!("waiting for {what}: {ended:?}; the log ends with\n{tail}\n{}", self.errors());
             }
             std::thread::sleep(POLL);
         }
+    }
+
+    fn read_line(&mut self) -> Option<String> {
+        let line = self.next_line()?;
+        if let Some(numbers) = line.strip_prefix("picture ") {
+            let parsed: Vec<f32> = numbers.split(' ').filter_map(|n| n.parse().ok()).collect();
+            self.picture.copy_from_slice(&parsed[..4]);
+        }
+        self.lines.push(line.clone());
+        Some(line)
     }
 
     fn next_line(&mut self) -> Option<String> {
@@ -159,7 +167,19 @@ impl Demo {
         self.window = found.lines().next().expect("a window").to_owned();
         let window = self.window.clone();
         self.xdotool(&["windowmove", &window, "0", "0"]);
-        self.xdotool(&["windowfocus", "--sync", &window]);
+        self.take_keyboard();
+    }
+
+    /// Keys go to the window, and it knows.
+    fn take_keyboard(&mut self) {
+        self.catch_up();
+        self.xdotool(&["windowfocus", &self.window]);
+        self.wait("the keyboard", |line| line == "focused true");
+    }
+
+    /// What is waited for from here on comes after what was done from here on.
+    fn catch_up(&mut self) {
+        while self.read_line().is_some() {}
     }
 
     fn xdotool(&self, arguments: &[&str]) -> String {
@@ -169,19 +189,22 @@ impl Demo {
     }
 
     /// Presses a key.
-    pub fn key(&self, key: &str) {
+    pub fn key(&mut self, key: &str) {
+        self.catch_up();
         self.xdotool(&["key", key]);
     }
 
     /// Holds a key meanwhile.
     pub fn hold(&mut self, key: &str, meanwhile: impl FnOnce(&mut Self)) {
+        self.catch_up();
         self.xdotool(&["keydown", key]);
         meanwhile(self);
         self.xdotool(&["keyup", key]);
     }
 
     /// Moves the mouse to a point of the window.
-    pub fn point(&self, [x, y]: [f32; 2]) {
+    pub fn point(&mut self, [x, y]: [f32; 2]) {
+        self.catch_up();
         self.xdotool(&["mousemove", "--window", &self.window, &(x as i32).to_string(), &(y as i32).to_string()]);
     }
 
@@ -199,15 +222,16 @@ impl Demo {
     }
 
     /// Another size.
-    pub fn resize(&self, [width, height]: [u32; 2]) {
+    pub fn resize(&mut self, [width, height]: [u32; 2]) {
+        self.catch_up();
         self.xdotool(&["windowsize", &self.window, &width.to_string(), &height.to_string()]);
     }
 
     /// As a window manager hides a window and shows it again.
-    pub fn hide_and_show(&self) {
+    pub fn hide_and_show(&mut self) {
         self.xdotool(&["windowunmap", "--sync", &self.window]);
         self.xdotool(&["windowmap", "--sync", &self.window]);
-        self.xdotool(&["windowfocus", "--sync", &self.window]);
+        self.take_keyboard();
     }
 
     /// It ends well, has freed everything, and validation had nothing to say.
