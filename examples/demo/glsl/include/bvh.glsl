@@ -1,10 +1,12 @@
-// Ray queries over a binary BVH of world-space triangles (obvhs, 32-byte nodes, children side by side).
-// Near child first; a shadow ray leaves at its first hit. Triangles: Möller and Trumbore with stored edges.
+// Ray queries over a binary BVH of world-space triangles (32-byte nodes, depth first). A shadow ray leaves at its first hit. Triangles: Möller and Trumbore with stored edges.
 #ifndef BVH_GLSL
 #define BVH_GLSL
 #include "scene.glsl"
 
-const uint BVH_STACK_SIZE = 40u; // the host checks the depth of the tree against it
+const uint BVH_END = 0xffffffffu;
+// What a leaf holds: the first triangle, and above it the number of triangles (0: an inner node).
+const uint COUNT_SHIFT = 25u;
+const uint FIRST_MASK = (1u << COUNT_SHIFT) - 1u;
 
 struct Hit {
     float distance;
@@ -47,57 +49,34 @@ vec3 safe_inverse(vec3 direction) {
     return vec3(direction.x < 0.0 ? -1.0 : 1.0, direction.y < 0.0 ? -1.0 : 1.0, direction.z < 0.0 ? -1.0 : 1.0) / magnitude;
 }
 
-// What the stack holds: the first child or triangle, and above it the number of triangles (0: an inner node).
-const uint COUNT_SHIFT = 25u;
-const uint FIRST_MASK = (1u << COUNT_SHIFT) - 1u;
-
-uint node_reference(uvec4 lower, uvec4 upper) { return upper.w | lower.w << COUNT_SHIFT; }
-
-// Walks the tree. `any_hit` is a literal at every call, so that the compiler makes two functions of this one.
+// Walks the tree depth first, without a stack: every node says where to go on when the ray misses its box. A stack in a shader is an array
+// with an index of its own in every lane, which software devices serve lane by lane.
+// `any_hit` is a literal at every call, so that the compiler makes two functions of this one.
 Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
     Hit hit = Hit(limit, NO_INSTANCE, 0u, vec2(0.0));
     vec3 inverse_direction = safe_inverse(direction);
     vec3 scaled_origin = origin * inverse_direction;
-    uint stack[BVH_STACK_SIZE];
-    uint depth = 0u;
-    uint node = node_reference(texelFetch(bvh_nodes, 0), texelFetch(bvh_nodes, 1));
     uint best = 0xffffffffu;
-    while (true) {
-        uint count = node >> COUNT_SHIFT;
-        uint first = node & FIRST_MASK;
-        bool pop = true;
-        if (count > 0u) {
-            for (uint i = first; i < first + count; i++) {
-                vec2 barycentrics;
-                float t = triangle_distance(i, origin, direction, barycentrics);
-                if (t > 0.0 && t < hit.distance) {
-                    hit.distance = t;
-                    hit.barycentrics = barycentrics;
-                    best = i;
-                }
-            }
-            if (any_hit && best != 0xffffffffu) break;
-        } else {
-            int base = int(2u * first);
-            uvec4 left_lower = texelFetch(bvh_nodes, base);
-            uvec4 left_upper = texelFetch(bvh_nodes, base + 1);
-            uvec4 right_lower = texelFetch(bvh_nodes, base + 2);
-            uvec4 right_upper = texelFetch(bvh_nodes, base + 3);
-            float left = box_entry(uintBitsToFloat(left_lower.xyz), uintBitsToFloat(left_upper.xyz), scaled_origin, inverse_direction, hit.distance);
-            float right = box_entry(uintBitsToFloat(right_lower.xyz), uintBitsToFloat(right_upper.xyz), scaled_origin, inverse_direction, hit.distance);
-            uint left_node = node_reference(left_lower, left_upper);
-            uint right_node = node_reference(right_lower, right_upper);
-            if (min(left, right) < 1.0e38) {
-                bool swap = right < left;
-                node = swap ? right_node : left_node;
-                pop = false;
-                if (max(left, right) < 1.0e38 && depth < BVH_STACK_SIZE) stack[depth++] = swap ? left_node : right_node;
+    uint node = 0u;
+    while (node != BVH_END) {
+        uvec4 lower = texelFetch(bvh_nodes, int(2u * node));
+        uvec4 upper = texelFetch(bvh_nodes, int(2u * node + 1u));
+        float entry = box_entry(uintBitsToFloat(lower.xyz), uintBitsToFloat(upper.xyz), scaled_origin, inverse_direction, hit.distance);
+        uint count = upper.w >> COUNT_SHIFT;
+        bool enters = entry < 1.0e38;
+        node = enters && count == 0u ? node + 1u : lower.w;
+        if (!enters || count == 0u) continue;
+        uint first = upper.w & FIRST_MASK;
+        for (uint i = first; i < first + count; i++) {
+            vec2 barycentrics;
+            float t = triangle_distance(i, origin, direction, barycentrics);
+            if (t > 0.0 && t < hit.distance) {
+                hit.distance = t;
+                hit.barycentrics = barycentrics;
+                best = i;
             }
         }
-        if (pop) {
-            if (depth == 0u) break;
-            node = stack[--depth];
-        }
+        if (any_hit && best != 0xffffffffu) break;
     }
     if (best != 0xffffffffu) {
         hit.instance = texelFetch(bvh_triangles, int(3u * best)).w;

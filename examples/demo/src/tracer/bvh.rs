@@ -2,16 +2,16 @@
 
 use glam::Affine3A;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
+use obvhs::bvh2::Bvh2;
 use obvhs::triangle::Triangle;
 use obvhs::BvhBuildParams;
 
-use super::layout::BVH_DEPTH_LIMIT;
 use crate::error::{Error, Result};
 use crate::scene::Scene;
 
 /// Nodes of two `vec4` and triangles of three, in the order of the leaves.
 pub struct Bvh {
-    /// Lower corner and count, upper corner and first child or triangle.
+    /// Depth first. Lower corner, and the node after the subtree; upper corner, and in leaves the first triangle and the number of triangles.
     pub nodes: Vec<[f32; 8]>,
     /// First corner and instance, first edge and triangle of the instance's mesh, second edge.
     pub triangles: Vec<[f32; 12]>,
@@ -38,21 +38,43 @@ pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh
     // Small leaves: a triangle costs the shaders about as much as a pair of boxes.
     let params = BvhBuildParams { max_prims_per_leaf: 4, collapse_traversal_cost: 1.0, ..params };
     let tree = build_bvh2_from_tris(&triangles, params, &mut Default::default());
-    let depth = tree.depth(0);
-    if depth > BVH_DEPTH_LIMIT {
-        return Err(Error::SceneLimit { what: "levels in its BVH", given: depth, limit: BVH_DEPTH_LIMIT });
-    }
-    let nodes = tree
-        .nodes
-        .iter()
-        .map(|n| {
-            let (count, first) = (f32::from_bits(n.prim_count), f32::from_bits(n.first_index));
-            [n.min.x, n.min.y, n.min.z, count, n.max.x, n.max.y, n.max.z, first]
-        })
-        .collect();
+    let nodes = depth_first(&tree);
     let ordered = tree.primitive_indices.iter().map(|&index| packed(&triangles[index as usize], names[index as usize])).collect();
     let diagonal = tree.nodes.first().map_or(0.0, |root| (root.max - root.min).length());
     Ok(Bvh { nodes, triangles: ordered, diagonal })
+}
+
+const COUNT_SHIFT: u32 = 25;
+/// After the last node.
+const END: u32 = u32::MAX;
+
+enum Step {
+    Enter(u32),
+    /// The subtree of the node in this slot is written.
+    Leave(usize),
+}
+
+fn depth_first(tree: &Bvh2) -> Vec<[f32; 8]> {
+    let mut nodes = Vec::with_capacity(tree.nodes.len());
+    let mut steps = vec![Step::Enter(0)];
+    while let Some(step) = steps.pop() {
+        match step {
+            Step::Enter(index) => {
+                let node = &tree.nodes[index as usize];
+                let leaf = if node.is_leaf() { node.first_index | node.prim_count << COUNT_SHIFT } else { 0 };
+                steps.push(Step::Leave(nodes.len()));
+                nodes.push([node.min.x, node.min.y, node.min.z, 0.0, node.max.x, node.max.y, node.max.z, f32::from_bits(leaf)]);
+                if !node.is_leaf() {
+                    steps.extend([Step::Enter(node.first_index + 1), Step::Enter(node.first_index)]);
+                }
+            }
+            Step::Leave(slot) => {
+                let is_last = nodes.len() == tree.nodes.len();
+                nodes[slot][3] = f32::from_bits(if is_last { END } else { nodes.len() as u32 });
+            }
+        }
+    }
+    nodes
 }
 
 fn packed(triangle: &Triangle, (instance, number): (u32, u32)) -> [f32; 12] {

@@ -12,8 +12,6 @@ pub const NO_TEXTURE: u32 = u32::MAX;
 pub const CHECKER_TEXTURE: u32 = u32::MAX - 1;
 /// How many textures the shaders' header table holds.
 pub const TEXTURE_LIMIT: usize = 64;
-/// How deep a tree the shaders' stack allows.
-pub const BVH_DEPTH_LIMIT: usize = 40;
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 #[repr(C)]

@@ -112,7 +112,7 @@ impl PathTracer {
     /// still), and writes the staging buffers. All work recorded for earlier frames must be complete.
     ///
     /// # Errors
-    /// A BVH that becomes too deep for the shaders.
+    /// A scene without a triangle.
     pub fn begin_frame(&mut self, frame: u32) -> Result<()> {
         let (now, before) = (self.scene.moment(frame), self.scene.moment(frame.saturating_sub(1)));
         self.begin_moment(frame, &now, &before)
