@@ -1,6 +1,6 @@
 //! One command buffer at a time, submitted and waited for; and reading images back.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use ash::vk;
 
@@ -8,8 +8,10 @@ use super::image::WHOLE_IMAGE;
 use super::{Buffer, Gpu, Image, MemoryKind};
 use crate::error::{Doing, Result};
 
-/// Short against a frame.
-const POLLING_TIME: Duration = Duration::from_micros(100);
+/// A wait looks again after this share of the time that it has taken so far: short against the work, and few looks at long work.
+const POLLING_SHARE: f64 = 1.0 / 16.0;
+const SHORTEST_PAUSE: Duration = Duration::from_micros(50);
+const LONGEST_PAUSE: Duration = Duration::from_millis(2);
 
 impl Gpu {
     /// Records with `record`, submits, and waits until the device is done. `record` must not submit or read images
@@ -52,8 +54,9 @@ impl Gpu {
 
     /// Another thread may submit while this one waits.
     fn wait(&self, fence: vk::Fence) -> std::result::Result<(), vk::Result> {
+        let start = Instant::now();
         while !self.is_signalled(fence)? {
-            std::thread::sleep(POLLING_TIME);
+            std::thread::sleep(start.elapsed().mul_f64(POLLING_SHARE).clamp(SHORTEST_PAUSE, LONGEST_PAUSE));
         }
         Ok(())
     }
