@@ -21,7 +21,7 @@ pub(crate) struct Profiler {
     newest: Vec<f64>,
     /// Nanoseconds per tick.
     period: f64,
-    passes: usize,
+    queries_per_stamp: usize,
 }
 
 impl Profiler {
@@ -29,18 +29,21 @@ impl Profiler {
     /// As `Executor::new`.
     pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
         // SAFETY: the caller's.
-        let limits = unsafe { host.instance.get_physical_device_properties(host.physical_device) }.limits;
+        let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
+        // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on the queue.
+        let queries_per_stamp = if properties.device_type == vk::PhysicalDeviceType::CPU { 2 } else { 1 };
+        let queries = 2 * passes * queries_per_stamp;
         let mut this = Self {
             device: host.device.clone(),
             pools: Vec::new(),
             recorded: vec![false; slots as usize],
-            ticks: vec![0; 2 * passes],
+            ticks: vec![0; queries],
             newest: Vec::with_capacity(passes),
-            period: f64::from(limits.timestamp_period),
-            passes,
+            period: f64::from(properties.limits.timestamp_period),
+            queries_per_stamp,
         };
         for _ in 0..slots {
-            let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2 * passes as u32);
+            let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(queries as u32);
             // SAFETY: the caller's.
             let pool = unsafe { host.device.create_query_pool(&info, None) }.map_err(Error::vulkan("vkCreateQueryPool"))?;
             this.pools.push(pool);
@@ -60,8 +63,9 @@ impl Profiler {
         match result {
             Ok(()) => {
                 self.newest.clear();
-                let milliseconds = |t: &[u64]| t[1].wrapping_sub(t[0]) as f64 * self.period * 1e-6;
-                self.newest.extend(self.ticks.chunks_exact(2).map(milliseconds));
+                let n = self.queries_per_stamp;
+                let milliseconds = |t: &[u64]| t[n].wrapping_sub(t[0]) as f64 * self.period * 1e-6;
+                self.newest.extend(self.ticks.chunks_exact(2 * n).map(milliseconds));
                 Ok(())
             }
             Err(vk::Result::NOT_READY) => Ok(()),
@@ -74,7 +78,7 @@ impl Profiler {
     pub unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
         self.recorded[slot as usize] = true;
         // SAFETY: the caller's.
-        unsafe { self.device.cmd_reset_query_pool(cmd, self.pools[slot as usize], 0, 2 * self.passes as u32) };
+        unsafe { self.device.cmd_reset_query_pool(cmd, self.pools[slot as usize], 0, self.ticks.len() as u32) };
     }
 
     /// # Safety
@@ -91,10 +95,12 @@ impl Profiler {
         unsafe { self.stamp(cmd, slot, 2 * pass as u32 + 1) };
     }
 
-    unsafe fn stamp(&self, cmd: vk::CommandBuffer, slot: u32, query: u32) {
-        let stage = vk::PipelineStageFlags2::ALL_COMMANDS;
-        // SAFETY: the caller's.
-        unsafe { self.device.cmd_write_timestamp2(cmd, stage, self.pools[slot as usize], query) };
+    unsafe fn stamp(&self, cmd: vk::CommandBuffer, slot: u32, stamp: u32) {
+        let (stage, n) = (vk::PipelineStageFlags2::ALL_COMMANDS, self.queries_per_stamp as u32);
+        for query in stamp * n..(stamp + 1) * n {
+            // SAFETY: the caller's.
+            unsafe { self.device.cmd_write_timestamp2(cmd, stage, self.pools[slot as usize], query) };
+        }
     }
 
     pub fn times(&self, names: impl Iterator<Item = &'static str>) -> Vec<PassTime> {
