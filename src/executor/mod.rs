@@ -40,8 +40,6 @@ pub struct ExecutorOptions {
     pub poison: bool,
     /// Gives every transient memory of its own: to look at intermediate images.
     pub no_aliasing: bool,
-    /// Transients that get memory of their own, so that what they hold after a frame can be read back: see [`Executor::readback`].
-    pub keep: &'static [&'static str],
     /// Times every pass by timestamps. Needs a queue family with `timestampValidBits`.
     pub timestamps: bool,
     /// Labels every pass. `VK_EXT_debug_utils` is enabled on the instance.

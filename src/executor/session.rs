@@ -52,7 +52,6 @@ impl Session {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             poison: options.poison,
             no_aliasing: options.keep_transients,
-            keep: &[],
             timestamps: options.timestamps && gpu.has_timestamps(),
             debug_labels: gpu.validates(),
             omit_barriers_before: options.omit_barriers_before,

@@ -30,6 +30,21 @@ impl Picture {
         Self::from_pixels(width, height, radiance.iter().map(to_srgb).collect())
     }
 
+    /// Colours that are linear and ready for a display, 0 to 1, such as those of debug views: the sRGB curve and nothing else.
+    ///
+    /// What is beyond is clamped; a pixel with a value that is not finite becomes [`NOT_FINITE`].
+    ///
+    /// # Errors
+    /// [`PictureError::Empty`], [`PictureError::TooLarge`] or [`PictureError::Length`] if the sizes are wrong.
+    pub fn from_display(width: u32, height: u32, colours: &[[f32; 3]]) -> Result<Self, PictureError> {
+        check_length(width, height, colours.len())?;
+        let encode = |rgb: &[f32; 3]| match rgb.iter().all(|v| v.is_finite()) {
+            true => rgb.map(|v| srgb_8bit(v.clamp(0.0, 1.0))),
+            false => NOT_FINITE,
+        };
+        Self::from_pixels(width, height, colours.iter().map(encode).collect())
+    }
+
     /// Paints one number per pixel with the colour map Viridis, which stays readable in grey and for colour-blind
     /// viewers: `range[0]` and below is dark blue, `range[1]` and above yellow.
     ///

@@ -79,6 +79,13 @@ fn false_colour_clamps_and_brightens() {
 }
 
 #[test]
+fn what_is_ready_for_a_display_is_encoded_alone() {
+    let picture = Picture::from_display(3, 1, &[[0.0, 0.5, 1.0], [-1.0, 7.0, 0.002], [0.5, f32::NAN, 0.5]]).unwrap();
+    assert_eq!(picture.pixels(), [[0, 188, 255], [0, 255, 7], NOT_FINITE]);
+    assert!(matches!(Picture::from_display(2, 2, &[[0.0; 3]; 3]), Err(PictureError::Length { .. })));
+}
+
+#[test]
 fn crop_upscale_and_paste() {
     let picture = gradient(10, 6);
     let region = Region { x: 3, y: 2, width: 4, height: 3 };
