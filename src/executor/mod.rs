@@ -11,6 +11,7 @@ mod memory;
 mod profiler;
 mod readback;
 mod session;
+mod session_inputs;
 mod session_objects;
 mod storage;
 mod transfer;
