@@ -2,7 +2,8 @@
 
 use crate::backend::{add, view_picture, Backend, FrameOutputs};
 use crate::error::Result;
-use crate::frame::{FrameInputs, Texels};
+use crate::frame::FrameInputs;
+use crate::frame_images::Texels;
 use atrous::config::{GradientSource, Preset, Signals};
 use atrous::reference::{Denoiser, DenoiserInputs, GradientSources, Image, ImportInputs, VolumeInputs};
 use atrous::{Config, Error, FrameState};

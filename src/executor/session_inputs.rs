@@ -3,6 +3,7 @@
 use super::barriers::{buffer_barrier, Scope};
 use super::session::Session;
 use super::session_objects::OwnedImage;
+use super::storage::Storage;
 use super::transfer::{whole_image, Staging, UPLOADED};
 use super::{find, HostImage};
 use crate::contract::Shape;
@@ -77,7 +78,7 @@ impl Session {
         let host = HostImage { image, view, format, extent, layout, stage, access };
         self.executor.bind_image(name, host)?;
         self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
-        let mut storage = super::Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
+        let mut storage = Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
         self.submit(|session, cmd| {
             let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
             let device = session.gpu.device();
