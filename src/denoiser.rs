@@ -1,7 +1,8 @@
 //! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
 
+use crate::binding::{absent_gradients, check_bindings, present, substitute, Binding};
 use crate::config::Config;
-use crate::contract::{Access, Declaration, FrameContext, FrameParams, FrameState, Grid, Lifetime, PassDecl, Shape, Tuning, Work};
+use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, Grid, PassDecl, Tuning, Work};
 use crate::error::Error;
 use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
 use crate::requirements::{Requirements, WORKGROUP_SIDE};
@@ -31,36 +32,6 @@ pub struct Device<'a> {
     pub physical_device: vk::PhysicalDevice,
     /// Device.
     pub device: &'a ash::Device,
-}
-
-/// What a host binds to one use of a pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Binding {
-    /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`.
-    Image {
-        /// 2D colour (or depth) view of mip 0, layer 0.
-        view: vk::ImageView,
-        /// Its layout.
-        layout: vk::ImageLayout,
-    },
-    /// An image itself, for a use with [`crate::Access::Clear`]: mip 0, layer 0, in `TRANSFER_DST_OPTIMAL` or `GENERAL`.
-    ClearedImage {
-        /// Colour image.
-        image: vk::Image,
-        /// Its layout.
-        layout: vk::ImageLayout,
-    },
-    /// A range of a buffer.
-    Buffer {
-        /// Buffer.
-        buffer: vk::Buffer,
-        /// Offset in bytes, aligned as the device demands for its descriptor type.
-        offset: vk::DeviceSize,
-        /// Bytes, or `WHOLE_SIZE`.
-        range: vk::DeviceSize,
-    },
-    /// An optional input that the host does not have this frame.
-    Absent,
 }
 
 /// Records the passes of a preset. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
@@ -157,7 +128,7 @@ impl Denoiser {
         let Some(decl) = self.declaration.passes.get(pass) else {
             return Err(Error::Bindings { pass: format!("index {pass}"), given: bindings.len(), needed: 0 });
         };
-        self.check_bindings(decl, bindings)?;
+        check_bindings(&self.declaration, decl, bindings)?;
         match decl.work {
             // SAFETY: the caller's; the bindings were checked.
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
@@ -198,26 +169,6 @@ impl Denoiser {
         unsafe {
             self.write_set(bindable.set, shader, bindings);
             self.dispatch(cmd, extent, bindable, push);
-        }
-        Ok(())
-    }
-
-    fn check_bindings(&self, pass: &PassDecl, bindings: &[Binding]) -> Result<(), Error> {
-        if bindings.len() != pass.uses.len() || bindings.len() > MAX_BINDINGS {
-            return Err(Error::Bindings { pass: pass.name.to_owned(), given: bindings.len(), needed: pass.uses.len() });
-        }
-        for (u, binding) in pass.uses.iter().zip(bindings) {
-            let resource = self.declaration.resource(u.resource);
-            let fits = match (binding, resource.shape) {
-                (Binding::Absent, _) => resource.lifetime == Lifetime::Input { optional: true },
-                (Binding::Image { .. }, Shape::Image { .. }) => u.access != Access::Clear,
-                (Binding::ClearedImage { .. }, Shape::Image { .. }) => u.access == Access::Clear,
-                (Binding::Buffer { .. }, Shape::Buffer { .. }) => true,
-                _ => false,
-            };
-            if !fits {
-                return Err(Error::NotBound(resource.name.to_owned()));
-            }
         }
         Ok(())
     }
@@ -290,11 +241,6 @@ impl Denoiser {
     }
 }
 
-/// Bit i: binding i is not absent.
-fn present(bindings: &[Binding]) -> u32 {
-    (0u32..).zip(bindings).fold(0, |bits, (i, b)| if *b == Binding::Absent { bits } else { bits | 1 << i })
-}
-
 /// Invocations of a dispatch.
 fn dispatched_extent(frame: &FrameContext, grid: Grid) -> [u32; 2] {
     let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
@@ -302,23 +248,4 @@ fn dispatched_extent(frame: &FrameContext, grid: Grid) -> [u32; 2] {
         Grid::Pixels => now,
         Grid::Strata(side) => [0, 1].map(|i| now[i].max(before[i]).div_ceil(side)),
     }
-}
-
-/// The input that gradients come from, where the pass needs it and it is absent.
-fn absent_gradients(declaration: &Declaration, pass: usize, bindings: &[Binding]) -> Option<&'static str> {
-    let uses = &declaration.passes.get(pass)?.uses;
-    let absent = uses.iter().zip(bindings).filter(|(_, b)| **b == Binding::Absent);
-    absent.map(|(u, _)| declaration.resource(u.resource).name).find(|name| crate::nodes::GRADIENT_INPUTS.contains(name))
-}
-
-fn substitute(shader: &Shader, bindings: &[Binding], index: usize, binding: Binding) -> Binding {
-    if binding != Binding::Absent {
-        return binding;
-    }
-    let same = |kind: BindingKind| match (kind, shader.bindings[index].kind) {
-        (BindingKind::SampledImage(a), BindingKind::SampledImage(b)) => a == b,
-        (a, b) => a.descriptor_type() == b.descriptor_type(),
-    };
-    let bound = shader.bindings.iter().zip(bindings).find(|(s, b)| same(s.kind) && **b != Binding::Absent);
-    bound.map_or(Binding::Absent, |(_, b)| *b)
 }

@@ -2,6 +2,7 @@
 // A host's input is answered by an error. Tests may panic.
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod binding;
 #[cfg(feature = "capi")]
 pub mod capi;
 #[cfg(feature = "capture")]
@@ -27,9 +28,10 @@ mod shaders;
 #[doc = include_str!("../docs/integrate.md")]
 struct Integrate;
 
+pub use binding::Binding;
 pub use config::Config;
 pub use contract::*;
-pub use denoiser::{Binding, Denoiser, Device};
+pub use denoiser::{Denoiser, Device};
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};
 pub use requirements::Requirements;

@@ -6,6 +6,7 @@
 mod allocation;
 mod bad_input;
 mod contract;
+mod debug_views;
 mod declarations;
 mod documents;
 mod eaw;
@@ -51,6 +52,7 @@ fn main() {
         ("host_header", host_header::TESTS, false),
         ("hosts", hosts::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
+        ("debug_views", debug_views::TESTS, true),
         ("eaw", eaw::TESTS, true),
         ("firefly", firefly::TESTS, true),
         ("properties", properties::TESTS, true),

@@ -1,38 +1,26 @@
 //! What filters frames: the GPU, or the CPU twin. Frames come in order, since both keep a history.
 
-use crate::error::Result;
-use crate::frame::{FrameInputs, Texels};
+use crate::error::{Result, ToolError};
+use crate::frame::FrameInputs;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
-use atrous::{Config, Lifetime, Shape};
+use atrous::{Config, DebugView, Lifetime, Shape};
+use atrous_picture::Picture;
 use std::sync::Arc;
-
-/// What a pixel's history looked like, per signal.
-#[derive(Clone, Debug, Default)]
-pub struct MomentsView {
-    /// `""` where there is one signal, else `_direct` or `_indirect`.
-    pub suffix: &'static str,
-    /// Frames accumulated.
-    pub history_length: Vec<f32>,
-    /// Standard deviation of the luminance.
-    pub deviation: Vec<f32>,
-    /// 0 with history; 1 off screen, 2 background or id, 3 depth, 4 normal, 5 reset.
-    pub reason: Vec<u8>,
-}
 
 /// Result of a frame.
 #[derive(Clone, Debug, Default)]
 pub struct FrameOutputs {
     /// Denoised radiance, with albedo and emission.
     pub radiance: Vec<[f32; 3]>,
-    /// Views, where they were asked for.
-    pub views: Vec<MomentsView>,
+    /// What the preset knows of each pixel, where it was asked for.
+    pub views: Vec<(DebugView, Picture)>,
 }
 
 /// Filters frames in order.
 pub trait Backend {
     /// What it runs on.
     fn name(&self) -> String;
-    /// Filters the next frame.
+    /// Filters the next frame. Views need [`Config::debug_view`].
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs>;
 }
 
@@ -42,7 +30,6 @@ pub struct GpuBackend {
     name: String,
     /// Input images, and whether they are optional.
     inputs: Vec<(&'static str, bool)>,
-    moments: Vec<(&'static str, &'static str)>,
     has_transforms: bool,
     /// Surfaces and volume, which together are the picture.
     results: Vec<&'static str>,
@@ -64,16 +51,7 @@ impl GpuBackend {
         });
         let results =
             ["denoised_radiance", "denoised_volume"].into_iter().filter(|name| declaration.find(name).is_some()).collect();
-        let known = [("moments", ""), ("moments_direct", "_direct"), ("moments_indirect", "_indirect")];
-        let moments = known.into_iter().filter(|m| declaration.find(m.0).is_some()).collect();
-        Ok(Self {
-            inputs: inputs.collect(),
-            moments,
-            results,
-            has_transforms: declaration.find(TRANSFORMS).is_some(),
-            session,
-            name,
-        })
+        Ok(Self { inputs: inputs.collect(), results, has_transforms: declaration.find(TRANSFORMS).is_some(), session, name })
     }
 }
 
@@ -105,8 +83,10 @@ impl Backend for GpuBackend {
         }
         let mut outputs = FrameOutputs { radiance, views: Vec::new() };
         if views {
-            for &(name, suffix) in &self.moments {
-                outputs.views.push(unpack_moments(suffix, &self.session.download(name)?));
+            let declaration = self.session.executor().denoiser().declaration();
+            let extent = declaration.allocated_extent();
+            for view in declaration.debug_views() {
+                outputs.views.push((view, view_picture(extent, &self.session.debug_view(view)?)?));
             }
         }
         Ok(outputs)
@@ -120,13 +100,8 @@ pub fn add(radiance: &mut [[f32; 3]], part: &[[f32; 4]]) {
     }
 }
 
-/// `moments`: mean, standard deviation and N as half floats, and the reason, in four 16-bit integers.
-fn unpack_moments(suffix: &'static str, texels: &Texels) -> MomentsView {
-    let half = |v: f32| half::f16::from_bits(v as u16).to_f32();
-    MomentsView {
-        suffix,
-        history_length: texels.iter().map(|t| half(t[2])).collect(),
-        deviation: texels.iter().map(|t| half(t[1])).collect(),
-        reason: texels.iter().map(|t| t[3] as u8).collect(),
-    }
+/// As a picture: the alpha channel holds the numbers behind the colours.
+pub fn view_picture([width, height]: [u32; 2], texels: &[[f32; 4]]) -> Result<Picture> {
+    let colours: Vec<_> = texels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+    Picture::from_display(width, height, &colours).map_err(|e| ToolError::Usage(e.to_string()))
 }

@@ -1,12 +1,11 @@
 //! The CPU twin behind the same trait: slow, and the measure of what the GPU should give.
 
-use crate::backend::{add, Backend, FrameOutputs, MomentsView};
+use crate::backend::{add, view_picture, Backend, FrameOutputs};
 use crate::error::Result;
-use crate::frame::{FrameInputs, Texels};
+use crate::frame::FrameInputs;
+use crate::frame_images::Texels;
 use atrous::config::{GradientSource, Preset, Signals};
-use atrous::reference::{
-    unpack_moments, Denoiser, DenoiserInputs, DenoiserViews, GradientSources, Image, ImportInputs, VolumeInputs,
-};
+use atrous::reference::{Denoiser, DenoiserInputs, GradientSources, Image, ImportInputs, VolumeInputs};
 use atrous::{Config, Error, FrameState};
 
 /// The stages on the CPU.
@@ -84,25 +83,12 @@ impl Backend for ReferenceBackend {
         for image in surfaces.into_iter().chain(&outputs.denoised_volume) {
             add(&mut radiance, image.texels());
         }
-        Ok(FrameOutputs { radiance, views: outputs.views.map(|v| self.moments(&v)).unwrap_or_default() })
-    }
-}
-
-impl ReferenceBackend {
-    fn moments(&self, views: &DenoiserViews) -> Vec<MomentsView> {
-        let suffixes: &[&'static str] = match self.config.signals {
-            Signals::Together => &[""],
-            Signals::Apart => &["_direct", "_indirect"],
-        };
-        let view = |(image, suffix): (&Image<[u16; 4]>, &&'static str)| {
-            let moments: Vec<_> = image.texels().iter().map(|t| unpack_moments(*t)).collect();
-            MomentsView {
-                suffix,
-                history_length: moments.iter().map(|m| m.history_length).collect(),
-                deviation: moments.iter().map(|m| m.deviation).collect(),
-                reason: moments.iter().map(|m| m.reason as u8).collect(),
+        let mut pictures = Vec::new();
+        for view in self.config.declare()?.debug_views() {
+            if let Some(image) = self.denoiser.debug_view(&context, &inputs, &outputs, view) {
+                pictures.push((view, view_picture(extent, image.texels())?));
             }
-        };
-        views.moments.iter().zip(suffixes).map(view).collect()
+        }
+        Ok(FrameOutputs { radiance, views: pictures })
     }
 }

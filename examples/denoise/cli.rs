@@ -43,7 +43,7 @@ pub struct Cli {
     #[arg(long, value_name = "FRAME", num_args = 0..=1)]
     pub strip: Option<Option<u64>>,
 
-    /// Write history length, variance, alpha and disocclusion reasons of every frame into FOLDER/views
+    /// Write what the filter knows of every pixel into FOLDER/views: history length, variance, alpha, disocclusion reasons, ...
     #[arg(long)]
     pub views: bool,
 

@@ -13,6 +13,7 @@ mod exr_read;
 mod exr_write;
 mod frame;
 mod frame_files;
+mod frame_images;
 mod frame_source;
 mod layouts;
 mod mapping;

@@ -1,10 +1,9 @@
 //! PNG: previews, strips, views and plots.
 
-use crate::backend::MomentsView;
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::score::{FrameScore, ScoreBook};
-use atrous::reference::{LONG_HISTORY, REASON_COLOURS};
+use atrous::DebugView;
 use atrous_picture::{LinePlot, Picture, PictureError, Region, Strip};
 use std::path::Path;
 
@@ -12,11 +11,14 @@ use std::path::Path;
 const PLOT: [u32; 2] = [900, 300];
 
 fn save(path: &Path, picture: std::result::Result<Picture, PictureError>) -> Result<()> {
-    let failed = |e: PictureError| match e {
+    picture.and_then(|p| p.write_png(path)).map_err(failed(path))
+}
+
+fn failed(path: &Path) -> impl Fn(PictureError) -> ToolError + '_ {
+    |e| match e {
         PictureError::File { source, .. } => ToolError::Write { path: path.to_owned(), source },
         other => ToolError::Encode { path: path.to_owned(), problem: other.to_string() },
-    };
-    picture.and_then(|p| p.write_png(path)).map_err(failed)
+    }
 }
 
 /// A tone-mapped preview.
@@ -49,27 +51,13 @@ pub fn strip(
     save(path, render())
 }
 
-/// History length, variance, α and disocclusion reasons of every signal.
-pub fn views(folder: &Path, stem: &str, extent: [u32; 2], views: &[MomentsView], alpha: f32) -> Result<()> {
-    let [w, h] = extent;
-    for view in views {
-        let path = |what: &str| folder.join(format!("{stem}_{what}{}.png", view.suffix));
-        save(&path("history_length"), Picture::false_colour(w, h, &view.history_length, [0.0, LONG_HISTORY]))?;
-        let alphas: Vec<f32> = view.history_length.iter().map(|n| alpha.max(1.0 / n.max(1.0))).collect();
-        save(&path("alpha"), Picture::false_colour(w, h, &alphas, [0.0, 1.0]))?;
-        let variance: Vec<f32> = view.deviation.iter().map(|d| d * d).collect();
-        save(&path("variance"), Picture::false_colour(w, h, &variance, [0.0, bright(&variance)]))?;
-        let colours = view.reason.iter().map(|r| REASON_COLOURS[usize::from(*r).min(REASON_COLOURS.len() - 1)]).collect();
-        save(&path("disocclusion"), Picture::from_pixels(w, h, colours))?;
+/// One file a view: `STEM_history_length.png`, ...
+pub fn views(folder: &Path, stem: &str, views: &[(DebugView, Picture)]) -> Result<()> {
+    for (view, picture) in views {
+        let path = folder.join(format!("{stem}_{}.png", view.name()));
+        picture.write_png(&path).map_err(failed(&path))?;
     }
     Ok(())
-}
-
-/// The 99th percentile, so that single pixels do not darken the rest.
-fn bright(values: &[f32]) -> f32 {
-    let mut sorted: Vec<f32> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    sorted.sort_by(f32::total_cmp);
-    sorted.get(sorted.len() * 99 / 100).copied().unwrap_or(1.0).max(1e-6)
 }
 
 /// One plot below the other: each metric over the frames, noisy and denoised.

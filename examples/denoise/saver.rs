@@ -86,7 +86,7 @@ impl Saver {
             Some(outputs) if !outputs.views.is_empty() => {
                 let views = folder.join("views");
                 std::fs::create_dir_all(&views).map_err(crate::error::ToolError::write(&views))?;
-                pictures::views(&views, &stem, extent, &outputs.views, finished.inputs.tuning.alpha)
+                pictures::views(&views, &stem, &outputs.views)
             }
             _ => Ok(()),
         }

@@ -115,6 +115,12 @@ impl Setup {
         Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), tunables: wishes.tunables.clone(), report })
     }
 
+    /// Pixels of a frame.
+    pub fn pixels(&self) -> usize {
+        let [width, height] = self.config.allocated_extent;
+        width as usize * height as usize
+    }
+
     /// Whether values that are not finite reach the filter.
     pub fn is_verbatim(&self) -> bool {
         self.sequence.as_ref().is_some_and(|s| s.verbatim)

@@ -14,6 +14,7 @@ use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
 use crate::score::{self, ScoreBook, NO_FLIP};
 use crate::setup::{preset_name, Setup};
+use atrous::Config;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
 
@@ -73,10 +74,11 @@ pub fn run(cli: &Cli) -> Result<()> {
 }
 
 fn open(cli: &Cli, setup: &Setup) -> Result<Box<dyn Backend>> {
+    let config = Config { debug_view: cli.views, ..setup.config };
     if cli.device.as_deref() == Some("reference") {
-        return Ok(Box::new(ReferenceBackend::new(&setup.config)?));
+        return Ok(Box::new(ReferenceBackend::new(&config)?));
     }
-    Ok(Box::new(GpuBackend::new(cli.device.clone(), &setup.config)?))
+    Ok(Box::new(GpuBackend::new(cli.device.clone(), &config)?))
 }
 
 /// On stderr, and hidden where that is no terminal.

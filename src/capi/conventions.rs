@@ -1,6 +1,6 @@
 //! The convention self-test: see [`crate::conventions`].
 
-use super::functions::{read, write};
+use super::pointers::{read, write};
 use super::status::{guard, AtrousStatus, Failure};
 use super::structs::{AtrousConfig, AtrousFrameParams};
 use crate::conventions::{check, Finding, Guides, Report, Verdict};

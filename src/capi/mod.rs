@@ -10,6 +10,7 @@ mod conventions;
 mod convert;
 mod functions;
 mod handle;
+mod pointers;
 mod record;
 mod status;
 mod structs;

@@ -1,10 +1,10 @@
 //! Recording a pass.
 
-use super::functions::read;
 use super::handle::{self, AtrousDenoiser, State};
+use super::pointers::read;
 use super::status::{guard, AtrousStatus, Failure};
 use super::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
-use crate::denoiser::Binding;
+use crate::binding::Binding;
 use crate::{Access, FrameContext, Use};
 use ash::vk::{CommandBuffer, Handle};
 

@@ -3,10 +3,13 @@
 //! Nothing in here talks to Vulkan or contains `unsafe`: the types map one to one onto a host's own frame graph.
 
 mod access;
+mod boundary;
 mod debug_view;
 mod declaration;
 mod format;
 mod frame;
+mod memory;
+mod resource;
 mod tuning;
 
 mod alias;
@@ -14,11 +17,9 @@ mod alias;
 pub(crate) use alias::{alias, Span};
 
 pub use access::{Access, BufferAccess, ImageAccess};
+pub use boundary::{Boundary, BoundaryUse};
 pub use debug_view::DebugView;
-pub use declaration::{
-    Boundary, BoundaryUse, Declaration, Lifetime, Memory, PassDecl, Phase, ResourceDecl, ResourceId, ResourceMemory, Shape, Use,
-    UseFrame,
-};
+pub use declaration::{Declaration, PassDecl, Phase, Use, UseFrame};
 pub(crate) use declaration::{Grid, Work};
 #[cfg(feature = "executor")]
 pub(crate) use format::bytes_per_texel;
@@ -26,4 +27,6 @@ pub(crate) use format::bytes_per_texel;
 pub(crate) use format::component_of;
 pub use format::{Component, ImageFormat};
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};
+pub use memory::{Memory, ResourceMemory};
+pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
 pub use tuning::{ToneCurve, Tuning, TuningField};

@@ -125,7 +125,7 @@ impl Memory {
             // SAFETY: the image was just created.
             let requirements = unsafe { self.device.get_image_memory_requirements(storage.image) };
             let whole = (0, declaration.passes().len());
-            let (first, last) = if options.no_aliasing || options.keep.contains(&resource.name) { whole } else { (first, last) };
+            let (first, last) = if options.no_aliasing { whole } else { (first, last) };
             spans.push(Span { first, last, size: requirements.size, alignment: requirements.alignment });
             block.alignment = block.alignment.max(requirements.alignment);
             block.memory_type_bits &= requirements.memory_type_bits;

@@ -4,6 +4,7 @@
 //! uses, and times passes. A host with a frame graph of its own needs none of this.
 
 mod barriers;
+mod bound;
 #[cfg(feature = "capture")]
 mod capture;
 mod headless;
@@ -11,25 +12,27 @@ mod memory;
 mod profiler;
 mod readback;
 mod session;
+mod session_inputs;
 mod session_objects;
 mod storage;
 mod transfer;
 
+pub use bound::HostImage;
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
 pub use profiler::PassTime;
 pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
 
-use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning, Work};
-use crate::denoiser::{Binding, Denoiser, Device};
+use crate::binding::Binding;
+use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Tuning, Work};
+use crate::denoiser::{Denoiser, Device};
 use crate::error::Error;
 use crate::requirements::Requirements;
 use crate::Config;
 use ash::vk;
-use barriers::{Barriers, Scope};
+use barriers::Barriers;
 use memory::Memory;
 use profiler::Profiler;
-use storage::Storage;
 
 /// What an executor is asked for beyond the declaration.
 #[derive(Clone, Copy, Debug, Default)]
@@ -40,8 +43,6 @@ pub struct ExecutorOptions {
     pub poison: bool,
     /// Gives every transient memory of its own: to look at intermediate images.
     pub no_aliasing: bool,
-    /// Transients that get memory of their own, so that what they hold after a frame can be read back: see [`Executor::readback`].
-    pub keep: &'static [&'static str],
     /// Times every pass by timestamps. Needs a queue family with `timestampValidBits`.
     pub timestamps: bool,
     /// Labels every pass. `VK_EXT_debug_utils` is enabled on the instance.
@@ -49,25 +50,6 @@ pub struct ExecutorOptions {
     /// Leaves out the barriers before the pass of this index. Breaks it on purpose, to prove that validation is listening.
     #[doc(hidden)]
     pub omit_barriers_before: Option<usize>,
-}
-
-/// An image of the host, for an input or an output.
-#[derive(Clone, Copy, Debug)]
-pub struct HostImage {
-    /// Image.
-    pub image: vk::Image,
-    /// 2D view of mip 0, layer 0.
-    pub view: vk::ImageView,
-    /// Format of the view.
-    pub format: vk::Format,
-    /// Extent, at least the allocated one.
-    pub extent: [u32; 2],
-    /// Layout that it is in whenever a phase is recorded, and is brought back to at the end of the phase.
-    pub layout: vk::ImageLayout,
-    /// Stages of the host that wrote or read it before a phase, and that read it after.
-    pub stage: vk::PipelineStageFlags2,
-    /// Accesses of those stages.
-    pub access: vk::AccessFlags2,
 }
 
 /// Bytes that were allocated, as the device counts them.
@@ -135,69 +117,6 @@ impl Executor {
     /// Bytes that were allocated.
     pub fn allocated(&self) -> AllocatedMemory {
         self.memory.allocated
-    }
-
-    /// Binds an image of the host to an input or an output, until it is bound anew.
-    ///
-    /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
-    pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
-        let declaration = self.denoiser.declaration();
-        let id = find(declaration, name)?;
-        let resource = *declaration.resource(id);
-        let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
-            return Err(Error::NotBound(name.to_owned()));
-        };
-        if !matches!(resource.lifetime, Lifetime::Input { .. } | Lifetime::Output) {
-            return Err(Error::NotBound(name.to_owned()));
-        }
-        if !format.accepts(image.format) {
-            return Err(Error::Format { resource: name.to_owned(), given: image.format, allowed: format.to_string() });
-        }
-        if (0..2).any(|i| image.extent[i] < extent[i]) {
-            let pixels = |e: [u32; 2]| format!("{}x{} pixels", e[0], e[1]);
-            return Err(Error::Size { resource: name.to_owned(), given: pixels(image.extent), needed: pixels(extent) });
-        }
-        self.memory.storages.bind(id, Storage::of_host_image(&image));
-        Ok(())
-    }
-
-    /// Binds a buffer of the host to an input, until it is bound anew. `stage` and `access` are the host's own uses before each phase.
-    ///
-    /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is no input buffer, [`Error::Size`].
-    pub fn bind_buffer(
-        &mut self,
-        name: &str,
-        buffer: vk::Buffer,
-        size: u64,
-        stage: vk::PipelineStageFlags2,
-        access: vk::AccessFlags2,
-    ) -> Result<(), Error> {
-        let declaration = self.denoiser.declaration();
-        let id = find(declaration, name)?;
-        let Shape::Buffer { size: needed } = declaration.resource(id).shape else {
-            return Err(Error::NotBound(name.to_owned()));
-        };
-        if !matches!(declaration.resource(id).lifetime, Lifetime::Input { .. } | Lifetime::Output) {
-            return Err(Error::NotBound(name.to_owned()));
-        }
-        if size < needed {
-            let (given, needed) = (format!("{size} bytes"), format!("at least {needed} bytes"));
-            return Err(Error::Size { resource: name.to_owned(), given, needed });
-        }
-        self.memory.storages.bind(id, Storage::of_host_buffer(buffer, size, Scope { stage, access, ..Scope::NONE }));
-        Ok(())
-    }
-
-    /// Leaves an optional input out from now on.
-    ///
-    /// # Errors
-    /// [`Error::UnknownResource`].
-    pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
-        let id = find(self.denoiser.declaration(), name)?;
-        self.memory.storages.unbind(id);
-        Ok(())
     }
 
     /// Starts a frame, and collects the timestamps that its slot holds.

@@ -40,7 +40,7 @@ impl Executor {
     }
 
     /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has run. A transient holds what the last pass
-    /// that used its memory left there, unless it is one of [`super::ExecutorOptions::keep`].
+    /// that used its memory left there, unless it has memory of its own: see [`super::ExecutorOptions::no_aliasing`].
     ///
     /// # Errors
     /// As [`Self::readback`].

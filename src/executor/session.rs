@@ -1,11 +1,11 @@
 //! Frames from slices to slices, one after the other: for tools, tests and whoever has no engine.
 
-use super::barriers::{buffer_barrier, Barriers, Scope};
+use super::barriers::Barriers;
 use super::headless::HeadlessDevice;
 use super::session_objects::{Commands, OwnedImage};
-use super::transfer::{to_floats, whole_image, Staging, UPLOADED};
-use super::{find, Executor, ExecutorOptions, HostImage, PassTime, Readback};
-use crate::contract::{FrameContext, FrameParams, Shape, Tuning, UseFrame};
+use super::transfer::{to_floats, Staging};
+use super::{Executor, ExecutorOptions, PassTime, Readback};
+use crate::contract::{DebugView, FrameContext, FrameParams, Tuning, UseFrame};
 use crate::error::Error;
 use crate::Config;
 use ash::vk;
@@ -29,14 +29,14 @@ pub struct SessionOptions {
 /// An executor with a command buffer, a staging buffer and images for the inputs. Every frame is waited for.
 pub struct Session {
     // Declared before `gpu`, so that it is dropped first.
-    executor: Executor,
-    inputs: BTreeMap<&'static str, OwnedImage>,
-    buffers: BTreeMap<&'static str, Staging>,
-    staging: Option<Staging>,
+    pub(super) executor: Executor,
+    pub(super) inputs: BTreeMap<&'static str, OwnedImage>,
+    pub(super) buffers: BTreeMap<&'static str, Staging>,
+    pub(super) staging: Option<Staging>,
     commands: Commands,
-    barriers: Barriers,
+    pub(super) barriers: Barriers,
     frame: Option<FrameContext>,
-    gpu: Arc<HeadlessDevice>,
+    pub(super) gpu: Arc<HeadlessDevice>,
 }
 
 /// What [`Session::run_traced`] calls back with: before (`false`) and after (`true`) each pass, by index.
@@ -52,7 +52,6 @@ impl Session {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             poison: options.poison,
             no_aliasing: options.keep_transients,
-            keep: &[],
             timestamps: options.timestamps && gpu.has_timestamps(),
             debug_labels: gpu.validates(),
             omit_barriers_before: options.omit_barriers_before,
@@ -77,94 +76,9 @@ impl Session {
         &self.executor
     }
 
-    /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do not matter.
-    ///
-    /// # Errors
-    /// [`Error::UnknownResource`], [`Error::Format`] for an image of ids, [`Error::Size`] for a wrong number of texels.
-    pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
-        self.upload_bytes(name, vk::Format::R32G32B32A32_SFLOAT, texels.len(), bytemuck::cast_slice(texels))
-    }
-
-    /// Sets an input image of ids.
-    ///
-    /// # Errors
-    /// As [`Self::upload`].
-    pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
-        self.upload_bytes(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
-    }
-
-    /// Sets an input buffer.
-    ///
-    /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for an image, [`Error::Size`].
-    pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
-        let declaration = self.executor.denoiser().declaration();
-        let key = declaration.resource(find(declaration, name)?).name;
-        let size = bytes.len() as u64;
-        // SAFETY: the device outlives the session.
-        let mut staging = unsafe { Staging::new(self.gpu.host(), size.max(4))? };
-        staging.bytes()[..bytes.len()].copy_from_slice(bytes);
-        let (stage, access) = (vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_WRITE);
-        self.executor.bind_buffer(name, staging.buffer, size, stage, access)?;
-        self.buffers.insert(key, staging);
-        Ok(())
-    }
-
-    /// Leaves an optional input out from now on.
-    ///
-    /// # Errors
-    /// [`Error::UnknownResource`].
-    pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
-        self.executor.unbind(name)
-    }
-
     /// The next frame drops all history.
     pub fn invalidate(&mut self) {
         self.executor.invalidate();
-    }
-
-    fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
-        let declaration = self.executor.denoiser().declaration();
-        let resource = *declaration.resource(find(declaration, name)?);
-        let Shape::Image { format: rule, .. } = resource.shape else {
-            return Err(Error::NotBound(name.to_owned()));
-        };
-        if !rule.accepts(format) {
-            return Err(Error::Format { resource: name.to_owned(), given: format, allowed: rule.to_string() });
-        }
-        let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
-        let needed = extent[0] as usize * extent[1] as usize;
-        if count != needed {
-            let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
-            return Err(Error::Size { resource: name.to_owned(), given: format!("{count} texels"), needed });
-        }
-        if !self.inputs.contains_key(resource.name) {
-            // SAFETY: the device outlives the session.
-            let image = unsafe { OwnedImage::new(self.gpu.host(), format, extent)? };
-            self.inputs.insert(resource.name, image);
-        }
-        let Some(owned) = self.inputs.get(resource.name) else { return Err(Error::NotBound(name.to_owned())) };
-        let (image, view) = (owned.image, owned.view);
-        let Scope { stage, access, layout } = UPLOADED;
-        let host = HostImage { image, view, format, extent, layout, stage, access };
-        self.executor.bind_image(name, host)?;
-        self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
-        let mut storage = super::Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
-        self.submit(|session, cmd| {
-            let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
-            let device = session.gpu.device();
-            // SAFETY: command buffer is recording; image and buffer are live and large enough.
-            unsafe {
-                // The staging buffer may have been filled by a copy before the host wrote to it.
-                let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
-                buffer_barrier(device, cmd, buffer, copied, Scope::COPY_SOURCE);
-                session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
-                let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
-                device.cmd_copy_buffer_to_image(cmd, buffer, image, layout, &[whole_image(extent)]);
-                session.barriers.single(device, cmd, &mut storage, UPLOADED, true);
-            }
-            Ok(())
-        })
     }
 
     /// Runs one frame with all its phases, and waits for it.
@@ -198,6 +112,19 @@ impl Session {
             trace(self, &frame, pass, true)?;
         }
         Ok(frame)
+    }
+
+    /// Texels of the output `debug_view` for the last frame with any view, as often as there are views to show: rgb as it is displayed, linear;
+    /// alpha: the number behind it.
+    ///
+    /// # Errors
+    /// As [`Self::download`]: [`Error::UnknownResource`] without [`Config::debug_view`].
+    pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
+        let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
+        let frame = FrameContext { debug_view: Some(view), ..frame };
+        // SAFETY: the command buffer is recording, and the frame was waited for.
+        self.submit(|session, cmd| unsafe { session.executor.record_debug_view(cmd, &frame) })?;
+        self.download("debug_view")
     }
 
     /// Texels of an output or a history of the last frame as floats; with [`SessionOptions::keep_transients`] of transients, too.
@@ -253,7 +180,7 @@ impl Session {
     }
 
     /// The staging buffer, at least `size` bytes.
-    fn stage(&mut self, size: u64) -> Result<&mut Staging, Error> {
+    pub(super) fn stage(&mut self, size: u64) -> Result<&mut Staging, Error> {
         if self.staging.as_ref().is_none_or(|s| s.size < size) {
             // SAFETY: the device outlives the session; every earlier use of the old one was waited for.
             self.staging = Some(unsafe { Staging::new(self.gpu.host(), size)? });
@@ -261,7 +188,7 @@ impl Session {
         self.staging.as_mut().ok_or(Error::OutOfMemory { what: "a staging buffer".into(), bytes: size })
     }
 
-    fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
+    pub(super) fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
         let Commands { cmd, fence, .. } = self.commands;
         let gpu = self.gpu.clone();
         let device = gpu.device();

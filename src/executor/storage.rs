@@ -2,8 +2,8 @@
 
 use super::barriers::Scope;
 use super::HostImage;
+use crate::binding::Binding;
 use crate::contract::{component_of, Access, Component, Declaration, ResourceId, Span};
-use crate::denoiser::Binding;
 use ash::vk;
 
 /// One physical image or buffer with what was last done to it.

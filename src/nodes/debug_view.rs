@@ -9,6 +9,8 @@ use crate::shaders;
 pub(crate) struct Shown<'a> {
     /// Lighting components; at least one.
     pub signals: &'a [Signal],
+    /// They are not divided by the albedo.
+    pub undivided: bool,
     /// `moments*` are written.
     pub moments: bool,
     /// `irradiance_history*` hold the standard deviation.
@@ -26,7 +28,7 @@ pub(crate) struct Shown<'a> {
 pub(crate) fn debug_view(b: &mut Builder, frame: Frame, guides: Guides, shown: Shown) {
     let Some(first) = shown.signals.first() else { return };
     let signal = |i: usize, wanted: bool| shown.signals.get(i).filter(|_| wanted);
-    let albedo = b.input("albedo", HOST_COLOUR, true);
+    let albedo = (!shown.undivided).then(|| b.input("albedo", HOST_COLOUR, true));
     let images = [
         (Some(guides.guide), guides.guide),
         (Some(guides.surface_motion), guides.guide),
@@ -40,7 +42,7 @@ pub(crate) fn debug_view(b: &mut Builder, frame: Frame, guides: Guides, shown: S
         (shown.gradient, first.noisy),
         (Some(first.noisy), first.noisy),
         (signal(1, true).map(|s| s.noisy), first.noisy),
-        (Some(albedo), first.noisy),
+        (albedo, first.noisy),
     ];
     let output = b.image("debug_view", HDR, Lifetime::Output);
     let mut uses = vec![frame.constants.uniform(), frame.statistics.storage()];

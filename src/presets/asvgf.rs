@@ -25,6 +25,7 @@ pub(crate) fn asvgf(config: &Config) -> Declaration {
         confidence: Some(change.confidence),
         gradient: change.gradient,
         percentiles: &percentiles,
+        ..Shown::default()
     };
     finish(b, frame, guides, config, Some((denoised, shown)))
 }

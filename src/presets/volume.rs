@@ -26,7 +26,14 @@ pub(super) struct FilteredVolume {
 impl FilteredVolume {
     /// For a debug view of a volume without surfaces.
     pub fn shown(&self) -> Shown<'_> {
-        Shown { signals: &self.signal, moments: true, deviation: true, percentiles: &self.percentiles, ..Shown::default() }
+        Shown {
+            signals: &self.signal,
+            undivided: true,
+            moments: true,
+            deviation: true,
+            percentiles: &self.percentiles,
+            ..Shown::default()
+        }
     }
 }
 

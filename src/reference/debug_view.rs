@@ -14,9 +14,9 @@ use crate::{DebugView, FrameConstants};
 use glam::{IVec2, Vec2};
 
 /// History lengths from here on look alike, frames.
-pub const LONG_HISTORY: f32 = 32.0;
+const LONG_HISTORY: f32 = 32.0;
 /// sRGB colours of the disocclusion reasons: history, off screen, background or id, depth, normal, reset. Okabe and Ito's.
-pub const REASON_COLOURS: [[u8; 3]; 6] = [[60, 60, 60], [230, 159, 0], [86, 180, 233], [0, 158, 115], [240, 228, 66], [213, 94, 0]];
+const REASON_COLOURS: [[u8; 3]; 6] = [[60, 60, 60], [230, 159, 0], [86, 180, 233], [0, 158, 115], [240, 228, 66], [213, 94, 0]];
 
 /// Motions from here on look alike, pixels.
 const LARGE_MOTION: f32 = 64.0;

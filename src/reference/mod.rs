@@ -63,7 +63,7 @@ pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
 pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
 pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
 pub use blocks::BLOCK_SIZE;
-pub use debug_view::{debug_view, DebugViewInputs, LONG_HISTORY, REASON_COLOURS};
+pub use debug_view::{debug_view, DebugViewInputs};
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
 pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources, VolumeInputs};
 pub use eaw::{eaw, EawInputs, HOLE};

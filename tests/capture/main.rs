@@ -24,6 +24,8 @@ mod exr_read;
 mod frame;
 #[path = "../../examples/denoise/frame_files.rs"]
 mod frame_files;
+#[path = "../../examples/denoise/frame_images.rs"]
+mod frame_images;
 #[path = "../../examples/denoise/frame_source.rs"]
 mod frame_source;
 #[path = "../../examples/denoise/layouts.rs"]

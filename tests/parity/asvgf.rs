@@ -1,7 +1,8 @@
 //! Sequences of the presets with temporal gradients, every pass against its twin; and what a capture of them has beside pixels.
 
+use super::captured::image_of;
 use super::compare::{equal, Tolerance};
-use super::{image_of, run, Captured};
+use super::{run, Captured};
 use crate::support::{assert_valid, random, scene::Scene, session_with, upload};
 use atrous::config::{GradientSource, MotionUnit, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};

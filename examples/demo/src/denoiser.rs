@@ -7,7 +7,7 @@ use atrous::{Config, DebugView, Device, FrameContext, FrameParams, Phase, ResetR
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
-use crate::{view, PathTracer, Result};
+use crate::{PathTracer, Result};
 
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -24,7 +24,7 @@ pub struct DenoiserOptions {
     pub taa: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
-    /// The output `debug_view`: see [`FrameDenoiser::record_debug_view`].
+    /// The output `debug_view`: see [`FrameDenoiser::view`]. What it shows lives until the end of the frame, so transients share less memory.
     pub debug_view: bool,
 }
 
@@ -93,7 +93,6 @@ impl FrameDenoiser {
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
-            keep: &[view::GRADIENT],
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
@@ -183,6 +182,17 @@ impl FrameDenoiser {
         // SAFETY: as in `record_phase`; the frame was waited for.
         unsafe { self.executor.record_debug_view(cmd, &FrameContext { debug_view: Some(view), ..frame })? };
         Ok(())
+    }
+
+    /// What the denoiser knows of each pixel of the last frame, with [`DenoiserOptions::debug_view`]: rgb as it is displayed, linear; alpha: the
+    /// number behind it. Nothing before the first frame.
+    ///
+    /// # Errors
+    /// A denoiser without debug views, or no memory.
+    pub fn view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>> {
+        let gpu = self.gpu.clone();
+        gpu.submit(|cmd| self.record_debug_view(cmd, view))?;
+        self.read("debug_view")
     }
 
     /// Has an output written into an image of the engine, in layout `GENERAL` when a frame is recorded and after.

@@ -13,7 +13,6 @@ pub mod measure;
 pub mod report;
 pub mod scene;
 pub mod tracer;
-pub mod view;
 pub mod volume;
 #[cfg(feature = "window")]
 pub mod window;
@@ -23,5 +22,4 @@ pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
 pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions, Volume};
-pub use view::View;
 pub use volume::VolumeFrame;

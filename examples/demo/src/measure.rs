@@ -1,8 +1,9 @@
 //! What a frame is measured with: its pictures on the CPU, and their scores against the reference.
 
 use atrous::quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous::DebugView;
 
-use crate::{FrameDenoiser, Gpu, PathTracer, Reference, Result, View, VolumeFrame};
+use crate::{FrameDenoiser, Gpu, PathTracer, Reference, Result, VolumeFrame};
 
 /// One frame, read back.
 pub struct Frame {
@@ -28,9 +29,13 @@ pub struct Frame {
 pub struct Denoised {
     /// Radiance.
     pub radiance: Vec<[f32; 3]>,
-    /// Whatever else it can show.
-    pub views: Vec<(View, Vec<f32>)>,
+    /// Whatever else it can show, as [`FrameDenoiser::view`] gives it.
+    pub views: Vec<(DebugView, Vec<[f32; 4]>)>,
 }
+
+/// Views of a strip. What is left out shows the inputs, or single passes.
+const SHOWN: [DebugView; 5] =
+    [DebugView::HistoryLength, DebugView::Variance, DebugView::Gradient, DebugView::Lambda, DebugView::Alpha];
 
 /// Scores of one picture against the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -50,7 +55,8 @@ pub struct Scores {
 impl Denoised {
     /// Surfaces, and with them the volume, which is noted down by itself as well.
     fn read(denoiser: &mut FrameDenoiser, volume: Option<&mut VolumeFrame>) -> Result<Self> {
-        let views: Vec<View> = denoiser.views().collect();
+        let mut views = denoiser.executor().denoiser().declaration().debug_views();
+        views.retain(|view| SHOWN.contains(view));
         let views = views.into_iter().map(|view| Ok((view, denoiser.view(view)?))).collect::<Result<_>>()?;
         let mut radiance = rgb(denoiser.read("denoised_radiance")?);
         if let Some(volume) = volume {

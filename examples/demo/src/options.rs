@@ -214,6 +214,8 @@ impl Options {
         let mut tuning = defaults.tuning;
         self.set(&mut tuning)?;
         Ok(DenoiserOptions {
+            // A strip of several filters has no room for the views of each.
+            debug_view: !self.compare,
             signals,
             taa: self.taa,
             eaw_weights: self.eaw_weights,

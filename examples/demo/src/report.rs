@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use atrous::DebugView;
 use atrous_picture::{Column, Picture, PictureError, Strip, TextTable};
 
 use crate::measure::{Frame, Scores};
@@ -42,14 +43,26 @@ pub fn write_strip(path: &Path, title: &str, frame: &Frame, names: &[&str], scor
         [only] => &only.views[..],
         _ => &[],
     };
-    for (view, values) in views {
-        let (label, picture) = view.paint(frame.extent, values)?;
-        strip = strip.panel(label, picture);
+    for (view, texels) in views {
+        let colours: Vec<_> = texels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+        strip = strip.panel(label(*view), Picture::from_display(w, h, &colours)?);
     }
     // Five fit into a row; more are shared out between two.
     let panels = 1 + frame.denoised.len() + usize::from(frame.reference.is_some()) + views.len();
     let columns = if panels > 5 { panels.div_ceil(2) } else { panels };
     Ok(strip.columns(columns as u32).render()?.write_png(path)?)
+}
+
+/// What a view shows, and which colours mean what.
+fn label(view: DebugView) -> &'static str {
+    match view {
+        DebugView::HistoryLength => "history length\n0 to 32 frames",
+        DebugView::Variance => "standard deviation\n0.25 in the middle",
+        DebugView::Gradient => "gradient\nred brighter, blue darker",
+        DebugView::Lambda => "lambda, change of light\n0 to 1",
+        DebugView::Alpha => "alpha, weight of the new frame\n0 to 1",
+        other => other.name(),
+    }
 }
 
 /// Mean scores over the frames that have a reference.

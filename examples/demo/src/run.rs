@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use atrous_demo::measure::{Frame, Scores};
-use atrous_demo::{report, volume, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
+use atrous_demo::{report, volume, DenoiserOptions, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::capture;
@@ -26,6 +26,7 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let (width, height) = options.picture_size();
     let extent = ash::vk::Extent2D { width, height };
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
+    let memory = memory(options, gpu, &tracer)?;
     let contender = |preset: crate::options::PresetName| {
         let denoiser = FrameDenoiser::new(gpu, &tracer, &options.denoiser(preset)?)?;
         Ok(Contender { name: preset.title(), denoiser, times: Times::default() })
@@ -46,10 +47,17 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
             capture::finish(&mut c.denoiser, &captured(c.name), &measured)?;
         }
     }
-    let text = tables(options, &scene.name, &measured, &contenders, &folder)?;
+    let text = tables(options, &scene.name, &measured, &contenders, &folder)? + &memory;
     println!("\n{}\n\n{text}", scene.name);
     let path = folder.join("table.md");
     fs::write(&path, text).map_err(|e| Error::Folder { path, problem: e.to_string() })
+}
+
+/// The memory of a single filter, as an engine has it: without the views of the strips, which cost some.
+fn memory(options: &Options, gpu: &Gpu, tracer: &PathTracer) -> Result<String> {
+    let [only] = options.presets()[..] else { return Ok(String::new()) };
+    let of_engine = DenoiserOptions { debug_view: false, ..options.denoiser(only)? };
+    Ok(format!("{}\n", report::memory_table(&FrameDenoiser::new(gpu, tracer, &of_engine)?)?))
 }
 
 /// Renders and denoises every frame, writes them side by side, and keeps those that are measured.
@@ -122,7 +130,6 @@ fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Cont
         if let Some(means) = only.times.means() {
             text += &format!("{}\n\n", report::time_table(&means)?);
         }
-        text += &format!("{}\n", report::memory_table(&only.denoiser)?);
     }
     Ok(text)
 }

@@ -12,7 +12,9 @@ pub struct Times {
 impl Times {
     /// Adds what the denoiser measured last, if anything.
     pub fn add(&mut self, denoiser: &FrameDenoiser) {
-        let times = denoiser.times();
+        let mut times = denoiser.times();
+        // No part of a frame here: views are recorded behind it, for the pictures.
+        times.retain(|time| time.name != "debug_view");
         if times.is_empty() {
             return;
         }

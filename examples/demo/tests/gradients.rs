@@ -4,15 +4,17 @@ mod support;
 
 use ash::vk::Extent2D;
 use atrous::config::Preset;
+use atrous::DebugView;
 use atrous_demo::measure::Frame;
-use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions, View};
+use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
 use support::{built_in, Validated};
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
 
 fn pair(gpu: &Validated, name: &str, scene: SceneOptions, preset: Preset) -> (PathTracer, FrameDenoiser) {
     let tracer = PathTracer::new(&gpu.0, &built_in(name, scene), EXTENT, TracerOptions::default()).expect("a path tracer");
-    let denoiser = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(preset)).expect("a denoiser");
+    let options = DenoiserOptions { debug_view: true, ..DenoiserOptions::new(preset) };
+    let denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
     (tracer, denoiser)
 }
 
@@ -32,11 +34,13 @@ fn where_nothing_changes_the_gradient_is_exactly_zero() {
         for index in 0..6 {
             tracer.begin_frame(index).expect("a frame");
             denoiser.render(&mut tracer).expect("a submit");
-            let gradient = denoiser.view(View::Gradient).expect("gradient");
-            let changed = gradient.iter().filter(|g| **g != 0.0).count();
+            let views = denoiser.executor().denoiser().declaration().debug_views();
+            assert!(views.contains(&DebugView::Gradient) && views.contains(&DebugView::Lambda), "{views:?}");
+            let gradient = denoiser.view(DebugView::Gradient).expect("gradient");
+            let changed = gradient.iter().filter(|t| **t != [0.0; 4]).count();
             assert_eq!(changed, 0, "{name}, frame {index}: pixels with a gradient");
-            let lambda = denoiser.view(View::Lambda).expect("lambda");
-            assert!(lambda.iter().all(|l| *l == 0.0), "{name}, frame {index}: history is dropped");
+            let lambda = denoiser.view(DebugView::Lambda).expect("lambda");
+            assert!(lambda.iter().all(|t| t[3] == 0.0), "{name}, frame {index}: history is dropped");
             let (valid, all) = samples(&mut denoiser);
             assert!(index == 0 || 2 * valid > all, "{name}, frame {index}: {valid} samples in {all} strata");
         }
@@ -47,8 +51,8 @@ fn where_nothing_changes_the_gradient_is_exactly_zero() {
 fn flickering_light_leaves_half_of_the_error_of_svgf() {
     let Some(gpu) = Validated::new() else { return };
     let scene = SceneOptions::default();
-    let (mut tracer, mut svgf) = pair(&gpu, "cornell", scene, Preset::Svgf);
-    let mut asvgf = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(Preset::Asvgf)).expect("a denoiser");
+    let (mut tracer, mut asvgf) = pair(&gpu, "cornell", scene, Preset::Asvgf);
+    let mut svgf = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(Preset::Svgf)).expect("a denoiser");
     // The light goes out with frame 8 and comes on with frame 16.
     let (mut sums, mut after_switches) = ([0.0; 2], 0);
     for index in 0..18 {
@@ -73,9 +77,22 @@ fn flickering_light_leaves_half_of_the_error_of_svgf() {
             assert!(scores[2].rmse <= 0.45 * scores[1].rmse, "frame {index}");
             after_switches += 1;
         }
+        if [8, 16].contains(&index) {
+            assert_the_change_is_seen(&mut asvgf, if index == 8 { -1.0 } else { 1.0 });
+        }
     }
     assert_eq!(after_switches, 4);
     assert!(sums[1] <= 0.55 * sums[0], "A-SVGF {} against SVGF {}", sums[1], sums[0]);
+}
+
+/// `direction`: 1 where light came on, −1 where it went out.
+fn assert_the_change_is_seen(denoiser: &mut FrameDenoiser, direction: f32) {
+    let gradient = denoiser.view(DebugView::Gradient).expect("gradient");
+    let (red, blue) = gradient.iter().fold((0.0, 0.0), |sum, t| (sum.0 + t[0], sum.1 + t[2]));
+    assert!((red - blue) * direction > 0.5 * gradient.len() as f32, "red {red}, blue {blue}");
+    let lambda = denoiser.view(DebugView::Lambda).expect("lambda");
+    let mean = lambda.iter().map(|t| t[3]).sum::<f32>() / lambda.len() as f32;
+    assert!(mean > 0.5, "mean lambda {mean}");
 }
 
 /// A reference is rendered between two frames, and other denoisers share the tracer: neither may disturb the samples that are kept.

@@ -1,10 +1,10 @@
-//! Radiance, and any other quantity, to 8-bit colours.
+//! Radiance, and colours for a display, to 8-bit colours.
 
 use crate::picture::check_length;
 use crate::{Picture, PictureError};
 
-/// The colour of a pixel with NaN or an infinity in it: magenta, which neither the tone map of a usual scene nor the
-/// false-colour map gives, so that such pixels are seen.
+/// The colour of a pixel with NaN or an infinity in it: magenta, which neither the tone map of a usual scene nor a
+/// debug view gives, so that such pixels are seen.
 pub const NOT_FINITE: [u8; 3] = [255, 0, 255];
 
 impl Picture {
@@ -30,28 +30,19 @@ impl Picture {
         Self::from_pixels(width, height, radiance.iter().map(to_srgb).collect())
     }
 
-    /// Paints one number per pixel with the colour map Viridis, which stays readable in grey and for colour-blind
-    /// viewers: `range[0]` and below is dark blue, `range[1]` and above yellow.
+    /// Colours that are linear and ready for a display, 0 to 1, such as those of debug views: the sRGB curve and nothing else.
     ///
-    /// For history length, variance, error and the like. A value that is not finite becomes [`NOT_FINITE`].
+    /// What is beyond is clamped; a pixel with a value that is not finite becomes [`NOT_FINITE`].
     ///
     /// # Errors
-    /// [`PictureError::Range`] if the range is empty or not finite; [`PictureError::Empty`],
-    /// [`PictureError::TooLarge`] or [`PictureError::Length`] if the sizes are wrong.
-    pub fn false_colour(width: u32, height: u32, values: &[f32], range: [f32; 2]) -> Result<Self, PictureError> {
-        let [low, high] = range.map(f64::from);
-        if !(low.is_finite() && high.is_finite() && low < high) {
-            return Err(PictureError::Range(range));
-        }
-        check_length(width, height, values.len())?;
-        let colour = |&v: &f32| {
-            if !v.is_finite() {
-                return NOT_FINITE;
-            }
-            let t = ((f64::from(v) - low) / (high - low)).clamp(0.0, 1.0);
-            colorous::VIRIDIS.eval_continuous(t).as_array()
+    /// [`PictureError::Empty`], [`PictureError::TooLarge`] or [`PictureError::Length`] if the sizes are wrong.
+    pub fn from_display(width: u32, height: u32, colours: &[[f32; 3]]) -> Result<Self, PictureError> {
+        check_length(width, height, colours.len())?;
+        let encode = |rgb: &[f32; 3]| match rgb.iter().all(|v| v.is_finite()) {
+            true => rgb.map(|v| srgb_8bit(v.clamp(0.0, 1.0))),
+            false => NOT_FINITE,
         };
-        Self::from_pixels(width, height, values.iter().map(colour).collect())
+        Self::from_pixels(width, height, colours.iter().map(encode).collect())
     }
 }
 

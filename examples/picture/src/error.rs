@@ -40,9 +40,6 @@ pub enum PictureError {
     /// The exposure is no positive number.
     #[error("the exposure is {0}: it must be finite and greater than 0")]
     Exposure(f32),
-    /// The range of a false-colour picture is empty or not finite.
-    #[error("the range {0:?} of a false-colour picture must be finite, and its first number less than its second")]
-    Range([f32; 2]),
     /// A region is empty or leaves the picture.
     #[error("{region} is empty or leaves a picture of {width}x{height} pixels")]
     Region {

@@ -1,6 +1,6 @@
 //! Pictures that the demo, the tools and the tests of `atrous` write.
 //!
-//! [`Picture`] is an 8-bit image made of radiance or, in false colour, of any quantity, and read from and written to
+//! [`Picture`] is an 8-bit image made of radiance or of colours for a display, and read from and written to
 //! PNG. [`Strip`] puts labelled pictures side by side, with enlarged insets. [`LinePlot`] draws one line for each
 //! denoiser over the frames, and [`TextTable`] prints numbers that can be pasted into Markdown. All text is drawn with
 //! bitmap fonts, so that no font has to be installed and the same input gives the same bytes everywhere.

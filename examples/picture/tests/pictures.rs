@@ -59,23 +59,13 @@ fn values_that_are_not_finite_are_magenta() {
     let picture = Picture::from_linear(2, 2, &bad, 1.0).unwrap();
     assert_eq!(picture.pixels()[..3], [NOT_FINITE; 3]);
     assert_ne!(picture.pixels()[3], NOT_FINITE);
-    let picture = Picture::false_colour(2, 1, &[f32::NAN, 0.5], [0.0, 1.0]).unwrap();
-    assert_eq!(picture.pixel(0, 0), Some(NOT_FINITE));
-    assert_ne!(picture.pixel(1, 0), Some(NOT_FINITE));
 }
 
 #[test]
-fn false_colour_clamps_and_brightens() {
-    let values = [-5.0, 0.0, 8.0, 16.0, 24.0, 32.0, 99.0];
-    let picture = Picture::false_colour(7, 1, &values, [0.0, 32.0]).unwrap();
-    let pixels = picture.pixels();
-    assert_eq!((pixels[0], pixels[6]), (pixels[1], pixels[5]));
-    let luminance: Vec<f32> =
-        pixels[1..6].iter().map(|p| 0.2126 * p[0] as f32 + 0.7152 * p[1] as f32 + 0.0722 * p[2] as f32).collect();
-    assert!(luminance.is_sorted_by(|a, b| a < b), "{luminance:?}");
-    for range in [[1.0, 1.0], [2.0, 1.0], [0.0, f32::NAN], [f32::NEG_INFINITY, 0.0]] {
-        assert!(matches!(Picture::false_colour(7, 1, &values, range), Err(PictureError::Range(_))));
-    }
+fn what_is_ready_for_a_display_is_encoded_alone() {
+    let picture = Picture::from_display(3, 1, &[[0.0, 0.5, 1.0], [-1.0, 7.0, 0.002], [0.5, f32::NAN, 0.5]]).unwrap();
+    assert_eq!(picture.pixels(), [[0, 188, 255], [0, 255, 7], NOT_FINITE]);
+    assert!(matches!(Picture::from_display(2, 2, &[[0.0; 3]; 3]), Err(PictureError::Length { .. })));
 }
 
 #[test]
@@ -105,7 +95,6 @@ fn empty_and_wrong_sizes_are_errors() {
     assert!(matches!(Picture::filled(3, 0, [0; 3]), Err(PictureError::Empty { .. })));
     assert!(matches!(Picture::filled(u32::MAX, 2, [0; 3]), Err(PictureError::TooLarge { .. })));
     assert!(matches!(Picture::from_linear(2, 2, &[[0.0; 3]; 3], 1.0), Err(PictureError::Length { needed: 4, .. })));
-    assert!(matches!(Picture::false_colour(2, 2, &[0.0; 5], [0.0, 1.0]), Err(PictureError::Length { .. })));
     assert!(matches!(gradient(2, 2).upscale(0), Err(PictureError::Zero(_))));
     assert!(matches!(gradient(2, 2).upscale(u32::MAX), Err(PictureError::TooLarge { .. })));
 }

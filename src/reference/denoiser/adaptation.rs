@@ -6,6 +6,8 @@ use crate::config::{AdaptiveRule, GradientSource};
 /// What the presets with gradients find before they accumulate.
 #[derive(Default)]
 pub(super) struct Gradients {
+    /// As reconstructed: one texel a stratum.
+    pub gradient: Option<Image<[f32; 4]>>,
     pub confidence: Option<Image<f32>>,
     pub noisy_luminance: Option<Image<u32>>,
     pub candidates: Option<Image<[u16; 4]>>,
@@ -94,7 +96,12 @@ impl Denoiser {
             gradient_atrous(frame, level, &inputs)
         });
         let confidence = adaptive_alpha(frame, self.config.allocated_extent, AdaptiveAlphaInput::Gradient(&iterations));
-        Gradients { confidence: Some(confidence), noisy_luminance: Some(measured.noisy_luminance), ..Gradients::default() }
+        Gradients {
+            gradient: Some(iterations),
+            confidence: Some(confidence),
+            noisy_luminance: Some(measured.noisy_luminance),
+            ..Gradients::default()
+        }
     }
 
     pub(super) fn outliers(&self, frame: &FrameConstants, imported: &ImportOutputs, irradiance: Vec<Image<[f32; 4]>>) -> Outliers {

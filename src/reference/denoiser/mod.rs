@@ -6,93 +6,20 @@ use crate::{Config, Error, FrameConstants, FrameContext};
 
 mod adaptation;
 mod check;
+mod frame_data;
 #[cfg(test)]
 mod sequence_tests;
 #[cfg(test)]
 mod tests;
+mod views;
 mod volume;
 #[cfg(test)]
 mod volume_tests;
 
+pub use frame_data::{DenoiserInputs, DenoiserOutputs, GradientSources};
+pub use views::DenoiserViews;
 use volume::VolumeHistory;
 pub use volume::VolumeInputs;
-
-/// What the host gives for one frame; every image has the allocated extent, where nothing else is said.
-#[derive(Clone, Copy, Debug)]
-pub struct DenoiserInputs<'a> {
-    /// Depth, normals, motion and ids.
-    pub guides: ImportInputs<'a>,
-    /// rgb: noisy radiance of every signal: one, or direct and indirect.
-    pub noisy: &'a [&'a Image<[f32; 4]>],
-    /// rgb: albedo at the primary hit.
-    pub albedo: Option<&'a Image<[f32; 4]>>,
-    /// rgb: radiance that is not filtered.
-    pub emission: Option<&'a Image<[f32; 4]>>,
-    /// For presets with gradients.
-    pub gradients: GradientSources<'a>,
-    /// Where the configuration has a volume.
-    pub volume: Option<VolumeInputs<'a>>,
-}
-
-impl<'a> DenoiserInputs<'a> {
-    /// Guides and noise, without anything optional.
-    pub fn new(guides: ImportInputs<'a>, noisy: &'a [&'a Image<[f32; 4]>]) -> Self {
-        Self { guides, noisy, albedo: None, emission: None, gradients: GradientSources::default(), volume: None }
-    }
-}
-
-/// What the presets `Asvgf` and `Stabilize` take besides; which of it is read, [`Config::gradient_source`] says.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct GradientSources<'a> {
-    /// At the pixels of the previous frame its motion to this one: see [`ForwardProjectInputs::forward_motion`].
-    pub forward_motion: Option<&'a Image<[f32; 4]>>,
-    /// rgb: the paths of the previous frame in the scene of this one, at the pixels of the previous frame.
-    pub reshaded_radiance: Option<&'a Image<[f32; 4]>>,
-    /// One texel a stratum: x: δ, y: Δ.
-    pub sparse_gradient: Option<&'a Image<[f32; 4]>>,
-    /// x: 1 keeps the history, 0 drops it.
-    pub confidence: Option<&'a Image<[f32; 4]>>,
-    /// rgb: the picture that `Stabilize` accumulates.
-    pub other_denoised_radiance: Option<&'a Image<[f32; 4]>>,
-}
-
-/// What one frame gives back.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DenoiserOutputs {
-    /// rgb: linear radiance; alpha 1. Black from a preset without surfaces.
-    pub denoised_radiance: Image<[f32; 4]>,
-    /// rgb: linear radiance of the volume; alpha: its standard deviation.
-    pub denoised_volume: Option<Image<[f32; 4]>>,
-    /// rgb: 0..1, where the configuration has a post-process.
-    pub display: Option<Image<[f32; 4]>>,
-    /// Bad input, summed over the stages.
-    pub statistics: Statistics,
-    /// What is between the stages, where it was asked for.
-    pub views: Option<DenoiserViews>,
-}
-
-/// The images between the stages, one for every signal where they are in a `Vec`. Empty or `None` where the preset has no such stage.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DenoiserViews {
-    /// See [`unpack_guide`].
-    pub guide: Image<[u16; 4]>,
-    /// See [`unpack_surface_motion`].
-    pub surface_motion: Image<[u16; 4]>,
-    /// See [`unpack_depth_gradient`].
-    pub depth_gradient: Image<u32>,
-    /// rgb: irradiance before any filter, outliers scaled down where the preset does so.
-    pub demodulated: Vec<Image<[f32; 4]>>,
-    /// 1: keep the history, 0: drop it.
-    pub history_confidence: Option<Image<f32>>,
-    /// rgb: irradiance after temporal accumulation.
-    pub accumulated: Vec<Image<[f32; 4]>>,
-    /// See [`unpack_moments`].
-    pub moments: Vec<Image<[u16; 4]>>,
-    /// Standard deviation of luminance after the stage `variance`.
-    pub standard_deviation: Vec<Image<f32>>,
-    /// `levels[level][signal]`: rgb irradiance, alpha standard deviation of luminance.
-    pub levels: Vec<Vec<Image<[f32; 4]>>>,
-}
 
 /// What the next frame needs of this one.
 #[derive(Clone, Debug)]
@@ -181,12 +108,14 @@ impl Denoiser {
         let display = self.post_process(constants, &imported, &radiances);
         let of_volume = volume.as_ref().map_or(Statistics::default(), |volume| volume.statistics);
         let stages = [imported.statistics, gradients.statistics, demodulated.statistics, modulated.statistics, of_volume];
+        let views =
+            with_views.then(|| views::views(&imported, &outliers, confidence, gradients.gradient, &filtered, volume.as_ref()));
         let (denoised_volume, volume) = volume.map(|volume| (volume.denoised, volume.history)).unzip();
         self.history = Some(History {
-            guide: imported.guide.clone(),
-            object_normal_guide: imported.object_normal_guide.clone(),
             irradiance: filtered.history().to_vec(),
-            moments: filtered.moments.clone(),
+            guide: imported.guide,
+            object_normal_guide: imported.object_normal_guide,
+            moments: filtered.moments,
             noisy_luminance: gradients.noisy_luminance,
             gradient_candidates: gradients.candidates,
             volume,
@@ -197,7 +126,7 @@ impl Denoiser {
             denoised_volume,
             display,
             statistics: std::array::from_fn(|i| stages.iter().map(|s| s[i]).sum()),
-            views: with_views.then(|| views(imported, outliers.irradiance, confidence, filtered)),
+            views,
         })
     }
 
@@ -294,23 +223,4 @@ impl Denoiser {
 
 fn each<T>(images: &[Image<T>]) -> Vec<&Image<T>> {
     images.iter().collect()
-}
-
-fn views(
-    imported: ImportOutputs,
-    demodulated: Vec<Image<[f32; 4]>>,
-    history_confidence: Option<Image<f32>>,
-    filtered: Filtered,
-) -> DenoiserViews {
-    DenoiserViews {
-        guide: imported.guide,
-        surface_motion: imported.surface_motion,
-        depth_gradient: imported.depth_gradient,
-        demodulated,
-        history_confidence,
-        accumulated: filtered.accumulated,
-        moments: filtered.moments,
-        standard_deviation: filtered.with_deviation.iter().map(|image| image.map(|t| t[3])).collect(),
-        levels: filtered.levels,
-    }
 }

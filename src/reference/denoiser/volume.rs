@@ -14,8 +14,9 @@ pub struct VolumeInputs<'a> {
 /// What the next frame needs of the volume of this one.
 #[derive(Clone, Debug)]
 pub(super) struct VolumeHistory {
-    radiance: Image<[f32; 4]>,
-    moments: Image<[u16; 4]>,
+    /// Alpha: standard deviation of luminance.
+    pub radiance: Image<[f32; 4]>,
+    pub moments: Image<[u16; 4]>,
     points: Image<[u16; 4]>,
 }
 
@@ -23,6 +24,8 @@ pub(super) struct VolumeHistory {
 pub(super) struct FilteredVolume {
     pub denoised: Image<[f32; 4]>,
     pub history: VolumeHistory,
+    /// Before outliers were scaled down, where they are.
+    pub block_percentiles: Option<Image<u32>>,
     pub statistics: Statistics,
 }
 
@@ -44,7 +47,7 @@ impl Denoiser {
         };
         let volume_motion = volume_motion(frame, &motion);
         let taken_in = volume_points(frame, &VolumePointsInputs { noisy_volume, scattering_depth });
-        let radiance = self.volume_without_outliers(frame, taken_in.radiance);
+        let (radiance, block_percentiles) = self.volume_without_outliers(frame, taken_in.radiance);
         let signals = previous.map(|(_, volume)| SignalHistory { irradiance: &volume.radiance, moments: &volume.moments });
         let accumulation = VolumeAccumulationInputs {
             guide: &imported.guide,
@@ -59,15 +62,20 @@ impl Denoiser {
         // At least two: the first is the history.
         let denoised = (2..self.config.levels).fold(level(1, &first), |radiance, i| level(i, &radiance));
         let history = VolumeHistory { radiance: first, moments, points: taken_in.volume_points };
-        Some(FilteredVolume { denoised, history, statistics: taken_in.statistics })
+        Some(FilteredVolume { denoised, history, block_percentiles, statistics: taken_in.statistics })
     }
 
-    fn volume_without_outliers(&self, frame: &FrameConstants, irradiance: Image<[f32; 4]>) -> Image<[f32; 4]> {
+    /// With the percentiles that tell them.
+    fn volume_without_outliers(
+        &self,
+        frame: &FrameConstants,
+        irradiance: Image<[f32; 4]>,
+    ) -> (Image<[f32; 4]>, Option<Image<u32>>) {
         if !self.config.firefly_filter {
-            return irradiance;
+            return (irradiance, None);
         }
         let block_percentiles = block_percentiles(frame, &BlockPercentilesInputs { guide: None, irradiance: &irradiance });
         let inputs = FireflyInputs { guide: None, block_percentiles: &block_percentiles, irradiance: &irradiance };
-        firefly(frame, &inputs)
+        (firefly(frame, &inputs), Some(block_percentiles))
     }
 }

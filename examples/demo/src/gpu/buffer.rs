@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use ash::vk;
-use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
 use gpu_allocator::MemoryLocation;
 
+use super::memory::Memory;
 use super::{Gpu, Shared};
-use crate::error::{Doing, Error, Result};
+use crate::error::{Doing, Result};
 
 /// Where a buffer's memory lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +26,7 @@ pub struct Buffer {
     pub handle: vk::Buffer,
     /// Its size in bytes.
     pub size: u64,
-    allocation: Option<Allocation>,
+    memory: Option<Memory>,
     shared: Arc<Shared>,
 }
 
@@ -44,7 +44,7 @@ impl Buffer {
         let info = vk::BufferCreateInfo::default().size(size).usage(usage);
         // SAFETY: the device is alive and the size is not zero.
         let handle = unsafe { gpu.device().create_buffer(&info, None) }.doing("create a buffer")?;
-        let mut buffer = Self { handle, size, allocation: None, shared: gpu.shared.clone() };
+        let mut buffer = Self { handle, size, memory: None, shared: gpu.shared.clone() };
         // SAFETY: the buffer was just made by this device.
         let requirements = unsafe { gpu.device().get_buffer_memory_requirements(handle) };
         let location = match kind {
@@ -52,32 +52,20 @@ impl Buffer {
             MemoryKind::Upload => MemoryLocation::CpuToGpu,
             MemoryKind::Readback => MemoryLocation::GpuToCpu,
         };
-        let description = AllocationCreateDesc {
-            name,
-            requirements,
-            location,
-            linear: true,
-            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
-        };
-        let allocation = gpu.allocator().allocate(&description).map_err(|source| Error::Memory {
-            what: name.into(),
-            bytes: requirements.size,
-            source,
-        })?;
-        let memory = &*buffer.allocation.insert(allocation);
+        let (memory, offset) = buffer.memory.insert(Memory::new(&gpu.shared, name, requirements, location, true)?).place();
         // SAFETY: fresh memory of the size and kind that the buffer asked for, bound once.
-        unsafe { gpu.device().bind_buffer_memory(handle, memory.memory(), memory.offset()) }.doing("bind a buffer's memory")?;
+        unsafe { gpu.device().bind_buffer_memory(handle, memory, offset) }.doing("bind a buffer's memory")?;
         Ok(buffer)
     }
 
     /// What the CPU can see of it (nothing, for device memory).
     pub fn bytes(&self) -> &[u8] {
-        let mapped = self.allocation.as_ref().and_then(|allocation| allocation.mapped_slice()).unwrap_or_default();
+        let mapped = self.memory.as_ref().map_or(&[][..], Memory::bytes);
         &mapped[..mapped.len().min(self.size as usize)]
     }
 
     pub(super) fn bytes_mut(&mut self) -> &mut [u8] {
-        self.allocation.as_mut().and_then(|allocation| allocation.mapped_slice_mut()).unwrap_or_default()
+        self.memory.as_mut().map_or(&mut [][..], Memory::bytes_mut)
     }
 }
 
@@ -85,9 +73,5 @@ impl Drop for Buffer {
     fn drop(&mut self) {
         // SAFETY: the owner keeps a buffer until the work that uses it is complete (every submit here waits).
         unsafe { self.shared.device.destroy_buffer(self.handle, None) };
-        if let Some(allocation) = self.allocation.take() {
-            // Freeing what this allocator gave cannot fail; there is nobody to tell if it did.
-            let _ = self.shared.allocator().free(allocation);
-        }
     }
 }

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use ash::vk;
-use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
 use gpu_allocator::MemoryLocation;
 
+use super::memory::Memory;
 use super::{Gpu, Shared};
 use crate::error::{Doing, Error, Result};
 
@@ -21,7 +21,7 @@ pub struct Image {
     pub extent: vk::Extent2D,
     /// Its debug name.
     pub name: &'static str,
-    allocation: Option<Allocation>,
+    memory: Option<Memory>,
     shared: Arc<Shared>,
 }
 
@@ -59,24 +59,13 @@ impl Image {
         let handle = unsafe { gpu.device().create_image(&info, None) }.doing("create an image")?;
         // From here on, dropping `image` frees whatever was made.
         let mut image =
-            Self { handle, view: vk::ImageView::null(), format, extent, name, allocation: None, shared: gpu.shared.clone() };
+            Self { handle, view: vk::ImageView::null(), format, extent, name, memory: None, shared: gpu.shared.clone() };
         // SAFETY: the image was just made by this device.
         let requirements = unsafe { gpu.device().get_image_memory_requirements(handle) };
-        let description = AllocationCreateDesc {
-            name,
-            requirements,
-            location: MemoryLocation::GpuOnly,
-            linear: false,
-            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
-        };
-        let allocation = gpu.allocator().allocate(&description).map_err(|source| Error::Memory {
-            what: name.into(),
-            bytes: requirements.size,
-            source,
-        })?;
-        let memory = &*image.allocation.insert(allocation);
+        let of_device = Memory::new(&gpu.shared, name, requirements, MemoryLocation::GpuOnly, false)?;
+        let (memory, offset) = image.memory.insert(of_device).place();
         // SAFETY: fresh memory of the size and kind that the image asked for, bound once.
-        unsafe { gpu.device().bind_image_memory(handle, memory.memory(), memory.offset()) }.doing("bind an image's memory")?;
+        unsafe { gpu.device().bind_image_memory(handle, memory, offset) }.doing("bind an image's memory")?;
         let view = vk::ImageViewCreateInfo::default()
             .image(handle)
             .view_type(vk::ImageViewType::TYPE_2D)
@@ -103,10 +92,6 @@ impl Drop for Image {
         unsafe {
             self.shared.device.destroy_image_view(self.view, None);
             self.shared.device.destroy_image(self.handle, None);
-        }
-        if let Some(allocation) = self.allocation.take() {
-            // Freeing what this allocator gave cannot fail; there is nobody to tell if it did.
-            let _ = self.shared.allocator().free(allocation);
         }
     }
 }

@@ -4,6 +4,7 @@ mod buffer;
 mod choice;
 mod image;
 mod instance;
+mod memory;
 mod pipeline;
 mod submit;
 mod upload;
@@ -159,11 +160,6 @@ impl Gpu {
         self.shared.chosen.timestamps.then_some(self.limits().timestamp_period)
     }
 
-    /// The allocator, locked for as long as the guard lives.
-    pub fn allocator(&self) -> MutexGuard<'_, Allocator> {
-        self.shared.allocator()
-    }
-
     /// Warnings and errors of the validation layers so far.
     pub fn validation_messages(&self) -> Vec<String> {
         self.message_log().messages()
@@ -176,7 +172,8 @@ impl Gpu {
 }
 
 impl Shared {
-    pub(crate) fn allocator(&self) -> MutexGuard<'_, Allocator> {
+    /// Locked for as long as the guard lives.
+    fn allocator(&self) -> MutexGuard<'_, Allocator> {
         // A panic elsewhere while allocating leaves the allocator usable: its state changes last.
         self.allocator.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
     }

@@ -1,0 +1,83 @@
+//! What a host binds to the uses of a pass, and whether it fits.
+
+use crate::contract::{Access, Declaration, Lifetime, PassDecl, Shape};
+use crate::error::Error;
+use crate::pipeline::MAX_BINDINGS;
+use crate::shaders::{BindingKind, Shader};
+use ash::vk;
+
+/// What a host binds to one use of a pass.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Binding {
+    /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`.
+    Image {
+        /// 2D colour (or depth) view of mip 0, layer 0.
+        view: vk::ImageView,
+        /// Its layout.
+        layout: vk::ImageLayout,
+    },
+    /// An image itself, for a use with [`crate::Access::Clear`]: mip 0, layer 0, in `TRANSFER_DST_OPTIMAL` or `GENERAL`.
+    ClearedImage {
+        /// Colour image.
+        image: vk::Image,
+        /// Its layout.
+        layout: vk::ImageLayout,
+    },
+    /// A range of a buffer.
+    Buffer {
+        /// Buffer.
+        buffer: vk::Buffer,
+        /// Offset in bytes, aligned as the device demands for its descriptor type.
+        offset: vk::DeviceSize,
+        /// Bytes, or `WHOLE_SIZE`.
+        range: vk::DeviceSize,
+    },
+    /// An optional input that the host does not have this frame.
+    Absent,
+}
+
+/// Whether a pass can be recorded with them.
+pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, bindings: &[Binding]) -> Result<(), Error> {
+    if bindings.len() != pass.uses.len() || bindings.len() > MAX_BINDINGS {
+        return Err(Error::Bindings { pass: pass.name.to_owned(), given: bindings.len(), needed: pass.uses.len() });
+    }
+    for (u, binding) in pass.uses.iter().zip(bindings) {
+        let resource = declaration.resource(u.resource);
+        let fits = match (binding, resource.shape) {
+            (Binding::Absent, _) => resource.lifetime == Lifetime::Input { optional: true },
+            (Binding::Image { .. }, Shape::Image { .. }) => u.access != Access::Clear,
+            (Binding::ClearedImage { .. }, Shape::Image { .. }) => u.access == Access::Clear,
+            (Binding::Buffer { .. }, Shape::Buffer { .. }) => true,
+            _ => false,
+        };
+        if !fits {
+            return Err(Error::NotBound(resource.name.to_owned()));
+        }
+    }
+    Ok(())
+}
+
+/// Bit i: binding i is not absent.
+pub(crate) fn present(bindings: &[Binding]) -> u32 {
+    (0u32..).zip(bindings).fold(0, |bits, (i, b)| if *b == Binding::Absent { bits } else { bits | 1 << i })
+}
+
+/// The input that gradients come from, where the pass needs it and it is absent.
+pub(crate) fn absent_gradients(declaration: &Declaration, pass: usize, bindings: &[Binding]) -> Option<&'static str> {
+    let uses = &declaration.passes.get(pass)?.uses;
+    let absent = uses.iter().zip(bindings).filter(|(_, b)| **b == Binding::Absent);
+    absent.map(|(u, _)| declaration.resource(u.resource).name).find(|name| crate::nodes::GRADIENT_INPUTS.contains(name))
+}
+
+/// For an absent binding another one of its kind.
+pub(crate) fn substitute(shader: &Shader, bindings: &[Binding], index: usize, binding: Binding) -> Binding {
+    if binding != Binding::Absent {
+        return binding;
+    }
+    let same = |kind: BindingKind| match (kind, shader.bindings[index].kind) {
+        (BindingKind::SampledImage(a), BindingKind::SampledImage(b)) => a == b,
+        (a, b) => a.descriptor_type() == b.descriptor_type(),
+    };
+    let bound = shader.bindings.iter().zip(bindings).find(|(s, b)| same(s.kind) && **b != Binding::Absent);
+    bound.map_or(Binding::Absent, |(_, b)| *b)
+}

@@ -1,0 +1,52 @@
+//! Structs behind a host's pointers.
+
+use super::status::Failure;
+
+/// A struct of the host, after its size was checked.
+///
+/// # Safety
+/// `pointer` is null, or points to a u32, and, where that is the size of `T`, to a `T`.
+pub(super) unsafe fn read<T: Copy>(what: &str, pointer: *const T) -> Result<T, Failure> {
+    // SAFETY: the caller's.
+    unsafe {
+        check_size(what, pointer)?;
+        Ok(pointer.read_unaligned())
+    }
+}
+
+/// Whether a struct of the host is as large as this library's.
+///
+/// # Safety
+/// As [`read`].
+pub(super) unsafe fn check_size<T>(what: &str, pointer: *const T) -> Result<(), Failure> {
+    if pointer.is_null() {
+        return Err(Failure::argument(format!("{what} is NULL; give a pointer to a struct")));
+    }
+    // SAFETY: struct_size stands first in every struct of the ABI.
+    let given = unsafe { pointer.cast::<u32>().read_unaligned() };
+    if given as usize != size_of::<T>() {
+        let message = format!(
+            "{what}: struct_size is {given}, this library has {}; set it to sizeof, and compile against the atrous.h of the library",
+            size_of::<T>()
+        );
+        return Err(Failure::argument(message));
+    }
+    Ok(())
+}
+
+/// Writes `value` to a struct of the host, after its size was checked.
+///
+/// # Safety
+/// As [`read`], and writable.
+pub(super) unsafe fn write<T: Copy>(
+    what: &str,
+    pointer: *mut T,
+    value: impl FnOnce() -> Result<T, Failure>,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's.
+    unsafe {
+        check_size(what, pointer)?;
+        pointer.write_unaligned(value()?);
+    }
+    Ok(())
+}

@@ -1,0 +1,44 @@
+//! What a phase touches: for hosts that put something between two phases.
+
+use super::{Access, Declaration, Phase, ResourceId, UseFrame};
+
+/// First and last access of a resource inside one phase: for semaphores and queue ownership between phases.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BoundaryUse {
+    /// Which resource.
+    pub resource: ResourceId,
+    /// Which copy.
+    pub frame: UseFrame,
+    /// Its first access.
+    pub first: Access,
+    /// Its last access.
+    pub last: Access,
+    /// Whether the phase writes it.
+    pub written: bool,
+}
+
+/// What a phase touches.
+pub type Boundary = Vec<BoundaryUse>;
+
+impl Declaration {
+    /// First and last access of every resource that a phase touches, in order of first use.
+    pub fn boundary(&self, phase: Phase) -> Boundary {
+        let mut boundary: Boundary = Vec::new();
+        for u in self.passes.iter().filter(|p| p.phase == phase).flat_map(|p| &p.uses) {
+            match boundary.iter_mut().find(|b| b.resource == u.resource && b.frame == u.frame) {
+                Some(b) => {
+                    b.last = u.access;
+                    b.written |= u.access.writes();
+                }
+                None => boundary.push(BoundaryUse {
+                    resource: u.resource,
+                    frame: u.frame,
+                    first: u.access,
+                    last: u.access,
+                    written: u.access.writes(),
+                }),
+            }
+        }
+        boundary
+    }
+}

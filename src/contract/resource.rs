@@ -1,0 +1,95 @@
+//! What a pass reads and writes: images and buffers with an owner and a life.
+
+use super::ImageFormat;
+use ash::vk;
+
+/// Who owns a resource and how long its content lives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Lifetime {
+    /// Of the host; only read.
+    Input {
+        /// May be bound as [`crate::Binding::Absent`].
+        optional: bool,
+    },
+    /// Of the host; every texel of the render rect is written.
+    Output,
+    /// Content is undefined before its first use in a frame and dead after its last: the host may alias it.
+    Transient,
+    /// Two copies. [`super::UseFrame::Previous`] is what [`super::UseFrame::Current`] was one frame ago; two suffice for any number of frames in flight.
+    History,
+    /// One copy that survives the frame: its last read as `Previous` comes before its first write as `Current`.
+    HistoryInPlace,
+}
+
+impl Lifetime {
+    /// Copies that a host allocates: none of an input, two of a history.
+    pub const fn copies(self) -> usize {
+        match self {
+            Self::Input { .. } => 0,
+            Self::History => 2,
+            _ => 1,
+        }
+    }
+
+    /// Whether its content survives the frame.
+    pub const fn is_history(self) -> bool {
+        matches!(self, Self::History | Self::HistoryInPlace)
+    }
+}
+
+/// What a resource is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// A 2D image with one mip level and one layer, of `div_ceil(allocated_extent, divisor)` texels.
+    Image {
+        /// Format.
+        format: ImageFormat,
+        /// 1: per pixel; 3: per 3×3 stratum.
+        divisor: u32,
+    },
+    /// A buffer.
+    Buffer {
+        /// Bytes.
+        size: u64,
+    },
+}
+
+/// Index into [`super::Declaration::resources`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ResourceId(pub u32);
+
+/// One resource.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResourceDecl {
+    /// Stable key, `snake_case`.
+    pub name: &'static str,
+    /// Image or buffer.
+    pub shape: Shape,
+    /// Owner and life of the content.
+    pub lifetime: Lifetime,
+    /// Union over all uses; a host ORs in its own.
+    pub image_usage: vk::ImageUsageFlags,
+    /// Union over all uses; a host ORs in its own.
+    pub buffer_usage: vk::BufferUsageFlags,
+}
+
+impl ResourceDecl {
+    /// Texels of an image for an allocated extent; `None` for a buffer.
+    pub fn extent(&self, allocated_extent: [u32; 2]) -> Option<[u32; 2]> {
+        match self.shape {
+            Shape::Image { divisor, .. } => Some(allocated_extent.map(|side| side.div_ceil(divisor))),
+            Shape::Buffer { .. } => None,
+        }
+    }
+
+    /// Bytes of one copy, texels alone: what a device adds for alignment is not in it.
+    pub fn bytes(&self, allocated_extent: [u32; 2]) -> u64 {
+        match (self.shape, self.extent(allocated_extent)) {
+            (Shape::Image { format, .. }, Some([w, h])) => {
+                u64::from(w) * u64::from(h) * super::format::bytes_per_texel(format.preferred())
+            }
+            (Shape::Buffer { size }, _) => size,
+            (Shape::Image { .. }, None) => 0,
+        }
+    }
+}

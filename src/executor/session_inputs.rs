@@ -1,0 +1,98 @@
+//! What a session is given: images and buffers from slices.
+
+use super::barriers::{buffer_barrier, Scope};
+use super::session::Session;
+use super::session_objects::OwnedImage;
+use super::storage::Storage;
+use super::transfer::{whole_image, Staging, UPLOADED};
+use super::{find, HostImage};
+use crate::contract::Shape;
+use crate::error::Error;
+use ash::vk;
+
+impl Session {
+    /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do not matter.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::Format`] for an image of ids, [`Error::Size`] for a wrong number of texels.
+    pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
+        self.upload_bytes(name, vk::Format::R32G32B32A32_SFLOAT, texels.len(), bytemuck::cast_slice(texels))
+    }
+
+    /// Sets an input image of ids.
+    ///
+    /// # Errors
+    /// As [`Self::upload`].
+    pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
+        self.upload_bytes(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
+    }
+
+    /// Sets an input buffer.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for an image, [`Error::Size`].
+    pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
+        let declaration = self.executor.denoiser().declaration();
+        let key = declaration.resource(find(declaration, name)?).name;
+        let size = bytes.len() as u64;
+        // SAFETY: the device outlives the session.
+        let mut staging = unsafe { Staging::new(self.gpu.host(), size.max(4))? };
+        staging.bytes()[..bytes.len()].copy_from_slice(bytes);
+        let (stage, access) = (vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_WRITE);
+        self.executor.bind_buffer(name, staging.buffer, size, stage, access)?;
+        self.buffers.insert(key, staging);
+        Ok(())
+    }
+
+    /// Leaves an optional input out from now on.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`].
+    pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
+        self.executor.unbind(name)
+    }
+
+    fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
+        let declaration = self.executor.denoiser().declaration();
+        let resource = *declaration.resource(find(declaration, name)?);
+        let Shape::Image { format: rule, .. } = resource.shape else {
+            return Err(Error::NotBound(name.to_owned()));
+        };
+        if !rule.accepts(format) {
+            return Err(Error::Format { resource: name.to_owned(), given: format, allowed: rule.to_string() });
+        }
+        let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
+        let needed = extent[0] as usize * extent[1] as usize;
+        if count != needed {
+            let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
+            return Err(Error::Size { resource: name.to_owned(), given: format!("{count} texels"), needed });
+        }
+        if !self.inputs.contains_key(resource.name) {
+            // SAFETY: the device outlives the session.
+            let image = unsafe { OwnedImage::new(self.gpu.host(), format, extent)? };
+            self.inputs.insert(resource.name, image);
+        }
+        let Some(owned) = self.inputs.get(resource.name) else { return Err(Error::NotBound(name.to_owned())) };
+        let (image, view) = (owned.image, owned.view);
+        let Scope { stage, access, layout } = UPLOADED;
+        let host = HostImage { image, view, format, extent, layout, stage, access };
+        self.executor.bind_image(name, host)?;
+        self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
+        let mut storage = Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
+        self.submit(|session, cmd| {
+            let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
+            let device = session.gpu.device();
+            // SAFETY: command buffer is recording; image and buffer are live and large enough.
+            unsafe {
+                // The staging buffer may have been filled by a copy before the host wrote to it.
+                let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
+                buffer_barrier(device, cmd, buffer, copied, Scope::COPY_SOURCE);
+                session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
+                let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
+                device.cmd_copy_buffer_to_image(cmd, buffer, image, layout, &[whole_image(extent)]);
+                session.barriers.single(device, cmd, &mut storage, UPLOADED, true);
+            }
+            Ok(())
+        })
+    }
+}

@@ -1,0 +1,126 @@
+//! Views behind a frame, on the GPU and by the CPU's chain of stages: both have to show the same images of each preset.
+
+use super::support::{assert_valid, scene::Guides, scene::Scene, session, upload};
+use super::GpuTest;
+use atrous::config::{Preset, Signals};
+use atrous::reference::{Denoiser, DenoiserInputs, GradientSources, Image, ImportInputs, VolumeInputs};
+use atrous::{Config, DebugView, FrameContext, FrameParams, Tuning};
+
+pub const TESTS: &[GpuTest] = &[
+    ("are_those_of_the_cpu", are_those_of_the_cpu),
+    ("do_not_depend_on_what_was_shown_before", do_not_depend_on_what_was_shown_before),
+];
+
+const EXTENT: [u32; 2] = [61, 35];
+const FRAMES: u32 = 4;
+
+fn configurations() -> [Config; 6] {
+    let base = Config { debug_view: true, firefly_filter: true, ..Config::new(EXTENT) };
+    [
+        Config { signals: Signals::Apart, ..base },
+        Config { preset: Preset::Asvgf, ..base },
+        Config { preset: Preset::Percentile, signals: Signals::Apart, ..base },
+        Config { preset: Preset::Stabilize, ..base },
+        Config { preset: Preset::Eaw, ..base },
+        Config { preset: Preset::Volume, ..base },
+    ]
+}
+
+/// The light comes on with the last frame, and the camera moves.
+fn scene_of(frame: u32) -> Scene {
+    Scene { speed: 0.12, light: if frame + 1 == FRAMES { 4.0 } else { 1.0 }, ..Scene::new(EXTENT) }
+}
+
+/// The chain of stages on the CPU.
+struct Twin {
+    config: Config,
+    denoiser: Denoiser,
+}
+
+impl Twin {
+    /// The views that are asked for, of one frame.
+    fn views(&mut self, frame: &FrameContext, g: &Guides, wanted: &[DebugView]) -> Vec<Image<[f32; 4]>> {
+        let image = |texels: &[[f32; 4]]| Image::from_texels(EXTENT, texels.to_vec()).expect("extent");
+        let ids = Image::from_texels(EXTENT, g.surface_id.clone()).expect("extent");
+        let (depth, normal, motion, albedo) = (image(&g.depth), image(&g.normal), image(&g.motion), image(&g.albedo));
+        let [radiance, direct, indirect] = [&g.noisy_radiance, &g.noisy_direct, &g.noisy_indirect].map(|t| image(t));
+        let (noisy_volume, scattering_depth) = (image(&g.noisy_volume), image(&g.scattering_depth));
+        let noisy: &[&Image<_>] = match (self.config.preset, self.config.signals) {
+            (Preset::Volume, _) => &[],
+            (_, Signals::Together) => &[&radiance],
+            (_, Signals::Apart) => &[&direct, &indirect],
+        };
+        let inputs = DenoiserInputs {
+            albedo: Some(&albedo),
+            gradients: GradientSources { other_denoised_radiance: Some(&radiance), ..GradientSources::default() },
+            volume: Some(VolumeInputs { noisy_volume: &noisy_volume, scattering_depth: Some(&scattering_depth) }),
+            ..DenoiserInputs::new(
+                ImportInputs { motion: Some(&motion), surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) },
+                noisy,
+            )
+        };
+        let outputs = self.denoiser.frame(frame, &inputs, true).expect("usable");
+        let shown = |view: &DebugView| self.denoiser.debug_view(frame, &inputs, &outputs, *view).expect("views were asked for");
+        wanted.iter().map(shown).collect()
+    }
+}
+
+fn are_those_of_the_cpu() {
+    for config in configurations() {
+        let mut s = session(&config);
+        let mut twin = Twin { config, denoiser: Denoiser::new(config).expect("usable") };
+        let wanted = s.executor().denoiser().declaration().debug_views();
+        for i in 0..FRAMES {
+            let scene = scene_of(i);
+            let mut g = scene.frame(i, i);
+            for texels in [&mut g.noisy_radiance, &mut g.noisy_direct, &mut g.noisy_volume] {
+                texels[205] = [900.0; 4];
+                texels[70] = [f32::NAN; 4];
+            }
+            upload(&mut s, &g);
+            if config.preset == Preset::Stabilize {
+                s.upload("other_denoised_radiance", &g.noisy_radiance).expect("other_denoised_radiance");
+            }
+            let params = FrameParams { reshaded: true, ..scene.params(i) };
+            let frame = s.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
+            let twins = twin.views(&frame, &g, &wanted);
+            for (view, twin) in wanted.iter().zip(&twins) {
+                let shown = s.debug_view(*view).expect("debug_view");
+                let what = format!("{view:?} of {:?}, frame {i}", config.preset);
+                assert_alike(&shown, twin.texels(), &what);
+                let is_uniform = shown.iter().all(|t| t[..3] == shown[0][..3]);
+                assert!(i + 1 < FRAMES || !is_uniform, "{what}: nothing is shown");
+            }
+        }
+    }
+    assert_valid();
+}
+
+/// Differences of one stage grow in the next and in the next frame, so a few pixels may differ.
+fn assert_alike(gpu: &[[f32; 4]], cpu: &[[f32; 4]], what: &str) {
+    let differs = |(a, b): &(&[f32; 4], &[f32; 4])| {
+        let number = (a[3] - b[3]).abs() > 0.02 + 0.02 * b[3].abs();
+        number || (0..3).any(|c| (a[c] - b[c]).abs() > 0.02)
+    };
+    let different = gpu.iter().zip(cpu).filter(differs).count();
+    assert!(100 * different <= gpu.len(), "{what}: {different} of {} pixels differ", gpu.len());
+}
+
+fn do_not_depend_on_what_was_shown_before() {
+    let config = Config { debug_view: true, preset: Preset::Asvgf, ..Config::new(EXTENT) };
+    let mut s = session(&config);
+    let views = s.executor().denoiser().declaration().debug_views();
+    let mut first = None;
+    for i in 0..2 {
+        let scene = scene_of(i);
+        upload(&mut s, &scene.frame(i, i));
+        let params = FrameParams { debug_view: Some(DebugView::Alpha), reshaded: true, ..scene.params(i) };
+        s.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
+        first = Some(s.download("debug_view").expect("debug_view"));
+    }
+    for view in views {
+        s.debug_view(view).expect("debug_view");
+    }
+    assert!(Some(s.debug_view(DebugView::Alpha).expect("debug_view")) == first);
+    assert_valid();
+}
