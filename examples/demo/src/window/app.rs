@@ -21,6 +21,7 @@ use super::panel::Panel;
 use super::presenter::{Drawn, Presenter};
 use super::settings::Settings;
 use super::shared::{Report, Request, Shared};
+use super::surface_format::Encoding;
 use super::swapchain::Wish;
 use super::{create_surface, WindowOptions};
 use crate::error::{Error, Result};
@@ -254,7 +255,8 @@ impl App {
         let input = live.egui.take_egui_input(&live.window);
         let context = live.egui.egui_ctx().clone();
         let (mut over, mut actions) = (Over::default(), Vec::new());
-        let output = context.run(input, |ctx| (over, actions) = self.ui(ctx, &report, extent));
+        let encoding = live.presenter.encoding();
+        let output = context.run(input, |ctx| (over, actions) = self.ui(ctx, &report, extent, encoding));
         actions.into_iter().for_each(|action| self.act(event_loop, action));
         self.steer(over.turned);
         self.tell(&over, extent);
@@ -294,11 +296,11 @@ impl App {
         }
     }
 
-    fn ui(&mut self, ctx: &egui::Context, report: &Report, extent: [u32; 2]) -> (Over, Vec<Action>) {
+    fn ui(&mut self, ctx: &egui::Context, report: &Report, extent: [u32; 2], encoding: Encoding) -> (Over, Vec<Action>) {
         let mut actions = Vec::new();
         if self.settings.panel {
             let side = egui::SidePanel::right("panel").default_width(PANEL_WIDTH).min_width(200.0);
-            side.show(ctx, |ui| actions = self.panel.show(ui, &mut self.settings, report));
+            side.show(ctx, |ui| actions = self.panel.show(ui, &mut self.settings, report, encoding));
         }
         let mut over = Over::default();
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ctx, |ui| {
@@ -327,7 +329,6 @@ impl App {
             exposure: self.settings.exposure,
             display_referred: report.display_referred,
             tone_curve: self.settings.tone_curve,
-            encoding: 0,
             peak: 1.0,
         }
     }

@@ -8,8 +8,12 @@ mod camera;
 mod camera_path;
 mod clock;
 mod content;
+mod encode;
 mod engine;
 mod filter;
+mod fullscreen;
+#[cfg(test)]
+mod headless;
 mod input;
 mod jobs;
 mod layout;
@@ -22,7 +26,9 @@ mod presenter;
 mod record;
 mod settings;
 mod shared;
+mod surface_format;
 mod swapchain;
+mod target;
 mod world;
 
 use std::ffi::CStr;

@@ -9,7 +9,7 @@ use crate::tracer::barriers::{general_barrier, memory_barrier, Scope};
 mod shaders {
     include!(concat!(env!("OUT_DIR"), "/window_shaders.rs"));
 }
-pub use shaders::{PRESENT_FRAG, PRESENT_VERT};
+pub use shaders::{ENCODE_FRAG, PRESENT_FRAG, PRESENT_VERT};
 
 /// Left and right, `R16G16B16A16_SFLOAT`, in layout `GENERAL`. The engine writes them and the window reads them; both do so behind a barrier on
 /// the same queue, so that the order of submissions is all they need.

@@ -2,8 +2,9 @@
 
 use ash::vk;
 
+use super::target::Target;
 use crate::error::{Doing, Result};
-use crate::gpu::{Gpu, WHOLE_IMAGE};
+use crate::gpu::{Gpu, Image, WHOLE_IMAGE};
 
 /// The surface of a window.
 pub struct Surface {
@@ -46,35 +47,6 @@ pub struct Wish {
     pub hdr: bool,
 }
 
-/// How colours get to the display: as `encoding` in glsl/window/present.frag.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u32)]
-pub enum Encoding {
-    /// The format encodes.
-    Srgb = 0,
-    /// The shader encodes.
-    Unorm = 1,
-    /// Extended linear sRGB: 1 is white, more is brighter.
-    Extended = 2,
-}
-
-/// A format of the window, and what the shader has to do for it. An 8-bit sRGB one, unless `hdr` is wanted and there.
-pub fn choose_format(formats: &[vk::SurfaceFormatKHR], hdr: bool) -> Option<(vk::SurfaceFormatKHR, Encoding)> {
-    use vk::Format as F;
-    let standard = |f: &&vk::SurfaceFormatKHR| f.color_space == vk::ColorSpaceKHR::SRGB_NONLINEAR;
-    let extended = |f: &&vk::SurfaceFormatKHR| {
-        f.format == F::R16G16B16A16_SFLOAT && f.color_space == vk::ColorSpaceKHR::EXTENDED_SRGB_LINEAR_EXT
-    };
-    if let Some(found) = formats.iter().find(extended).filter(|_| hdr) {
-        return Some((*found, Encoding::Extended));
-    }
-    let is_srgb = |f: &&vk::SurfaceFormatKHR| [F::B8G8R8A8_SRGB, F::R8G8B8A8_SRGB].contains(&f.format);
-    if let Some(found) = formats.iter().filter(standard).find(is_srgb) {
-        return Some((*found, Encoding::Srgb));
-    }
-    formats.iter().find(standard).or(formats.first()).map(|found| (*found, Encoding::Unorm))
-}
-
 /// A swapchain for one size of the window.
 pub struct Swapchain {
     functions: ash::khr::swapchain::Device,
@@ -83,6 +55,8 @@ pub struct Swapchain {
     pub wish: Wish,
     views: Vec<vk::ImageView>,
     pub framebuffers: Vec<vk::Framebuffer>,
+    /// Where the target has one.
+    pub canvas: Option<Image>,
     /// One for each image: it is free again when the image comes back.
     pub drawn: Vec<vk::Semaphore>,
     gpu: Gpu,
@@ -93,14 +67,7 @@ impl Swapchain {
     ///
     /// # Errors
     /// A surface that is lost, or no memory.
-    pub fn new(
-        gpu: &Gpu,
-        surface: &Surface,
-        format: vk::SurfaceFormatKHR,
-        render_pass: vk::RenderPass,
-        wish: Wish,
-        old: Option<Swapchain>,
-    ) -> Result<Option<Self>> {
+    pub fn new(gpu: &Gpu, surface: &Surface, target: &Target, wish: Wish, old: Option<Swapchain>) -> Result<Option<Self>> {
         // SAFETY: the surface is alive.
         let capabilities =
             unsafe { surface.functions.get_physical_device_surface_capabilities(gpu.physical_device(), surface.handle) }
@@ -113,8 +80,8 @@ impl Swapchain {
         let info = vk::SwapchainCreateInfoKHR::default()
             .surface(surface.handle)
             .min_image_count((capabilities.min_image_count + 1).clamp(2, most.max(2)))
-            .image_format(format.format)
-            .image_color_space(format.color_space)
+            .image_format(target.format.format)
+            .image_color_space(target.format.color_space)
             .image_extent(extent)
             .image_array_layers(1)
             .image_usage(vk::ImageUsageFlags::COLOR_ATTACHMENT)
@@ -134,14 +101,15 @@ impl Swapchain {
             wish,
             views: Vec::new(),
             framebuffers: Vec::new(),
+            canvas: target.canvas(extent)?,
             drawn: Vec::new(),
             gpu: gpu.clone(),
         };
-        made.add_images(format.format, render_pass)?;
+        made.add_images(target)?;
         Ok(Some(made))
     }
 
-    fn add_images(&mut self, format: vk::Format, render_pass: vk::RenderPass) -> Result<()> {
+    fn add_images(&mut self, target: &Target) -> Result<()> {
         let device = self.gpu.device();
         // SAFETY: the swapchain is alive.
         let images = unsafe { self.functions.get_swapchain_images(self.handle) }.doing("list the images of the swapchain")?;
@@ -149,20 +117,12 @@ impl Swapchain {
             let info = vk::ImageViewCreateInfo::default()
                 .image(image)
                 .view_type(vk::ImageViewType::TYPE_2D)
-                .format(format)
+                .format(target.format.format)
                 .subresource_range(WHOLE_IMAGE);
             // SAFETY: the image is the swapchain's, of this format.
             let view = unsafe { device.create_image_view(&info, None) }.doing("create a view of the window")?;
             self.views.push(view);
-            let attachments = [view];
-            let info = vk::FramebufferCreateInfo::default()
-                .render_pass(render_pass)
-                .attachments(&attachments)
-                .width(self.extent.width)
-                .height(self.extent.height)
-                .layers(1);
-            // SAFETY: view and render pass are alive and of the same format.
-            self.framebuffers.push(unsafe { device.create_framebuffer(&info, None) }.doing("create a framebuffer")?);
+            self.framebuffers.push(target.framebuffer(view, self.canvas.as_ref(), self.extent)?);
             // SAFETY: the device is alive.
             let semaphore = unsafe { device.create_semaphore(&vk::SemaphoreCreateInfo::default(), None) };
             self.drawn.push(semaphore.doing("create a semaphore")?);
@@ -238,23 +198,6 @@ fn present_mode(gpu: &Gpu, surface: &Surface, vsync: bool) -> Result<vk::Present
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn format(format: vk::Format, color_space: vk::ColorSpaceKHR) -> vk::SurfaceFormatKHR {
-        vk::SurfaceFormatKHR { format, color_space }
-    }
-
-    #[test]
-    fn the_format_follows_the_wish_where_it_can() {
-        let plain = vk::ColorSpaceKHR::SRGB_NONLINEAR;
-        let unorm = format(vk::Format::B8G8R8A8_UNORM, plain);
-        let srgb = format(vk::Format::B8G8R8A8_SRGB, plain);
-        let hdr = format(vk::Format::R16G16B16A16_SFLOAT, vk::ColorSpaceKHR::EXTENDED_SRGB_LINEAR_EXT);
-        assert_eq!(choose_format(&[unorm, srgb, hdr], false), Some((srgb, Encoding::Srgb)));
-        assert_eq!(choose_format(&[unorm, srgb, hdr], true), Some((hdr, Encoding::Extended)));
-        assert_eq!(choose_format(&[hdr, unorm], false), Some((unorm, Encoding::Unorm)));
-        assert_eq!(choose_format(&[unorm], true), Some((unorm, Encoding::Unorm)));
-        assert_eq!(choose_format(&[], true), None);
-    }
 
     #[test]
     fn a_minimised_window_has_no_pixels_and_a_free_one_is_clamped() {
