@@ -4,7 +4,7 @@ use ash::vk;
 use atrous::config::Preset;
 use atrous::{DebugView, ResetReason, Tuning};
 
-use super::panes::prepare;
+use super::panes::{prepare, Source};
 use super::shared::{FilterMemory, FilterReport, HISTOGRAM_BARS};
 use crate::error::Result;
 use crate::gpu::{Gpu, Image};
@@ -16,10 +16,14 @@ pub struct Filter {
     denoiser: FrameDenoiser,
     /// Which.
     pub preset: Preset,
-    /// Radiance.
+    /// Radiance of surfaces.
     pub radiance: Image,
+    /// That of the medium, where there is one.
+    pub medium: Option<Image>,
     /// The same, tone-mapped and anti-aliased.
-    pub display: Image,
+    display: Image,
+    /// Whether the filter has it.
+    taa: bool,
     /// The debug view.
     pub debug: Image,
     /// The frame that it saw last.
@@ -34,13 +38,16 @@ impl Filter {
     pub fn new(gpu: &Gpu, tracer: &PathTracer, preset: Preset, taa: bool) -> Result<Self> {
         let image = |name| Image::new(gpu, name, vk::Format::R16G16B16A16_SFLOAT, tracer.extent());
         let (radiance, display, debug) = (image("radiance")?, image("display")?, image("debug view")?);
-        prepare(gpu, &[&radiance, &display, &debug])?;
+        let medium = tracer.volume().map(|_| image("medium")).transpose()?;
+        let outputs = [("denoised_radiance", &radiance), ("display", &display), ("debug_view", &debug)];
+        let outputs: Vec<_> = outputs.into_iter().chain(medium.as_ref().map(|image| ("denoised_volume", image))).collect();
+        prepare(gpu, &outputs.iter().map(|output| output.1).collect::<Vec<_>>())?;
         let options = DenoiserOptions { taa, debug_view: true, ..DenoiserOptions::new(preset) };
         let mut denoiser = FrameDenoiser::new(gpu, tracer, &options)?;
-        for (name, image) in [("denoised_radiance", &radiance), ("display", &display), ("debug_view", &debug)] {
+        for (name, image) in outputs {
             denoiser.bind_output(name, image)?;
         }
-        Ok(Self { denoiser, preset, radiance, display, debug, last_frame: None })
+        Ok(Self { denoiser, preset, radiance, medium, display, taa, debug, last_frame: None })
     }
 
     /// Denoises the tracer's frame, whose G-buffer was drawn; `reset`: without history.
@@ -57,6 +64,15 @@ impl Filter {
         }
         self.last_frame = Some(frame);
         gpu.submit(|cmd| self.denoiser.record(cmd, tracer))
+    }
+
+    /// What came out, display-referred with temporal anti-aliasing.
+    pub fn source(&self) -> Source<'_> {
+        if self.taa {
+            return Source::of(&self.display);
+        }
+        let nothing = (&self.radiance, 0.0);
+        Source::sum([(&self.radiance, 1.0), nothing, nothing], self.medium.as_ref().map(|medium| (medium, 1.0)))
     }
 
     /// Shows a view of the last frame.

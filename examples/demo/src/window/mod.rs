@@ -24,6 +24,7 @@ mod panel;
 mod panes;
 mod presenter;
 mod record;
+mod reference;
 mod settings;
 mod shared;
 mod surface_format;

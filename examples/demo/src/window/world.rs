@@ -11,12 +11,12 @@ use super::clock::Clock;
 use super::content::Content;
 use super::filter::Filter;
 use super::panes::{PaneWriter, Panes, Source};
+use super::reference::GrowingReference;
 use super::settings::Settings;
 use super::shared::{FilterReport, Probe, Shared, HISTOGRAM_BARS};
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::scene::View;
-use crate::tracer::ReferenceSums;
 use crate::{PathTracer, Scene, SceneOptions, TracerOptions};
 
 /// A reference is good enough with so many paths a pixel.
@@ -32,7 +32,7 @@ pub struct World {
     asked: String,
     // Before the tracer, whose images they read.
     filters: Vec<Filter>,
-    reference: Option<ReferenceSums<2>>,
+    reference: Option<GrowingReference>,
     wants_reference: bool,
     tracer: PathTracer,
     clock: Clock,
@@ -142,7 +142,7 @@ impl World {
         }
         let reference = match &mut self.reference {
             Some(reference) => reference,
-            empty => empty.insert(self.tracer.reference_sums()?),
+            empty => empty.insert(GrowingReference::new(&self.tracer)?),
         };
         reference.add(&self.tracer, REFERENCE_TIME, REFERENCE_LIMIT)
     }
@@ -154,7 +154,7 @@ impl World {
 
     /// Paths of each pixel in the reference.
     pub fn reference_samples(&self) -> u32 {
-        self.reference.as_ref().map_or(0, ReferenceSums::samples)
+        self.reference.as_ref().map_or(0, GrowingReference::samples)
     }
 
     /// Whether a filter has seen the last frame.
@@ -175,14 +175,12 @@ impl World {
                     filter.show(&self.gpu, view)?;
                     Source::of(&filter.debug)
                 }
-                (Content::Filtered(_), Some(filter), _) if self.taa => Source::of(&filter.display),
-                (Content::Filtered(_), Some(filter), _) => Source::of(&filter.radiance),
-                (Content::Reference, _, Some(reference)) => {
-                    let [direct, indirect] = &reference.sums;
-                    let weight = 1.0 / reference.samples().max(1) as f32;
-                    Source { images: [direct, indirect, &outputs.emission], weights: [weight, weight, 1.0] }
+                (Content::Filtered(_), Some(filter), _) => filter.source(),
+                (Content::Reference, _, Some(reference)) => reference.source(outputs),
+                _ => {
+                    let medium = self.tracer.volume().map(|volume| (&volume.noisy_volume, 1.0));
+                    Source::sum([(&outputs.scattered, 1.0), (&outputs.emission, 1.0), (&outputs.emission, 0.0)], medium)
                 }
-                _ => Source { images: [&outputs.scattered, &outputs.emission, &outputs.emission], weights: [1.0, 1.0, 0.0] },
             };
             writer.write(&self.gpu, panes, side, &source)?;
         }
@@ -259,3 +257,6 @@ fn presets(contents: [Content; 2]) -> Vec<Preset> {
     presets.sort_by_key(|preset| *preset != Preset::Asvgf);
     presets
 }
+
+#[cfg(test)]
+mod tests;
