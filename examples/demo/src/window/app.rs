@@ -160,13 +160,21 @@ impl App {
             Action::Pause => settings.paused = !settings.paused,
             Action::Step => {
                 settings.paused = true;
-                self.shared.want(|wanted| wanted.steps += 1);
+                // Together, so that no frame comes between.
+                self.shared.want(|wanted| {
+                    wanted.settings.paused = true;
+                    wanted.steps += 1;
+                });
             }
             Action::Reset => self.shared.want(|wanted| wanted.reset = true),
             Action::Home => {
                 settings.animate_camera = true;
                 self.fly = None;
-                self.shared.want(|wanted| wanted.reset = true);
+                // Together, so that the frame without history is the one after the jump.
+                self.shared.want(|wanted| {
+                    wanted.settings.animate_camera = true;
+                    (wanted.view, wanted.reset) = (None, true);
+                });
             }
             Action::Left(content) => settings.left = content,
             Action::Right(content) => settings.right = content,

@@ -8,6 +8,7 @@ use super::panes::{prepare, Source};
 use super::shared::{FilterMemory, FilterReport, HISTOGRAM_BARS};
 use crate::error::Result;
 use crate::gpu::{Gpu, Image};
+use crate::scene::Moment;
 use crate::{DenoiserOptions, FrameDenoiser, PathTracer};
 
 /// A filter that runs.
@@ -26,8 +27,10 @@ pub struct Filter {
     taa: bool,
     /// The debug view.
     pub debug: Image,
-    /// The frame that it saw last.
+    /// The tracer's frame that it saw last.
     last_frame: Option<u32>,
+    /// The moment that its history is of.
+    remembered: Option<Moment>,
 }
 
 impl Filter {
@@ -47,23 +50,26 @@ impl Filter {
         for (name, image) in outputs {
             denoiser.bind_output(name, image)?;
         }
-        Ok(Self { denoiser, preset, radiance, medium, display, taa, debug, last_frame: None })
+        Ok(Self { denoiser, preset, radiance, medium, display, taa, debug, last_frame: None, remembered: None })
     }
 
-    /// Denoises the tracer's frame, whose G-buffer was drawn; `reset`: without history.
+    /// Denoises the tracer's frame, whose G-buffer was drawn, with motion from the moment `before` to `now`. Its history goes on from there, however
+    /// many frames it has not seen meanwhile: where time stands still they change nothing. Else there is no motion from what it remembers.
     ///
     /// # Errors
     /// A lost device.
-    pub fn frame(&mut self, gpu: &Gpu, tracer: &mut PathTracer, tuning: Tuning, reset: bool) -> Result<()> {
+    pub fn frame(&mut self, gpu: &Gpu, tracer: &mut PathTracer, tuning: Tuning, now: &Moment, before: &Moment) -> Result<()> {
         self.denoiser.set_tuning(tuning);
-        let frame = tracer.frame();
-        // What it remembers is of another frame than the one before.
-        let missed = self.last_frame.is_some_and(|last| last + 1 != frame);
-        if reset || missed {
+        if self.remembered.replace(*now) != Some(*before) {
             self.denoiser.reset(ResetReason::CameraCut);
         }
-        self.last_frame = Some(frame);
+        self.last_frame = Some(tracer.frame());
         gpu.submit(|cmd| self.denoiser.record(cmd, tracer))
+    }
+
+    /// The next frame is without history, whenever that is.
+    pub fn forget(&mut self) {
+        self.remembered = None;
     }
 
     /// What came out, display-referred with temporal anti-aliasing.

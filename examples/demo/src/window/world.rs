@@ -83,8 +83,11 @@ impl World {
             Ok((tracer, scene)) => {
                 self.filters.clear();
                 self.reference = None;
+                // Another kind of picture is of the same moment.
+                if !Arc::ptr_eq(&self.scene, &scene) {
+                    (self.clock, self.seed) = (Clock::default(), 0);
+                }
                 (self.tracer, self.scene) = (tracer, scene);
-                (self.clock, self.seed) = (Clock::default(), 0);
                 Ok(true)
             }
             Err(error) => {
@@ -105,8 +108,11 @@ impl World {
         }
         self.tracer.begin_moment(self.seed, &now, &before)?;
         self.seed += 1;
-        let contents = [settings.left, settings.right];
-        let presets = presets(contents);
+        if reset {
+            // Those that are not shown as well: they may be later.
+            self.filters.iter_mut().for_each(Filter::forget);
+        }
+        let presets = presets([settings.left, settings.right]);
         let gpu = self.gpu.clone();
         gpu.submit(|cmd| {
             self.tracer.record_gbuffer(cmd);
@@ -124,7 +130,7 @@ impl World {
                     self.filters.len() - 1
                 }
             };
-            self.filters[index].frame(&gpu, &mut self.tracer, settings.tuning(preset), reset)?;
+            self.filters[index].frame(&gpu, &mut self.tracer, settings.tuning(preset), &now, &before)?;
         }
         Ok(())
     }
