@@ -196,6 +196,14 @@ impl App {
         self.shared.want(|wanted| wanted.requests.push(request));
     }
 
+    /// The same file may have become another one.
+    fn open_scene(&mut self, path: String) {
+        if self.settings.scene == path {
+            self.request(Request::Reload);
+        }
+        self.settings.scene = path;
+    }
+
     fn save(&self) {
         let path = self.options.settings_path();
         match self.settings.save(&path) {
@@ -373,7 +381,7 @@ impl ApplicationHandler<Woken> for App {
         match event {
             WindowEvent::CloseRequested => event_loop.exit(),
             WindowEvent::Resized(_) => live.presenter.invalidate(),
-            WindowEvent::DroppedFile(path) => self.settings.scene = path.to_string_lossy().into_owned(),
+            WindowEvent::DroppedFile(path) => self.open_scene(path.to_string_lossy().into_owned()),
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
             WindowEvent::Focused(focused) => {
                 self.log.line(&format!("focused {focused}"));

@@ -10,7 +10,7 @@ use super::content::Content;
 use super::jobs::Jobs;
 use super::panes::{PaneWriter, Panes};
 use super::settings::Settings;
-use super::shared::{Shared, Wanted};
+use super::shared::{Request, Shared, Wanted};
 use super::world::World;
 use crate::error::Result;
 use crate::gpu::Gpu;
@@ -114,6 +114,9 @@ impl Engine {
     fn work(&mut self, shared: &Shared, wanted: &Wanted) -> Result<()> {
         let start = Instant::now();
         let settings = &wanted.settings;
+        if wanted.requests.contains(&Request::Reload) {
+            self.world.forget_scene();
+        }
         let reloaded = self.world.follow(shared, settings)?;
         self.jobs.take(shared, &wanted.requests);
         let flown = self.jobs.next_view();

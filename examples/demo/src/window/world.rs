@@ -97,6 +97,11 @@ impl World {
         }
     }
 
+    /// The scene is loaded anew, though its name is the same.
+    pub fn forget_scene(&mut self) {
+        self.asked.clear();
+    }
+
     /// Traces and filters one frame; `view`: the camera, where it does not follow its path.
     ///
     /// # Errors
