@@ -18,11 +18,12 @@ use super::log::Log;
 use super::overlay::{self, Over};
 use super::pane_pipeline::Presented;
 use super::panel::Panel;
-use super::presenter::{Drawn, Presenter};
+use super::presenter::{Drawn, Outcome, Presenter};
 use super::settings::Settings;
 use super::shared::{Report, Request, Shared};
 use super::surface_format::Encoding;
 use super::swapchain::Wish;
+use super::textures::PendingTextures;
 use super::{create_surface, WindowOptions};
 use crate::error::{Error, Result};
 use crate::gpu::MessageLog;
@@ -34,6 +35,8 @@ pub struct Woken;
 const PANEL_WIDTH: f32 = 320.0;
 /// While the camera flies, and while the device is busy, the window looks again after this time.
 const TICK: Duration = Duration::from_millis(12);
+/// While the window is minimised.
+const MINIMISED_TICK: Duration = Duration::from_millis(200);
 /// Window pixels of the magnifier for one of the picture, at scale 1.
 const LENS_ZOOM: f32 = 12.0;
 
@@ -61,7 +64,7 @@ pub struct App {
     modifiers: ModifiersState,
     fly: Option<FlyCamera>,
     stepped: Instant,
-    textures: egui::TexturesDelta,
+    textures: PendingTextures,
     /// When to draw next, if nothing happens before.
     due: Option<Instant>,
     error: Option<Error>,
@@ -90,7 +93,7 @@ impl App {
             modifiers: ModifiersState::default(),
             fly: None,
             stepped: Instant::now(),
-            textures: egui::TexturesDelta::default(),
+            textures: PendingTextures::default(),
             due: None,
             error: None,
             validation: None,
@@ -277,29 +280,34 @@ impl App {
         self.steer(over.turned);
         self.tell(&over, extent);
         live.egui.handle_platform_output(&live.window, output.platform_output);
-        self.textures.append(output.textures_delta);
+        self.textures.add(output.textures_delta);
         let size = live.window.inner_size();
         self.log.turned([size.width, size.height], &over, &self.settings, self.help, &report);
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
         self.plan(delay);
         let wish = Wish { extent: [size.width, size.height], vsync: self.settings.vsync, hdr: self.settings.hdr };
         let pixels_per_point = output.pixels_per_point;
-        let is_drawn = live.presenter.is_ready()? && {
+        let outcome = if live.presenter.is_ready()? {
             let primitives = context.tessellate(output.shapes, pixels_per_point);
             let drawn = Drawn {
                 panes: report.panes.as_ref(),
                 presented: self.presented(&over, &report, extent, pixels_per_point),
-                textures: &self.textures,
+                textures: self.textures.changes(),
                 primitives: &primitives,
                 pixels_per_point,
             };
             live.presenter.draw(wish, &drawn)?
-        };
-        if is_drawn {
-            self.textures = egui::TexturesDelta::default();
-            self.log.drawn(&report);
         } else {
-            self.plan(TICK);
+            Outcome::Busy
+        };
+        match outcome {
+            Outcome::Drawn => {
+                self.textures.done();
+                self.log.drawn(&report);
+            }
+            Outcome::Busy => self.plan(TICK),
+            // The window system says when it is back; this is for one that does not.
+            Outcome::NoPixels => self.plan(MINIMISED_TICK),
         }
         Ok(())
     }

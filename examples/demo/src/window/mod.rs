@@ -30,6 +30,7 @@ mod shared;
 mod surface_format;
 mod swapchain;
 mod target;
+mod textures;
 mod world;
 
 use std::ffi::CStr;

@@ -8,7 +8,7 @@ use egui_ash_renderer::{Options, Renderer};
 use super::pane_pipeline::{PanePipeline, Presented};
 use super::panes::{before_reading, Panes};
 use super::surface_format::{choose_format, Encoding};
-use super::swapchain::{Surface, Swapchain, Wish};
+use super::swapchain::{next_step, Step, Surface, Swapchain, Wish};
 use super::target::Target;
 use crate::error::{Doing, Error, Result};
 use crate::gpu::Gpu;
@@ -28,6 +28,17 @@ pub struct Drawn<'a> {
     pub primitives: &'a [egui::ClippedPrimitive],
     /// Window pixels for one of the panel.
     pub pixels_per_point: f32,
+}
+
+/// What became of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It is on its way to the display.
+    Drawn,
+    /// The device or the window system is not ready for it. Nothing happened, try again soon.
+    Busy,
+    /// The window has no pixels. Nothing happened.
+    NoPixels,
 }
 
 struct Slot {
@@ -131,23 +142,26 @@ impl Presenter {
         self.gpu.is_signalled(self.slots[self.next].complete).doing("ask for a frame")
     }
 
-    /// Draws a frame; `false`: the device is not ready for it, or the window has no pixels. Then nothing happened, try again later.
+    /// Draws a frame, if it can.
     ///
     /// # Errors
     /// A lost device or surface.
-    pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<bool> {
+    pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<Outcome> {
         let slot = &self.slots[self.next];
         let (cmd, acquired, complete) = (slot.cmd, slot.acquired, slot.complete);
-        if !self.is_ready()? || !self.follow(wish)? {
-            return Ok(false);
+        if !self.is_ready()? {
+            return Ok(Outcome::Busy);
         }
-        let Some(swapchain) = &self.swapchain else { return Ok(false) };
+        if !self.follow(wish)? {
+            return Ok(Outcome::NoPixels);
+        }
+        let Some(swapchain) = &self.swapchain else { return Ok(Outcome::Busy) };
         let (image, suboptimal) = match swapchain.acquire(acquired, ACQUIRE_NANOSECONDS) {
             Ok(Some(acquired)) => acquired,
-            Ok(None) => return Ok(false),
+            Ok(None) => return Ok(Outcome::Busy),
             Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => {
                 self.is_stale = true;
-                return Ok(false);
+                return Ok(Outcome::Busy);
             }
             Err(result) => return Err(result).doing("acquire an image of the window"),
         };
@@ -160,14 +174,17 @@ impl Presenter {
             Err(result) => return Err(result).doing("present"),
         }
         self.next = (self.next + 1) % FRAMES_IN_FLIGHT;
-        Ok(true)
+        Ok(Outcome::Drawn)
     }
 
     /// Brings the swapchain up to the window and the wishes. `false`: the window has no pixels.
     fn follow(&mut self, wish: Wish) -> Result<bool> {
-        if !self.is_stale && self.swapchain.as_ref().is_some_and(|s| s.wish == wish) {
-            return Ok(true);
-        }
+        let made_for = self.swapchain.as_ref().map(|swapchain| swapchain.wish).filter(|_| !self.is_stale);
+        let size = match next_step(made_for, wish, || self.surface.capabilities(&self.gpu))? {
+            Step::Draw => return Ok(true),
+            Step::Rest => return Ok(false),
+            Step::Make(extent, capabilities) => (extent, capabilities),
+        };
         self.wait()?;
         if let Some((format, encoding)) = choose_format(&self.surface.formats(&self.gpu)?, wish.hdr) {
             if format != self.target.format {
@@ -175,10 +192,11 @@ impl Presenter {
             }
         }
         let old = self.swapchain.take();
-        self.swapchain = Swapchain::new(&self.gpu, &self.surface, &self.target, wish, old)?;
-        self.target.point_at(self.swapchain.as_ref().and_then(|swapchain| swapchain.canvas.as_ref()));
-        self.is_stale = self.swapchain.is_none();
-        Ok(self.swapchain.is_some())
+        let swapchain = Swapchain::new(&self.gpu, &self.surface, &self.target, wish, size, old)?;
+        self.target.point_at(swapchain.canvas.as_ref());
+        self.swapchain = Some(swapchain);
+        self.is_stale = false;
+        Ok(true)
     }
 
     fn change_format(&mut self, format: vk::SurfaceFormatKHR, encoding: Encoding) -> Result<()> {

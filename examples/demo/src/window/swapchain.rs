@@ -21,6 +21,13 @@ impl Surface {
         Self { functions: ash::khr::surface::Instance::new(gpu.entry(), gpu.instance()), handle, _gpu: gpu.clone() }
     }
 
+    /// Its size, and what it allows.
+    pub fn capabilities(&self, gpu: &Gpu) -> Result<vk::SurfaceCapabilitiesKHR> {
+        // SAFETY: the surface is alive.
+        unsafe { self.functions.get_physical_device_surface_capabilities(gpu.physical_device(), self.handle) }
+            .doing("query the window")
+    }
+
     /// Formats that the window can have.
     pub fn formats(&self, gpu: &Gpu) -> Result<Vec<vk::SurfaceFormatKHR>> {
         // SAFETY: the surface is alive.
@@ -47,6 +54,33 @@ pub struct Wish {
     pub hdr: bool,
 }
 
+/// What comes before a frame.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Nothing: the swapchain fits.
+    Draw,
+    /// A new swapchain of this size.
+    Make(vk::Extent2D, vk::SurfaceCapabilitiesKHR),
+    /// The window has no pixels, since it is minimised: nothing is made, nothing is drawn, and what there is stays for the next frame.
+    Rest,
+}
+
+/// `made_for`: the wish that the swapchain was made for, if there is one that still fits the window.
+///
+/// # Errors
+/// Those of `query`, which is not asked where nothing has changed.
+pub fn next_step(made_for: Option<Wish>, wish: Wish, query: impl FnOnce() -> Result<vk::SurfaceCapabilitiesKHR>) -> Result<Step> {
+    if wish.extent.contains(&0) {
+        return Ok(Step::Rest);
+    }
+    if made_for == Some(wish) {
+        return Ok(Step::Draw);
+    }
+    let capabilities = query()?;
+    let extent = clamped(&capabilities, wish.extent);
+    Ok(if extent.width == 0 || extent.height == 0 { Step::Rest } else { Step::Make(extent, capabilities) })
+}
+
 /// A swapchain for one size of the window.
 pub struct Swapchain {
     functions: ash::khr::swapchain::Device,
@@ -63,19 +97,18 @@ pub struct Swapchain {
 }
 
 impl Swapchain {
-    /// `None`: the window has no pixels now, since it is minimised. `old` is taken over and destroyed; nothing may use it any more.
+    /// Of a size that [`next_step`] gave. `old` is taken over and destroyed; nothing may use it any more.
     ///
     /// # Errors
     /// A surface that is lost, or no memory.
-    pub fn new(gpu: &Gpu, surface: &Surface, target: &Target, wish: Wish, old: Option<Swapchain>) -> Result<Option<Self>> {
-        // SAFETY: the surface is alive.
-        let capabilities =
-            unsafe { surface.functions.get_physical_device_surface_capabilities(gpu.physical_device(), surface.handle) }
-                .doing("query the window")?;
-        let extent = clamped(&capabilities, wish.extent);
-        if extent.width == 0 || extent.height == 0 {
-            return Ok(None);
-        }
+    pub fn new(
+        gpu: &Gpu,
+        surface: &Surface,
+        target: &Target,
+        wish: Wish,
+        (extent, capabilities): (vk::Extent2D, vk::SurfaceCapabilitiesKHR),
+        old: Option<Swapchain>,
+    ) -> Result<Self> {
         let most = if capabilities.max_image_count == 0 { u32::MAX } else { capabilities.max_image_count };
         let info = vk::SwapchainCreateInfoKHR::default()
             .surface(surface.handle)
@@ -106,7 +139,7 @@ impl Swapchain {
             gpu: gpu.clone(),
         };
         made.add_images(target)?;
-        Ok(Some(made))
+        Ok(made)
     }
 
     fn add_images(&mut self, target: &Target) -> Result<()> {
@@ -199,17 +232,56 @@ fn present_mode(gpu: &Gpu, surface: &Surface, vsync: bool) -> Result<vk::Present
 mod tests {
     use super::*;
 
+    const fn extent(width: u32, height: u32) -> vk::Extent2D {
+        vk::Extent2D { width, height }
+    }
+
+    const WISH: Wish = Wish { extent: [640, 480], vsync: true, hdr: false };
+
+    /// What comes next for a window that says it has this size: `Some(None)` is a rest, `Some(Some(size))` a new swapchain.
+    fn next(made_for: Option<Wish>, wish: Wish, size: vk::Extent2D) -> Option<Option<vk::Extent2D>> {
+        let [min_image_extent, max_image_extent] = [extent(1, 1), extent(500, 500)];
+        let window = vk::SurfaceCapabilitiesKHR { current_extent: size, min_image_extent, max_image_extent, ..Default::default() };
+        match next_step(made_for, wish, || Ok(window)).expect("an answer") {
+            Step::Draw => None,
+            Step::Rest => Some(None),
+            Step::Make(size, _) => Some(Some(size)),
+        }
+    }
+
+    const FREE: vk::Extent2D = extent(u32::MAX, u32::MAX);
+
     #[test]
-    fn a_minimised_window_has_no_pixels_and_a_free_one_is_clamped() {
-        let extent = |width, height| vk::Extent2D { width, height };
-        let fixed = vk::SurfaceCapabilitiesKHR { current_extent: extent(0, 0), ..Default::default() };
-        assert_eq!(clamped(&fixed, [640, 480]), extent(0, 0));
-        let free = vk::SurfaceCapabilitiesKHR {
-            current_extent: extent(u32::MAX, u32::MAX),
-            min_image_extent: extent(1, 1),
-            max_image_extent: extent(500, 500),
-            ..Default::default()
-        };
-        assert_eq!(clamped(&free, [640, 0]), extent(500, 1));
+    fn a_window_without_pixels_rests_whatever_there_was() {
+        for made_for in [None, Some(WISH), Some(Wish { extent: [1, 1], ..WISH })] {
+            for size in [[0, 0], [0, 480], [640, 0]] {
+                let wish = Wish { extent: size, ..WISH };
+                assert_eq!(next(made_for, wish, extent(size[0], size[1])), Some(None), "{made_for:?} {size:?}");
+                assert_eq!(next(made_for, wish, FREE), Some(None), "a window that takes any size");
+            }
+        }
+        // The window system was faster than the event.
+        assert_eq!(next(None, WISH, extent(0, 0)), Some(None));
+        assert_eq!(next(None, WISH, extent(640, 0)), Some(None));
+    }
+
+    #[test]
+    fn a_window_that_is_back_is_drawn() {
+        assert_eq!(next(Some(WISH), WISH, extent(640, 480)), None);
+        assert_eq!(next(None, WISH, extent(640, 480)), Some(Some(extent(640, 480))));
+        let other = Wish { vsync: false, ..WISH };
+        assert_eq!(next(Some(other), WISH, extent(640, 480)), Some(Some(extent(640, 480))));
+    }
+
+    #[test]
+    fn the_window_has_the_last_word_on_its_size() {
+        assert_eq!(next(None, WISH, extent(300, 200)), Some(Some(extent(300, 200))));
+        assert_eq!(next(None, WISH, FREE), Some(Some(extent(500, 480))));
+    }
+
+    #[test]
+    fn a_window_that_has_not_changed_is_not_asked() {
+        let step = next_step(Some(WISH), WISH, || panic!("asked")).expect("an answer");
+        assert!(matches!(step, Step::Draw));
     }
 }
