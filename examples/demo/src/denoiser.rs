@@ -70,8 +70,8 @@ impl Default for DenoiserOptions {
     }
 }
 
-/// Denoises what a [`PathTracer`] renders. Several may share a tracer, with one or another used in a frame; one that did not see the frame
-/// before has to be [`Self::reset`]. Keep the tracer as long: the denoiser reads its images.
+/// Denoises what a [`PathTracer`] renders. Several may share a tracer, with one or another used in a frame; one that did not see the moment
+/// that motion is from has to be [`Self::reset`]. Keep the tracer as long: the denoiser reads its images.
 pub struct FrameDenoiser {
     executor: Executor,
     /// For presets whose gradient samples the tracer shades again; others pay nothing.

@@ -1,7 +1,7 @@
 #version 450
 // The split screen: two pictures side by side in one rectangle, tone-mapped, enlarged without smoothing; and the magnifier.
 // Source: tone curves as in glsl/tone_map.comp of the crate [Reinhard 2002, Narkowicz 2015].
-// In:  left and right, radiance or display-referred. Out: for a target of sRGB format or of extended linear sRGB: linear; else encoded.
+// In:  left and right, radiance or display-referred. Out: linear Rec. 709, 1 is white; brighter only where the display can.
 #extension GL_EXT_samplerless_texture_functions : require
 
 layout(set = 0, binding = 0) uniform texture2D left;
@@ -16,8 +16,7 @@ layout(push_constant) uniform Presented {
     float exposure;
     uint display_referred;  // bit 0: left, bit 1: right
     uint tone_curve;
-    uint encoding;     // 0: none, the target's format does it; 1: sRGB; 2: none, brighter than 1 is shown
-    float peak;        // of the display, over white; for encoding 2
+    float peak;        // of the display, over white; 1: no HDR
 } presented;
 layout(location = 0) out vec4 colour;
 
@@ -30,13 +29,11 @@ vec3 aces(vec3 x) { return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14
 // On a display that is brighter than white the shoulder begins later, and white stays white.
 vec3 tone_mapped(vec3 radiance) {
     vec3 x = max(radiance * presented.exposure, 0.0);
-    if (presented.encoding == 2u) return presented.tone_curve == 2u ? min(x, presented.peak) : x / (1.0 + luminance(x) / presented.peak);
+    if (presented.peak > 1.0) return presented.tone_curve == 2u ? min(x, presented.peak) : x / (1.0 + luminance(x) / presented.peak);
     if (presented.tone_curve == 0u) x = aces(min(x, 1e4));
     else if (presented.tone_curve == 1u) x /= 1.0 + luminance(x);
     return clamp(x, 0.0, 1.0);
 }
-
-vec3 srgb(vec3 x) { return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308))); }
 
 // At a place in the picture, its own pixels. The divider cuts between pixels of the window, not of the picture.
 vec3 picture(vec2 position) {
@@ -64,5 +61,5 @@ void main() {
         bool marked = centre_reach > 0.5 * presented.lens_zoom && centre_reach < 0.5 * presented.lens_zoom + 1.5;
         value = border || marked ? vec3(1.0) : picture(centre + offset);
     }
-    colour = vec4(presented.encoding == 1u ? srgb(clamp(value, 0.0, 1.0)) : value, 1.0);
+    colour = vec4(value, 1.0);
 }

@@ -9,7 +9,7 @@ use super::memory::Memory;
 use super::{Gpu, Shared};
 use crate::error::{Doing, Error, Result};
 
-/// An image, its view and its memory. Usage: storage, sampled, transfer source and destination.
+/// An image, its view and its memory.
 pub struct Image {
     /// The image.
     pub handle: vk::Image,
@@ -35,11 +35,26 @@ pub(crate) const WHOLE_IMAGE: vk::ImageSubresourceRange = vk::ImageSubresourceRa
 };
 
 impl Image {
-    /// Makes an image; its content and layout are undefined.
+    /// Makes an image for shaders and copies; its content and layout are undefined.
     ///
     /// # Errors
     /// An extent of zero or beyond the device's limit, or no memory.
     pub fn new(gpu: &Gpu, name: &'static str, format: vk::Format, extent: vk::Extent2D) -> Result<Self> {
+        use vk::ImageUsageFlags as U;
+        Self::with_usage(gpu, name, format, extent, U::STORAGE | U::SAMPLED | U::TRANSFER_SRC | U::TRANSFER_DST)
+    }
+
+    /// The same for other uses.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn with_usage(
+        gpu: &Gpu,
+        name: &'static str,
+        format: vk::Format,
+        extent: vk::Extent2D,
+        usage: vk::ImageUsageFlags,
+    ) -> Result<Self> {
         check_extent(gpu, extent)?;
         let info = vk::ImageCreateInfo::default()
             .image_type(vk::ImageType::TYPE_2D)
@@ -49,12 +64,7 @@ impl Image {
             .array_layers(1)
             .samples(vk::SampleCountFlags::TYPE_1)
             .tiling(vk::ImageTiling::OPTIMAL)
-            .usage(
-                vk::ImageUsageFlags::STORAGE
-                    | vk::ImageUsageFlags::SAMPLED
-                    | vk::ImageUsageFlags::TRANSFER_SRC
-                    | vk::ImageUsageFlags::TRANSFER_DST,
-            );
+            .usage(usage);
         // SAFETY: the device is alive and the extent is within its limits.
         let handle = unsafe { gpu.device().create_image(&info, None) }.doing("create an image")?;
         // From here on, dropping `image` frees whatever was made.
@@ -80,6 +90,7 @@ impl Image {
     pub fn texel_bytes(&self) -> u64 {
         match self.format {
             vk::Format::R32_SFLOAT | vk::Format::R32_UINT | vk::Format::R8G8B8A8_UNORM => 4,
+            vk::Format::A2B10G10R10_UNORM_PACK32 => 4,
             vk::Format::R16G16B16A16_SFLOAT | vk::Format::R16G16B16A16_UINT => 8,
             _ => 16,
         }

@@ -18,10 +18,12 @@ use super::log::Log;
 use super::overlay::{self, Over};
 use super::pane_pipeline::Presented;
 use super::panel::Panel;
-use super::presenter::{Drawn, Presenter};
+use super::presenter::{Drawn, Outcome, Presenter};
 use super::settings::Settings;
 use super::shared::{Report, Request, Shared};
+use super::surface_format::Encoding;
 use super::swapchain::Wish;
+use super::textures::PendingTextures;
 use super::{create_surface, WindowOptions};
 use crate::error::{Error, Result};
 use crate::gpu::MessageLog;
@@ -33,6 +35,8 @@ pub struct Woken;
 const PANEL_WIDTH: f32 = 320.0;
 /// While the camera flies, and while the device is busy, the window looks again after this time.
 const TICK: Duration = Duration::from_millis(12);
+/// While the window is minimised.
+const MINIMISED_TICK: Duration = Duration::from_millis(200);
 /// Window pixels of the magnifier for one of the picture, at scale 1.
 const LENS_ZOOM: f32 = 12.0;
 
@@ -60,7 +64,7 @@ pub struct App {
     modifiers: ModifiersState,
     fly: Option<FlyCamera>,
     stepped: Instant,
-    textures: egui::TexturesDelta,
+    textures: PendingTextures,
     /// When to draw next, if nothing happens before.
     due: Option<Instant>,
     error: Option<Error>,
@@ -89,7 +93,7 @@ impl App {
             modifiers: ModifiersState::default(),
             fly: None,
             stepped: Instant::now(),
-            textures: egui::TexturesDelta::default(),
+            textures: PendingTextures::default(),
             due: None,
             error: None,
             validation: None,
@@ -159,13 +163,21 @@ impl App {
             Action::Pause => settings.paused = !settings.paused,
             Action::Step => {
                 settings.paused = true;
-                self.shared.want(|wanted| wanted.steps += 1);
+                // Together, so that no frame comes between.
+                self.shared.want(|wanted| {
+                    wanted.settings.paused = true;
+                    wanted.steps += 1;
+                });
             }
             Action::Reset => self.shared.want(|wanted| wanted.reset = true),
             Action::Home => {
                 settings.animate_camera = true;
                 self.fly = None;
-                self.shared.want(|wanted| wanted.reset = true);
+                // Together, so that the frame without history is the one after the jump.
+                self.shared.want(|wanted| {
+                    wanted.settings.animate_camera = true;
+                    (wanted.view, wanted.reset) = (None, true);
+                });
             }
             Action::Left(content) => settings.left = content,
             Action::Right(content) => settings.right = content,
@@ -185,6 +197,14 @@ impl App {
 
     fn request(&self, request: Request) {
         self.shared.want(|wanted| wanted.requests.push(request));
+    }
+
+    /// The same file may have become another one.
+    fn open_scene(&mut self, path: String) {
+        if self.settings.scene == path {
+            self.request(Request::Reload);
+        }
+        self.settings.scene = path;
     }
 
     fn save(&self) {
@@ -254,34 +274,40 @@ impl App {
         let input = live.egui.take_egui_input(&live.window);
         let context = live.egui.egui_ctx().clone();
         let (mut over, mut actions) = (Over::default(), Vec::new());
-        let output = context.run(input, |ctx| (over, actions) = self.ui(ctx, &report, extent));
+        let encoding = live.presenter.encoding();
+        let output = context.run(input, |ctx| (over, actions) = self.ui(ctx, &report, extent, encoding));
         actions.into_iter().for_each(|action| self.act(event_loop, action));
         self.steer(over.turned);
         self.tell(&over, extent);
         live.egui.handle_platform_output(&live.window, output.platform_output);
-        self.textures.append(output.textures_delta);
+        self.textures.add(output.textures_delta);
         let size = live.window.inner_size();
         self.log.turned([size.width, size.height], &over, &self.settings, self.help, &report);
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
         self.plan(delay);
         let wish = Wish { extent: [size.width, size.height], vsync: self.settings.vsync, hdr: self.settings.hdr };
         let pixels_per_point = output.pixels_per_point;
-        let is_drawn = live.presenter.is_ready()? && {
+        let outcome = if live.presenter.is_ready()? {
             let primitives = context.tessellate(output.shapes, pixels_per_point);
             let drawn = Drawn {
                 panes: report.panes.as_ref(),
                 presented: self.presented(&over, &report, extent, pixels_per_point),
-                textures: &self.textures,
+                textures: self.textures.changes(),
                 primitives: &primitives,
                 pixels_per_point,
             };
             live.presenter.draw(wish, &drawn)?
-        };
-        if is_drawn {
-            self.textures = egui::TexturesDelta::default();
-            self.log.drawn(&report);
         } else {
-            self.plan(TICK);
+            Outcome::Busy
+        };
+        match outcome {
+            Outcome::Drawn => {
+                self.textures.done();
+                self.log.drawn(&report);
+            }
+            Outcome::Busy => self.plan(TICK),
+            // The window system says when it is back; this is for one that does not.
+            Outcome::NoPixels => self.plan(MINIMISED_TICK),
         }
         Ok(())
     }
@@ -294,11 +320,11 @@ impl App {
         }
     }
 
-    fn ui(&mut self, ctx: &egui::Context, report: &Report, extent: [u32; 2]) -> (Over, Vec<Action>) {
+    fn ui(&mut self, ctx: &egui::Context, report: &Report, extent: [u32; 2], encoding: Encoding) -> (Over, Vec<Action>) {
         let mut actions = Vec::new();
         if self.settings.panel {
             let side = egui::SidePanel::right("panel").default_width(PANEL_WIDTH).min_width(200.0);
-            side.show(ctx, |ui| actions = self.panel.show(ui, &mut self.settings, report));
+            side.show(ctx, |ui| actions = self.panel.show(ui, &mut self.settings, report, encoding));
         }
         let mut over = Over::default();
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ctx, |ui| {
@@ -327,7 +353,6 @@ impl App {
             exposure: self.settings.exposure,
             display_referred: report.display_referred,
             tone_curve: self.settings.tone_curve,
-            encoding: 0,
             peak: 1.0,
         }
     }
@@ -364,7 +389,7 @@ impl ApplicationHandler<Woken> for App {
         match event {
             WindowEvent::CloseRequested => event_loop.exit(),
             WindowEvent::Resized(_) => live.presenter.invalidate(),
-            WindowEvent::DroppedFile(path) => self.settings.scene = path.to_string_lossy().into_owned(),
+            WindowEvent::DroppedFile(path) => self.open_scene(path.to_string_lossy().into_owned()),
             WindowEvent::ModifiersChanged(modifiers) => self.modifiers = modifiers.state(),
             WindowEvent::Focused(focused) => {
                 self.log.line(&format!("focused {focused}"));

@@ -10,7 +10,7 @@ use super::content::Content;
 use super::jobs::Jobs;
 use super::panes::{PaneWriter, Panes};
 use super::settings::Settings;
-use super::shared::{Shared, Wanted};
+use super::shared::{Request, Shared, Wanted};
 use super::world::World;
 use crate::error::Result;
 use crate::gpu::Gpu;
@@ -75,6 +75,17 @@ struct Made {
     view: Option<View>,
 }
 
+impl Made {
+    fn new(settings: &Settings, view: Option<View>) -> Self {
+        let mut tuning = Settings { tuning: settings.tuning.clone(), exposure: settings.exposure, ..Settings::default() };
+        if settings.taa {
+            // Anti-aliasing comes after the tone map, which else is the window's.
+            tuning.tone_curve = settings.tone_curve;
+        }
+        Self { contents: [settings.left, settings.right], tuning, view }
+    }
+}
+
 struct Engine {
     gpu: Gpu,
     world: World,
@@ -103,14 +114,13 @@ impl Engine {
     fn work(&mut self, shared: &Shared, wanted: &Wanted) -> Result<()> {
         let start = Instant::now();
         let settings = &wanted.settings;
+        if wanted.requests.contains(&Request::Reload) {
+            self.world.forget_scene();
+        }
         let reloaded = self.world.follow(shared, settings)?;
         self.jobs.take(shared, &wanted.requests);
         let flown = self.jobs.next_view();
-        let made = Made {
-            contents: [settings.left, settings.right],
-            tuning: Settings { tuning: settings.tuning.clone(), exposure: settings.exposure, ..Settings::default() },
-            view: flown.or(wanted.view),
-        };
+        let made = Made::new(settings, flown.or(wanted.view));
         let advance = !settings.paused || wanted.steps > 0 || self.jobs.is_flying();
         let stands = !advance && !reloaded && !wanted.reset && self.is_enough(&made);
         if !stands {
@@ -121,12 +131,12 @@ impl Engine {
         let shows_reference = made.contents.contains(&Content::Reference);
         self.world.accumulate(shows_reference)?;
         self.world.fill(&mut self.writer, &self.panes, made.contents)?;
-        self.made = Some(made);
+        let switched = self.made.replace(made.clone()).is_none_or(|last| last.contents != made.contents);
         if !stands {
             self.jobs.after_frame(shared, &self.gpu, &self.panes, settings, self.display_referred(settings), self.world.view())?;
         }
         self.jobs.shoot(shared, &self.gpu, &self.panes, settings, self.display_referred(settings))?;
-        self.publish(shared, wanted, (!stands).then_some(start))
+        self.publish(shared, wanted, (!stands).then_some(start), switched)
     }
 
     /// Whether the last frame has everything for a picture: then time may stand still.
@@ -146,9 +156,10 @@ impl Engine {
         u32::from(is_mapped(settings.left)) | u32::from(is_mapped(settings.right)) << 1
     }
 
-    fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Option<Instant>) -> Result<()> {
+    /// `start`: of the frame, where one was made; `switched`: other filters are shown than before.
+    fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Option<Instant>, switched: bool) -> Result<()> {
         let settings = &wanted.settings;
-        let due = settings.panel && self.frames % HISTOGRAM_EVERY == 1 && start.is_some();
+        let due = settings.panel && (switched || self.frames % HISTOGRAM_EVERY == 1 && start.is_some());
         let histogram = if due { Some(self.world.histogram([settings.right, settings.left])?) } else { None };
         let contents = [settings.left, settings.right];
         let probe = match wanted.probe {
@@ -172,5 +183,22 @@ impl Engine {
             report.histogram = histogram;
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_paused_picture_follows_what_the_filters_make_of_it() {
+        let plain = Settings::default();
+        let made = |settings: &Settings| Made::new(settings, None);
+        let linear = Settings { tone_curve: 2, ..plain.clone() };
+        assert!(made(&plain) == made(&linear), "the window maps tones");
+        let [plain_taa, linear_taa] = [plain.clone(), linear].map(|settings| Settings { taa: true, ..settings });
+        assert!(made(&plain_taa) != made(&linear_taa), "the filter maps tones");
+        assert!(made(&plain) != made(&Settings { exposure: 2.0, ..plain.clone() }));
+        assert!(made(&plain) == made(&Settings { divider: 0.1, magnifier: true, ..plain.clone() }));
     }
 }

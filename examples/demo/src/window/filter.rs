@@ -4,10 +4,11 @@ use ash::vk;
 use atrous::config::Preset;
 use atrous::{DebugView, ResetReason, Tuning};
 
-use super::panes::prepare;
+use super::panes::{prepare, Source};
 use super::shared::{FilterMemory, FilterReport, HISTOGRAM_BARS};
 use crate::error::Result;
 use crate::gpu::{Gpu, Image};
+use crate::scene::Moment;
 use crate::{DenoiserOptions, FrameDenoiser, PathTracer};
 
 /// A filter that runs.
@@ -16,14 +17,20 @@ pub struct Filter {
     denoiser: FrameDenoiser,
     /// Which.
     pub preset: Preset,
-    /// Radiance.
+    /// Radiance of surfaces.
     pub radiance: Image,
+    /// That of the medium, where there is one.
+    pub medium: Option<Image>,
     /// The same, tone-mapped and anti-aliased.
-    pub display: Image,
+    display: Image,
+    /// Whether the filter has it.
+    taa: bool,
     /// The debug view.
     pub debug: Image,
-    /// The frame that it saw last.
+    /// The tracer's frame that it saw last.
     last_frame: Option<u32>,
+    /// The moment that its history is of.
+    remembered: Option<Moment>,
 }
 
 impl Filter {
@@ -34,29 +41,44 @@ impl Filter {
     pub fn new(gpu: &Gpu, tracer: &PathTracer, preset: Preset, taa: bool) -> Result<Self> {
         let image = |name| Image::new(gpu, name, vk::Format::R16G16B16A16_SFLOAT, tracer.extent());
         let (radiance, display, debug) = (image("radiance")?, image("display")?, image("debug view")?);
-        prepare(gpu, &[&radiance, &display, &debug])?;
+        let medium = tracer.volume().map(|_| image("medium")).transpose()?;
+        let outputs = [("denoised_radiance", &radiance), ("display", &display), ("debug_view", &debug)];
+        let outputs: Vec<_> = outputs.into_iter().chain(medium.as_ref().map(|image| ("denoised_volume", image))).collect();
+        prepare(gpu, &outputs.iter().map(|output| output.1).collect::<Vec<_>>())?;
         let options = DenoiserOptions { taa, debug_view: true, ..DenoiserOptions::new(preset) };
         let mut denoiser = FrameDenoiser::new(gpu, tracer, &options)?;
-        for (name, image) in [("denoised_radiance", &radiance), ("display", &display), ("debug_view", &debug)] {
+        for (name, image) in outputs {
             denoiser.bind_output(name, image)?;
         }
-        Ok(Self { denoiser, preset, radiance, display, debug, last_frame: None })
+        Ok(Self { denoiser, preset, radiance, medium, display, taa, debug, last_frame: None, remembered: None })
     }
 
-    /// Denoises the tracer's frame, whose G-buffer was drawn; `reset`: without history.
+    /// Denoises the tracer's frame, whose G-buffer was drawn, with motion from the moment `before` to `now`. Its history goes on from there, however
+    /// many frames it has not seen meanwhile: where time stands still they change nothing. Else there is no motion from what it remembers.
     ///
     /// # Errors
     /// A lost device.
-    pub fn frame(&mut self, gpu: &Gpu, tracer: &mut PathTracer, tuning: Tuning, reset: bool) -> Result<()> {
+    pub fn frame(&mut self, gpu: &Gpu, tracer: &mut PathTracer, tuning: Tuning, now: &Moment, before: &Moment) -> Result<()> {
         self.denoiser.set_tuning(tuning);
-        let frame = tracer.frame();
-        // What it remembers is of another frame than the one before.
-        let missed = self.last_frame.is_some_and(|last| last + 1 != frame);
-        if reset || missed {
+        if self.remembered.replace(*now) != Some(*before) {
             self.denoiser.reset(ResetReason::CameraCut);
         }
-        self.last_frame = Some(frame);
+        self.last_frame = Some(tracer.frame());
         gpu.submit(|cmd| self.denoiser.record(cmd, tracer))
+    }
+
+    /// The next frame is without history, whenever that is.
+    pub fn forget(&mut self) {
+        self.remembered = None;
+    }
+
+    /// What came out, display-referred with temporal anti-aliasing.
+    pub fn source(&self) -> Source<'_> {
+        if self.taa {
+            return Source::of(&self.display);
+        }
+        let nothing = (&self.radiance, 0.0);
+        Source::sum([(&self.radiance, 1.0), nothing, nothing], self.medium.as_ref().map(|medium| (medium, 1.0)))
     }
 
     /// Shows a view of the last frame.

@@ -37,6 +37,8 @@ impl Jobs {
             match request.clone() {
                 Request::Screenshot(folder) => self.shots.push(folder),
                 Request::Record(folder) => self.record(shared, folder),
+                // The world's.
+                Request::Reload => {}
                 Request::RecordPath(path) => self.record_path(shared, path),
                 Request::ReplayPath(path) => match CameraPath::load(&path) {
                     Ok(way) => self.way = Way::Flown(way, 0),

@@ -8,8 +8,12 @@ mod camera;
 mod camera_path;
 mod clock;
 mod content;
+mod encode;
 mod engine;
 mod filter;
+mod fullscreen;
+#[cfg(test)]
+mod headless;
 mod input;
 mod jobs;
 mod layout;
@@ -20,9 +24,13 @@ mod panel;
 mod panes;
 mod presenter;
 mod record;
+mod reference;
 mod settings;
 mod shared;
+mod surface_format;
 mod swapchain;
+mod target;
+mod textures;
 mod world;
 
 use std::ffi::CStr;

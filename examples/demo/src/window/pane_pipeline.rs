@@ -5,7 +5,8 @@ use std::sync::Arc;
 use ash::vk;
 use bytemuck::{Pod, Zeroable};
 
-use super::panes::{shader_module, Panes, PRESENT_FRAG, PRESENT_VERT};
+use super::fullscreen;
+use super::panes::{Panes, PRESENT_FRAG};
 use crate::error::{Doing, Result};
 use crate::gpu::Gpu;
 
@@ -22,7 +23,6 @@ pub struct Presented {
     pub exposure: f32,
     pub display_referred: u32,
     pub tone_curve: u32,
-    pub encoding: u32,
     pub peak: f32,
 }
 
@@ -109,22 +109,10 @@ impl PanePipeline {
     /// # Errors
     /// No memory.
     pub fn make_pipeline(&mut self, render_pass: vk::RenderPass) -> Result<()> {
-        let device = self.gpu.device();
-        let vertex = shader_module(&self.gpu, PRESENT_VERT)?;
-        let fragment = shader_module(&self.gpu, PRESENT_FRAG);
-        let made = fragment.and_then(|fragment| {
-            let made = create_pipeline(device, self.layout, render_pass, vertex, fragment);
-            // SAFETY: ours, and a pipeline does not need it once it is made.
-            unsafe { device.destroy_shader_module(fragment, None) };
-            made
-        });
-        // SAFETY: as above; the old pipeline is not in use, says the caller.
-        unsafe {
-            device.destroy_shader_module(vertex, None);
-            device.destroy_pipeline(self.pipeline, None);
-        }
+        // SAFETY: ours or null, and not in use, says the caller.
+        unsafe { self.gpu.device().destroy_pipeline(self.pipeline, None) };
         self.pipeline = vk::Pipeline::null();
-        self.pipeline = made?;
+        self.pipeline = fullscreen::create_pipeline(&self.gpu, self.layout, render_pass, 0, PRESENT_FRAG)?;
         Ok(())
     }
 
@@ -144,17 +132,13 @@ impl PanePipeline {
             }
             self.bound[slot] = Some(panes.clone());
         }
-        let viewport =
-            vk::Viewport { width: extent.width as f32, height: extent.height as f32, max_depth: 1.0, ..Default::default() };
         let scissor = presented.reach(extent);
         // SAFETY: `cmd` is recording inside a render pass; pipeline, layout and set belong together.
         unsafe {
             device.cmd_bind_pipeline(cmd, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
             device.cmd_bind_descriptor_sets(cmd, vk::PipelineBindPoint::GRAPHICS, self.layout, 0, &[self.sets[slot]], &[]);
             device.cmd_push_constants(cmd, self.layout, vk::ShaderStageFlags::FRAGMENT, 0, bytemuck::bytes_of(presented));
-            device.cmd_set_viewport(cmd, 0, &[viewport]);
-            device.cmd_set_scissor(cmd, 0, &[scissor]);
-            device.cmd_draw(cmd, 3, 1, 0, 0);
+            fullscreen::draw(device, cmd, extent, scissor);
         }
     }
 }
@@ -170,40 +154,6 @@ impl Drop for PanePipeline {
             device.destroy_descriptor_set_layout(self.set_layout, None);
         }
     }
-}
-
-fn create_pipeline(
-    device: &ash::Device,
-    layout: vk::PipelineLayout,
-    render_pass: vk::RenderPass,
-    vertex: vk::ShaderModule,
-    fragment: vk::ShaderModule,
-) -> Result<vk::Pipeline> {
-    let stage = |stage, module| vk::PipelineShaderStageCreateInfo::default().stage(stage).module(module).name(c"main");
-    let stages = [stage(vk::ShaderStageFlags::VERTEX, vertex), stage(vk::ShaderStageFlags::FRAGMENT, fragment)];
-    let input = vk::PipelineVertexInputStateCreateInfo::default();
-    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
-    let viewport = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
-    let raster = vk::PipelineRasterizationStateCreateInfo::default().line_width(1.0);
-    let samples = vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    let target = [vk::PipelineColorBlendAttachmentState::default().color_write_mask(vk::ColorComponentFlags::RGBA)];
-    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&target);
-    let dynamic =
-        vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&[vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR]);
-    let info = vk::GraphicsPipelineCreateInfo::default()
-        .stages(&stages)
-        .vertex_input_state(&input)
-        .input_assembly_state(&assembly)
-        .viewport_state(&viewport)
-        .rasterization_state(&raster)
-        .multisample_state(&samples)
-        .color_blend_state(&blend)
-        .dynamic_state(&dynamic)
-        .layout(layout)
-        .render_pass(render_pass);
-    // SAFETY: modules, layout and render pass are alive and fit each other.
-    let made = unsafe { device.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) };
-    made.map_err(|(_, result)| result).doing("create a graphics pipeline").map(|pipelines| pipelines[0])
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use super::content::{title_of, Content, FILTERS};
 use super::input::Action;
 use super::settings::{Settings, SPEEDS};
 use super::shared::{FilterReport, Report};
+use super::surface_format::Encoding;
 use crate::scene::BUILT_IN;
 
 /// Frames that the plot shows.
@@ -23,8 +24,8 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Draws it; returns what was clicked.
-    pub fn show(&mut self, ui: &mut Ui, settings: &mut Settings, report: &Report) -> Vec<Action> {
+    /// Draws it; returns what was clicked. `encoding`: how colours get to the display.
+    pub fn show(&mut self, ui: &mut Ui, settings: &mut Settings, report: &Report, encoding: Encoding) -> Vec<Action> {
         self.remember(report);
         let mut actions = Vec::new();
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
@@ -38,7 +39,7 @@ impl Panel {
             section(ui, "Scene", true, |ui| scene(ui, settings, report, &mut actions));
             section(ui, "Split screen", true, |ui| split(ui, settings, report, &mut actions));
             section(ui, "Time", true, |ui| time(ui, settings, &mut actions));
-            section(ui, "Picture", false, |ui| picture(ui, settings));
+            section(ui, "Picture", false, |ui| picture(ui, settings, encoding));
             for (preset, name, title) in FILTERS {
                 if [settings.left, settings.right].iter().any(|c| c.preset() == Some(preset)) {
                     section(ui, &format!("{title}: numbers"), false, |ui| tuning(ui, settings, preset, name));
@@ -224,7 +225,7 @@ fn time(ui: &mut Ui, settings: &mut Settings, actions: &mut Vec<Action>) {
         .on_hover_text("1: thirty frames for a second of the animation; less: slow motion");
 }
 
-fn picture(ui: &mut Ui, settings: &mut Settings) {
+fn picture(ui: &mut Ui, settings: &mut Settings, encoding: Encoding) {
     ui.add(egui::Slider::new(&mut settings.exposure, 0.01..=100.0).logarithmic(true).text("exposure"))
         .on_hover_text("Scale of the radiance before the tone curve");
     egui::ComboBox::from_id_salt("curve")
@@ -238,6 +239,8 @@ fn picture(ui: &mut Ui, settings: &mut Settings) {
         .on_hover_text("Jitters the paths within their pixels and resolves them (Karis 2014)");
     ui.checkbox(&mut settings.vsync, "V-sync").on_hover_text("Waits for the display; off: as fast as possible, may tear");
     ui.checkbox(&mut settings.hdr, "HDR").on_hover_text("Brighter than white, where display and driver offer it");
+    let refused = if settings.hdr && encoding.peak() <= 1.0 { ": display or driver offer nothing else" } else { "" };
+    ui.label(RichText::new(format!("{}{refused}", encoding.title())).weak()).on_hover_text("What the window is drawn in");
 }
 
 /// Every number with its range, and its documentation as a tooltip.

@@ -9,7 +9,7 @@ use crate::tracer::barriers::{general_barrier, memory_barrier, Scope};
 mod shaders {
     include!(concat!(env!("OUT_DIR"), "/window_shaders.rs"));
 }
-pub use shaders::{PRESENT_FRAG, PRESENT_VERT};
+pub use shaders::{ENCODE_FRAG, PRESENT_FRAG, PRESENT_VERT};
 
 /// Left and right, `R16G16B16A16_SFLOAT`, in layout `GENERAL`. The engine writes them and the window reads them; both do so behind a barrier on
 /// the same queue, so that the order of submissions is all they need.
@@ -21,15 +21,21 @@ pub struct Panes {
 /// What a pane is the weighted sum of.
 pub struct Source<'a> {
     /// Images in layout `GENERAL`.
-    pub images: [&'a Image; 3],
+    images: [&'a Image; 4],
     /// Their weights; those of weight 0 are not read.
-    pub weights: [f32; 3],
+    weights: [f32; 4],
 }
 
 impl<'a> Source<'a> {
     /// One image as it is.
     pub fn of(image: &'a Image) -> Self {
-        Self { images: [image; 3], weights: [1.0, 0.0, 0.0] }
+        Self { images: [image; 4], weights: [1.0, 0.0, 0.0, 0.0] }
+    }
+
+    /// Three images with their weights, and the medium's, where there is one.
+    pub fn sum([a, b, c]: [(&'a Image, f32); 3], medium: Option<(&'a Image, f32)>) -> Self {
+        let d = medium.unwrap_or((a.0, 0.0));
+        Self { images: [a.0, b.0, c.0, d.0], weights: [a.1, b.1, c.1, d.1] }
     }
 }
 
@@ -77,10 +83,10 @@ impl PaneWriter {
     /// No memory.
     pub fn new(gpu: &Gpu, panes: &Panes) -> Result<Self> {
         let mut kinds = vec![vk::DescriptorType::STORAGE_IMAGE];
-        kinds.resize(4, vk::DescriptorType::SAMPLED_IMAGE);
+        kinds.resize(5, vk::DescriptorType::SAMPLED_IMAGE);
         let layout = SetLayout::new(gpu, &kinds)?;
         let pipeline = Pipeline::new(gpu, shaders::PANE, &[&layout], 16)?;
-        let set = |side: usize| DescriptorSet::of_images(gpu, &layout, &[panes.images[side].view; 4]);
+        let set = |side: usize| DescriptorSet::of_images(gpu, &layout, &[panes.images[side].view; 5]);
         let sets = [set(0)?, set(1)?];
         Ok(Self { layout, pipeline, sets })
     }
@@ -91,17 +97,16 @@ impl PaneWriter {
     /// No memory, or a lost device.
     pub fn write(&mut self, gpu: &Gpu, panes: &Panes, side: usize, source: &Source) -> Result<()> {
         let pane = &panes.images[side];
-        let [a, b, c] = source.images.map(|image| image.view);
+        let [a, b, c, d] = source.images.map(|image| image.view);
         // Every submission of the engine waits, so it is not in use.
         let set = &self.sets[side];
-        set.point_at(&self.layout, &[pane.view, a, b, c]);
-        let [x, y, z] = source.weights;
+        set.point_at(&self.layout, &[pane.view, a, b, c, d]);
         gpu.submit(|cmd| {
             let everything: Scope =
                 (vk::PipelineStageFlags::ALL_COMMANDS, vk::AccessFlags::MEMORY_WRITE | vk::AccessFlags::MEMORY_READ);
             let compute = (vk::PipelineStageFlags::COMPUTE_SHADER, vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE);
             memory_barrier(gpu.device(), cmd, everything, compute);
-            self.pipeline.record(cmd, &[set], bytemuck::cast_slice(&[x, y, z, 0.0]), pane.extent);
+            self.pipeline.record(cmd, &[set], bytemuck::cast_slice(&source.weights), pane.extent);
             Ok(())
         })
     }

@@ -7,7 +7,9 @@ use egui_ash_renderer::{Options, Renderer};
 
 use super::pane_pipeline::{PanePipeline, Presented};
 use super::panes::{before_reading, Panes};
-use super::swapchain::{choose_format, Encoding, Surface, Swapchain, Wish};
+use super::surface_format::{choose_format, Encoding};
+use super::swapchain::{next_step, Step, Surface, Swapchain, Wish};
+use super::target::Target;
 use crate::error::{Doing, Error, Result};
 use crate::gpu::Gpu;
 
@@ -18,7 +20,7 @@ const FRAMES_IN_FLIGHT: usize = 2;
 pub struct Drawn<'a> {
     /// The halves, once there are any.
     pub panes: Option<&'a Arc<Panes>>,
-    /// How; `encoding` and `peak` are filled in here.
+    /// How; `peak` is filled in here.
     pub presented: Presented,
     /// Textures of the panel that changed.
     pub textures: &'a egui::TexturesDelta,
@@ -26,6 +28,17 @@ pub struct Drawn<'a> {
     pub primitives: &'a [egui::ClippedPrimitive],
     /// Window pixels for one of the panel.
     pub pixels_per_point: f32,
+}
+
+/// What became of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// It is on its way to the display.
+    Drawn,
+    /// The device or the window system is not ready for it. Nothing happened, try again soon.
+    Busy,
+    /// The window has no pixels. Nothing happened.
+    NoPixels,
 }
 
 struct Slot {
@@ -40,9 +53,7 @@ pub struct Presenter {
     pool: vk::CommandPool,
     slots: Vec<Slot>,
     next: usize,
-    format: vk::SurfaceFormatKHR,
-    encoding: Encoding,
-    render_pass: vk::RenderPass,
+    target: Target,
     panes: PanePipeline,
     /// `None` while it is being replaced.
     egui: Option<Renderer>,
@@ -73,8 +84,8 @@ impl Presenter {
         let device = gpu.device();
         let flags = vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER;
         let info = vk::CommandPoolCreateInfo::default().queue_family_index(gpu.queue_family()).flags(flags);
-        let render_pass = create_render_pass(device, format.format)?;
-        let panes = PanePipeline::new(gpu, render_pass, FRAMES_IN_FLIGHT)?;
+        let target = Target::new(gpu, format, encoding, PRESENTED)?;
+        let panes = PanePipeline::new(gpu, target.render_pass, FRAMES_IN_FLIGHT)?;
         // SAFETY: the device is alive, the family is its own.
         let pool = unsafe { device.create_command_pool(&info, None) }.doing("create a command pool")?;
         let mut presenter = Self {
@@ -82,9 +93,7 @@ impl Presenter {
             pool,
             slots: Vec::new(),
             next: 0,
-            format,
-            encoding,
-            render_pass,
+            target,
             panes,
             egui: None,
             outdated: Vec::new(),
@@ -114,13 +123,10 @@ impl Presenter {
     }
 
     fn create_egui(&self) -> Result<Renderer> {
-        let options = Options {
-            in_flight_frames: FRAMES_IN_FLIGHT,
-            srgb_framebuffer: self.encoding != Encoding::Unorm,
-            ..Options::default()
-        };
+        // Every target is drawn in linear light.
+        let options = Options { in_flight_frames: FRAMES_IN_FLIGHT, srgb_framebuffer: true, ..Options::default() };
         let (instance, device) = (self.gpu.instance(), self.gpu.device().clone());
-        Ok(Renderer::with_default_allocator(instance, self.gpu.physical_device(), device, self.render_pass, options)?)
+        Ok(Renderer::with_default_allocator(instance, self.gpu.physical_device(), device, self.target.render_pass, options)?)
     }
 
     /// The swapchain has to be made anew before the next frame.
@@ -136,23 +142,26 @@ impl Presenter {
         self.gpu.is_signalled(self.slots[self.next].complete).doing("ask for a frame")
     }
 
-    /// Draws a frame; `false`: the device is not ready for it, or the window has no pixels. Then nothing happened, try again later.
+    /// Draws a frame, if it can.
     ///
     /// # Errors
     /// A lost device or surface.
-    pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<bool> {
+    pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<Outcome> {
         let slot = &self.slots[self.next];
         let (cmd, acquired, complete) = (slot.cmd, slot.acquired, slot.complete);
-        if !self.is_ready()? || !self.follow(wish)? {
-            return Ok(false);
+        if !self.is_ready()? {
+            return Ok(Outcome::Busy);
         }
-        let Some(swapchain) = &self.swapchain else { return Ok(false) };
+        if !self.follow(wish)? {
+            return Ok(Outcome::NoPixels);
+        }
+        let Some(swapchain) = &self.swapchain else { return Ok(Outcome::Busy) };
         let (image, suboptimal) = match swapchain.acquire(acquired, ACQUIRE_NANOSECONDS) {
             Ok(Some(acquired)) => acquired,
-            Ok(None) => return Ok(false),
+            Ok(None) => return Ok(Outcome::Busy),
             Err(vk::Result::ERROR_OUT_OF_DATE_KHR) => {
                 self.is_stale = true;
-                return Ok(false);
+                return Ok(Outcome::Busy);
             }
             Err(result) => return Err(result).doing("acquire an image of the window"),
         };
@@ -165,37 +174,44 @@ impl Presenter {
             Err(result) => return Err(result).doing("present"),
         }
         self.next = (self.next + 1) % FRAMES_IN_FLIGHT;
-        Ok(true)
+        Ok(Outcome::Drawn)
     }
 
     /// Brings the swapchain up to the window and the wishes. `false`: the window has no pixels.
     fn follow(&mut self, wish: Wish) -> Result<bool> {
-        if !self.is_stale && self.swapchain.as_ref().is_some_and(|s| s.wish == wish) {
-            return Ok(true);
-        }
+        let made_for = self.swapchain.as_ref().map(|swapchain| swapchain.wish).filter(|_| !self.is_stale);
+        let size = match next_step(made_for, wish, || self.surface.capabilities(&self.gpu))? {
+            Step::Draw => return Ok(true),
+            Step::Rest => return Ok(false),
+            Step::Make(extent, capabilities) => (extent, capabilities),
+        };
         self.wait()?;
         if let Some((format, encoding)) = choose_format(&self.surface.formats(&self.gpu)?, wish.hdr) {
-            if format != self.format {
+            if format != self.target.format {
                 self.change_format(format, encoding)?;
             }
         }
         let old = self.swapchain.take();
-        self.swapchain = Swapchain::new(&self.gpu, &self.surface, self.format, self.render_pass, wish, old)?;
-        self.is_stale = self.swapchain.is_none();
-        Ok(self.swapchain.is_some())
+        let swapchain = Swapchain::new(&self.gpu, &self.surface, &self.target, wish, size, old)?;
+        self.target.point_at(swapchain.canvas.as_ref());
+        self.swapchain = Some(swapchain);
+        self.is_stale = false;
+        Ok(true)
     }
 
     fn change_format(&mut self, format: vk::SurfaceFormatKHR, encoding: Encoding) -> Result<()> {
         self.swapchain = None;
-        let render_pass = create_render_pass(self.gpu.device(), format.format)?;
-        // SAFETY: ours, and every frame was waited for.
-        unsafe { self.gpu.device().destroy_render_pass(self.render_pass, None) };
-        (self.render_pass, self.format, self.encoding) = (render_pass, format, encoding);
-        self.panes.make_pipeline(render_pass)?;
+        self.target = Target::new(&self.gpu, format, encoding, PRESENTED)?;
+        self.panes.make_pipeline(self.target.render_pass)?;
         if let Some(egui) = &mut self.egui {
-            egui.set_render_pass(render_pass)?;
+            egui.set_render_pass(self.target.render_pass)?;
         }
         Ok(())
+    }
+
+    /// How colours get to the display.
+    pub fn encoding(&self) -> Encoding {
+        self.target.encoding
     }
 
     fn record(&mut self, cmd: vk::CommandBuffer, image: u32, drawn: &Drawn) -> Result<()> {
@@ -203,29 +219,20 @@ impl Presenter {
         let Some(swapchain) = &self.swapchain else { return Ok(()) };
         let (device, extent) = (self.gpu.device(), swapchain.extent);
         let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
-        let clear = [vk::ClearValue { color: vk::ClearColorValue { float32: [0.012, 0.012, 0.012, 1.0] } }];
-        let pass = vk::RenderPassBeginInfo::default()
-            .render_pass(self.render_pass)
-            .framebuffer(swapchain.framebuffers[image as usize])
-            .render_area(vk::Rect2D { extent, ..Default::default() })
-            .clear_values(&clear);
         // SAFETY: the slot's last frame is complete, so the command buffer is free.
         unsafe { device.begin_command_buffer(cmd, &begin) }.doing("begin a command buffer")?;
         before_reading(&self.gpu, cmd);
-        // SAFETY: `cmd` is recording; render pass and framebuffer belong together.
-        unsafe { device.cmd_begin_render_pass(cmd, &pass, vk::SubpassContents::INLINE) };
+        self.target.begin(cmd, swapchain.framebuffers[image as usize], extent, GROUND);
         if let Some(panes) = drawn.panes {
-            let presented = Presented { encoding: self.encoding as u32, peak: PEAK, ..drawn.presented };
+            let presented = Presented { peak: self.target.encoding.peak(), ..drawn.presented };
             self.panes.record(cmd, self.next, panes, extent, &presented);
         }
         if let Some(egui) = &mut self.egui {
             egui.cmd_draw(cmd, extent, drawn.pixels_per_point, drawn.primitives)?;
         }
-        // SAFETY: as above.
-        unsafe {
-            device.cmd_end_render_pass(cmd);
-            device.end_command_buffer(cmd).doing("end a command buffer")
-        }
+        self.target.end(cmd, extent);
+        // SAFETY: `cmd` is recording.
+        unsafe { device.end_command_buffer(cmd) }.doing("end a command buffer")
     }
 
     /// New glyphs are rare: then this waits for the device, since they are written into a texture that frames in flight read. Old textures go when no frame in flight can use them.
@@ -275,8 +282,10 @@ impl Presenter {
 
 /// An image is usually free at once; where the window system is slow the window's thread looks again later.
 const ACQUIRE_NANOSECONDS: u64 = 2_000_000;
-/// How much brighter than white an HDR display is taken to be.
-const PEAK: f32 = 4.0;
+/// Around the picture, linear: as in glsl/window/present.frag.
+const GROUND: f32 = 0.012;
+/// Of an image that was drawn.
+const PRESENTED: vk::ImageLayout = vk::ImageLayout::PRESENT_SRC_KHR;
 
 impl Drop for Presenter {
     fn drop(&mut self) {
@@ -292,29 +301,6 @@ impl Drop for Presenter {
                 device.destroy_fence(slot.complete, None);
             }
             device.destroy_command_pool(self.pool, None);
-            device.destroy_render_pass(self.render_pass, None);
         }
     }
-}
-
-fn create_render_pass(device: &ash::Device, format: vk::Format) -> Result<vk::RenderPass> {
-    let attachments = [vk::AttachmentDescription::default()
-        .format(format)
-        .samples(vk::SampleCountFlags::TYPE_1)
-        .load_op(vk::AttachmentLoadOp::CLEAR)
-        .store_op(vk::AttachmentStoreOp::STORE)
-        .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
-        .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-        .final_layout(vk::ImageLayout::PRESENT_SRC_KHR)];
-    let colour = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
-    let subpasses = [vk::SubpassDescription::default().color_attachments(&colour)];
-    // The transition comes after the semaphore of the acquired image.
-    let dependencies = [vk::SubpassDependency::default()
-        .src_subpass(vk::SUBPASS_EXTERNAL)
-        .src_stage_mask(vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT)
-        .dst_stage_mask(vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT)
-        .dst_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)];
-    let info = vk::RenderPassCreateInfo::default().attachments(&attachments).subpasses(&subpasses).dependencies(&dependencies);
-    // SAFETY: the device is alive.
-    unsafe { device.create_render_pass(&info, None) }.doing("create a render pass")
 }

@@ -46,6 +46,8 @@ pub enum Request {
     RecordPath(PathBuf),
     /// Flies a recorded way.
     ReplayPath(PathBuf),
+    /// Reads the file of the scene again.
+    Reload,
 }
 
 /// What a pixel says.

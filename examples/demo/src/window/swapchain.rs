@@ -2,8 +2,9 @@
 
 use ash::vk;
 
+use super::target::Target;
 use crate::error::{Doing, Result};
-use crate::gpu::{Gpu, WHOLE_IMAGE};
+use crate::gpu::{Gpu, Image, WHOLE_IMAGE};
 
 /// The surface of a window.
 pub struct Surface {
@@ -18,6 +19,13 @@ impl Surface {
     /// `handle` is a surface of the device's instance, is owned by the result, and the window outlives it.
     pub unsafe fn new(gpu: &Gpu, handle: vk::SurfaceKHR) -> Self {
         Self { functions: ash::khr::surface::Instance::new(gpu.entry(), gpu.instance()), handle, _gpu: gpu.clone() }
+    }
+
+    /// Its size, and what it allows.
+    pub fn capabilities(&self, gpu: &Gpu) -> Result<vk::SurfaceCapabilitiesKHR> {
+        // SAFETY: the surface is alive.
+        unsafe { self.functions.get_physical_device_surface_capabilities(gpu.physical_device(), self.handle) }
+            .doing("query the window")
     }
 
     /// Formats that the window can have.
@@ -46,33 +54,31 @@ pub struct Wish {
     pub hdr: bool,
 }
 
-/// How colours get to the display: as `encoding` in glsl/window/present.frag.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[repr(u32)]
-pub enum Encoding {
-    /// The format encodes.
-    Srgb = 0,
-    /// The shader encodes.
-    Unorm = 1,
-    /// Extended linear sRGB: 1 is white, more is brighter.
-    Extended = 2,
+/// What comes before a frame.
+#[derive(Clone, Debug)]
+pub enum Step {
+    /// Nothing: the swapchain fits.
+    Draw,
+    /// A new swapchain of this size.
+    Make(vk::Extent2D, vk::SurfaceCapabilitiesKHR),
+    /// The window has no pixels, since it is minimised: nothing is made, nothing is drawn, and what there is stays for the next frame.
+    Rest,
 }
 
-/// A format of the window, and what the shader has to do for it. An 8-bit sRGB one, unless `hdr` is wanted and there.
-pub fn choose_format(formats: &[vk::SurfaceFormatKHR], hdr: bool) -> Option<(vk::SurfaceFormatKHR, Encoding)> {
-    use vk::Format as F;
-    let standard = |f: &&vk::SurfaceFormatKHR| f.color_space == vk::ColorSpaceKHR::SRGB_NONLINEAR;
-    let extended = |f: &&vk::SurfaceFormatKHR| {
-        f.format == F::R16G16B16A16_SFLOAT && f.color_space == vk::ColorSpaceKHR::EXTENDED_SRGB_LINEAR_EXT
-    };
-    if let Some(found) = formats.iter().find(extended).filter(|_| hdr) {
-        return Some((*found, Encoding::Extended));
+/// `made_for`: the wish that the swapchain was made for, if there is one that still fits the window.
+///
+/// # Errors
+/// Those of `query`, which is not asked where nothing has changed.
+pub fn next_step(made_for: Option<Wish>, wish: Wish, query: impl FnOnce() -> Result<vk::SurfaceCapabilitiesKHR>) -> Result<Step> {
+    if wish.extent.contains(&0) {
+        return Ok(Step::Rest);
     }
-    let is_srgb = |f: &&vk::SurfaceFormatKHR| [F::B8G8R8A8_SRGB, F::R8G8B8A8_SRGB].contains(&f.format);
-    if let Some(found) = formats.iter().filter(standard).find(is_srgb) {
-        return Some((*found, Encoding::Srgb));
+    if made_for == Some(wish) {
+        return Ok(Step::Draw);
     }
-    formats.iter().find(standard).or(formats.first()).map(|found| (*found, Encoding::Unorm))
+    let capabilities = query()?;
+    let extent = clamped(&capabilities, wish.extent);
+    Ok(if extent.width == 0 || extent.height == 0 { Step::Rest } else { Step::Make(extent, capabilities) })
 }
 
 /// A swapchain for one size of the window.
@@ -83,38 +89,32 @@ pub struct Swapchain {
     pub wish: Wish,
     views: Vec<vk::ImageView>,
     pub framebuffers: Vec<vk::Framebuffer>,
+    /// Where the target has one.
+    pub canvas: Option<Image>,
     /// One for each image: it is free again when the image comes back.
     pub drawn: Vec<vk::Semaphore>,
     gpu: Gpu,
 }
 
 impl Swapchain {
-    /// `None`: the window has no pixels now, since it is minimised. `old` is taken over and destroyed; nothing may use it any more.
+    /// Of a size that [`next_step`] gave. `old` is taken over and destroyed; nothing may use it any more.
     ///
     /// # Errors
     /// A surface that is lost, or no memory.
     pub fn new(
         gpu: &Gpu,
         surface: &Surface,
-        format: vk::SurfaceFormatKHR,
-        render_pass: vk::RenderPass,
+        target: &Target,
         wish: Wish,
+        (extent, capabilities): (vk::Extent2D, vk::SurfaceCapabilitiesKHR),
         old: Option<Swapchain>,
-    ) -> Result<Option<Self>> {
-        // SAFETY: the surface is alive.
-        let capabilities =
-            unsafe { surface.functions.get_physical_device_surface_capabilities(gpu.physical_device(), surface.handle) }
-                .doing("query the window")?;
-        let extent = clamped(&capabilities, wish.extent);
-        if extent.width == 0 || extent.height == 0 {
-            return Ok(None);
-        }
+    ) -> Result<Self> {
         let most = if capabilities.max_image_count == 0 { u32::MAX } else { capabilities.max_image_count };
         let info = vk::SwapchainCreateInfoKHR::default()
             .surface(surface.handle)
             .min_image_count((capabilities.min_image_count + 1).clamp(2, most.max(2)))
-            .image_format(format.format)
-            .image_color_space(format.color_space)
+            .image_format(target.format.format)
+            .image_color_space(target.format.color_space)
             .image_extent(extent)
             .image_array_layers(1)
             .image_usage(vk::ImageUsageFlags::COLOR_ATTACHMENT)
@@ -134,14 +134,15 @@ impl Swapchain {
             wish,
             views: Vec::new(),
             framebuffers: Vec::new(),
+            canvas: target.canvas(extent)?,
             drawn: Vec::new(),
             gpu: gpu.clone(),
         };
-        made.add_images(format.format, render_pass)?;
-        Ok(Some(made))
+        made.add_images(target)?;
+        Ok(made)
     }
 
-    fn add_images(&mut self, format: vk::Format, render_pass: vk::RenderPass) -> Result<()> {
+    fn add_images(&mut self, target: &Target) -> Result<()> {
         let device = self.gpu.device();
         // SAFETY: the swapchain is alive.
         let images = unsafe { self.functions.get_swapchain_images(self.handle) }.doing("list the images of the swapchain")?;
@@ -149,20 +150,12 @@ impl Swapchain {
             let info = vk::ImageViewCreateInfo::default()
                 .image(image)
                 .view_type(vk::ImageViewType::TYPE_2D)
-                .format(format)
+                .format(target.format.format)
                 .subresource_range(WHOLE_IMAGE);
             // SAFETY: the image is the swapchain's, of this format.
             let view = unsafe { device.create_image_view(&info, None) }.doing("create a view of the window")?;
             self.views.push(view);
-            let attachments = [view];
-            let info = vk::FramebufferCreateInfo::default()
-                .render_pass(render_pass)
-                .attachments(&attachments)
-                .width(self.extent.width)
-                .height(self.extent.height)
-                .layers(1);
-            // SAFETY: view and render pass are alive and of the same format.
-            self.framebuffers.push(unsafe { device.create_framebuffer(&info, None) }.doing("create a framebuffer")?);
+            self.framebuffers.push(target.framebuffer(view, self.canvas.as_ref(), self.extent)?);
             // SAFETY: the device is alive.
             let semaphore = unsafe { device.create_semaphore(&vk::SemaphoreCreateInfo::default(), None) };
             self.drawn.push(semaphore.doing("create a semaphore")?);
@@ -239,34 +232,56 @@ fn present_mode(gpu: &Gpu, surface: &Surface, vsync: bool) -> Result<vk::Present
 mod tests {
     use super::*;
 
-    fn format(format: vk::Format, color_space: vk::ColorSpaceKHR) -> vk::SurfaceFormatKHR {
-        vk::SurfaceFormatKHR { format, color_space }
+    const fn extent(width: u32, height: u32) -> vk::Extent2D {
+        vk::Extent2D { width, height }
+    }
+
+    const WISH: Wish = Wish { extent: [640, 480], vsync: true, hdr: false };
+
+    /// What comes next for a window that says it has this size: `Some(None)` is a rest, `Some(Some(size))` a new swapchain.
+    fn next(made_for: Option<Wish>, wish: Wish, size: vk::Extent2D) -> Option<Option<vk::Extent2D>> {
+        let [min_image_extent, max_image_extent] = [extent(1, 1), extent(500, 500)];
+        let window = vk::SurfaceCapabilitiesKHR { current_extent: size, min_image_extent, max_image_extent, ..Default::default() };
+        match next_step(made_for, wish, || Ok(window)).expect("an answer") {
+            Step::Draw => None,
+            Step::Rest => Some(None),
+            Step::Make(size, _) => Some(Some(size)),
+        }
+    }
+
+    const FREE: vk::Extent2D = extent(u32::MAX, u32::MAX);
+
+    #[test]
+    fn a_window_without_pixels_rests_whatever_there_was() {
+        for made_for in [None, Some(WISH), Some(Wish { extent: [1, 1], ..WISH })] {
+            for size in [[0, 0], [0, 480], [640, 0]] {
+                let wish = Wish { extent: size, ..WISH };
+                assert_eq!(next(made_for, wish, extent(size[0], size[1])), Some(None), "{made_for:?} {size:?}");
+                assert_eq!(next(made_for, wish, FREE), Some(None), "a window that takes any size");
+            }
+        }
+        // The window system was faster than the event.
+        assert_eq!(next(None, WISH, extent(0, 0)), Some(None));
+        assert_eq!(next(None, WISH, extent(640, 0)), Some(None));
     }
 
     #[test]
-    fn the_format_follows_the_wish_where_it_can() {
-        let plain = vk::ColorSpaceKHR::SRGB_NONLINEAR;
-        let unorm = format(vk::Format::B8G8R8A8_UNORM, plain);
-        let srgb = format(vk::Format::B8G8R8A8_SRGB, plain);
-        let hdr = format(vk::Format::R16G16B16A16_SFLOAT, vk::ColorSpaceKHR::EXTENDED_SRGB_LINEAR_EXT);
-        assert_eq!(choose_format(&[unorm, srgb, hdr], false), Some((srgb, Encoding::Srgb)));
-        assert_eq!(choose_format(&[unorm, srgb, hdr], true), Some((hdr, Encoding::Extended)));
-        assert_eq!(choose_format(&[hdr, unorm], false), Some((unorm, Encoding::Unorm)));
-        assert_eq!(choose_format(&[unorm], true), Some((unorm, Encoding::Unorm)));
-        assert_eq!(choose_format(&[], true), None);
+    fn a_window_that_is_back_is_drawn() {
+        assert_eq!(next(Some(WISH), WISH, extent(640, 480)), None);
+        assert_eq!(next(None, WISH, extent(640, 480)), Some(Some(extent(640, 480))));
+        let other = Wish { vsync: false, ..WISH };
+        assert_eq!(next(Some(other), WISH, extent(640, 480)), Some(Some(extent(640, 480))));
     }
 
     #[test]
-    fn a_minimised_window_has_no_pixels_and_a_free_one_is_clamped() {
-        let extent = |width, height| vk::Extent2D { width, height };
-        let fixed = vk::SurfaceCapabilitiesKHR { current_extent: extent(0, 0), ..Default::default() };
-        assert_eq!(clamped(&fixed, [640, 480]), extent(0, 0));
-        let free = vk::SurfaceCapabilitiesKHR {
-            current_extent: extent(u32::MAX, u32::MAX),
-            min_image_extent: extent(1, 1),
-            max_image_extent: extent(500, 500),
-            ..Default::default()
-        };
-        assert_eq!(clamped(&free, [640, 0]), extent(500, 1));
+    fn the_window_has_the_last_word_on_its_size() {
+        assert_eq!(next(None, WISH, extent(300, 200)), Some(Some(extent(300, 200))));
+        assert_eq!(next(None, WISH, FREE), Some(Some(extent(500, 480))));
+    }
+
+    #[test]
+    fn a_window_that_has_not_changed_is_not_asked() {
+        let step = next_step(Some(WISH), WISH, || panic!("asked")).expect("an answer");
+        assert!(matches!(step, Step::Draw));
     }
 }

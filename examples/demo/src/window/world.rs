@@ -11,12 +11,12 @@ use super::clock::Clock;
 use super::content::Content;
 use super::filter::Filter;
 use super::panes::{PaneWriter, Panes, Source};
+use super::reference::GrowingReference;
 use super::settings::Settings;
 use super::shared::{FilterReport, Probe, Shared, HISTOGRAM_BARS};
 use crate::error::Result;
 use crate::gpu::Gpu;
 use crate::scene::View;
-use crate::tracer::ReferenceSums;
 use crate::{PathTracer, Scene, SceneOptions, TracerOptions};
 
 /// A reference is good enough with so many paths a pixel.
@@ -32,7 +32,7 @@ pub struct World {
     asked: String,
     // Before the tracer, whose images they read.
     filters: Vec<Filter>,
-    reference: Option<ReferenceSums<2>>,
+    reference: Option<GrowingReference>,
     wants_reference: bool,
     tracer: PathTracer,
     clock: Clock,
@@ -83,8 +83,11 @@ impl World {
             Ok((tracer, scene)) => {
                 self.filters.clear();
                 self.reference = None;
+                // Another kind of picture is of the same moment.
+                if !Arc::ptr_eq(&self.scene, &scene) {
+                    (self.clock, self.seed) = (Clock::default(), 0);
+                }
                 (self.tracer, self.scene) = (tracer, scene);
-                (self.clock, self.seed) = (Clock::default(), 0);
                 Ok(true)
             }
             Err(error) => {
@@ -92,6 +95,11 @@ impl World {
                 Ok(false)
             }
         }
+    }
+
+    /// The scene is loaded anew, though its name is the same.
+    pub fn forget_scene(&mut self) {
+        self.asked.clear();
     }
 
     /// Traces and filters one frame; `view`: the camera, where it does not follow its path.
@@ -105,8 +113,11 @@ impl World {
         }
         self.tracer.begin_moment(self.seed, &now, &before)?;
         self.seed += 1;
-        let contents = [settings.left, settings.right];
-        let presets = presets(contents);
+        if reset {
+            // Those that are not shown as well: they may be later.
+            self.filters.iter_mut().for_each(Filter::forget);
+        }
+        let presets = presets([settings.left, settings.right]);
         let gpu = self.gpu.clone();
         gpu.submit(|cmd| {
             self.tracer.record_gbuffer(cmd);
@@ -124,7 +135,7 @@ impl World {
                     self.filters.len() - 1
                 }
             };
-            self.filters[index].frame(&gpu, &mut self.tracer, settings.tuning(preset), reset)?;
+            self.filters[index].frame(&gpu, &mut self.tracer, settings.tuning(preset), &now, &before)?;
         }
         Ok(())
     }
@@ -142,7 +153,7 @@ impl World {
         }
         let reference = match &mut self.reference {
             Some(reference) => reference,
-            empty => empty.insert(self.tracer.reference_sums()?),
+            empty => empty.insert(GrowingReference::new(&self.tracer)?),
         };
         reference.add(&self.tracer, REFERENCE_TIME, REFERENCE_LIMIT)
     }
@@ -154,7 +165,7 @@ impl World {
 
     /// Paths of each pixel in the reference.
     pub fn reference_samples(&self) -> u32 {
-        self.reference.as_ref().map_or(0, ReferenceSums::samples)
+        self.reference.as_ref().map_or(0, GrowingReference::samples)
     }
 
     /// Whether a filter has seen the last frame.
@@ -175,14 +186,12 @@ impl World {
                     filter.show(&self.gpu, view)?;
                     Source::of(&filter.debug)
                 }
-                (Content::Filtered(_), Some(filter), _) if self.taa => Source::of(&filter.display),
-                (Content::Filtered(_), Some(filter), _) => Source::of(&filter.radiance),
-                (Content::Reference, _, Some(reference)) => {
-                    let [direct, indirect] = &reference.sums;
-                    let weight = 1.0 / reference.samples().max(1) as f32;
-                    Source { images: [direct, indirect, &outputs.emission], weights: [weight, weight, 1.0] }
+                (Content::Filtered(_), Some(filter), _) => filter.source(),
+                (Content::Reference, _, Some(reference)) => reference.source(outputs),
+                _ => {
+                    let medium = self.tracer.volume().map(|volume| (&volume.noisy_volume, 1.0));
+                    Source::sum([(&outputs.scattered, 1.0), (&outputs.emission, 1.0), (&outputs.emission, 0.0)], medium)
                 }
-                _ => Source { images: [&outputs.scattered, &outputs.emission, &outputs.emission], weights: [1.0, 1.0, 0.0] },
             };
             writer.write(&self.gpu, panes, side, &source)?;
         }
@@ -259,3 +268,6 @@ fn presets(contents: [Content; 2]) -> Vec<Preset> {
     presets.sort_by_key(|preset| *preset != Preset::Asvgf);
     presets
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! The window for real: in a virtual X server, on the device that there is, under validation. Keys and the mouse come from outside of the
 //! program, what it did is read from its log, from the pictures that it writes, and from the screen. Every step waits for a line, never for a time.
 
+mod drop;
 mod screen;
 mod session;
 

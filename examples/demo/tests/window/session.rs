@@ -3,6 +3,7 @@
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::screen::Screen;
@@ -33,7 +34,9 @@ impl Display {
 
     fn start() -> Result<Self, String> {
         Command::new("xdotool").arg("version").output().map_err(|e| format!("xdotool: {e}"))?;
-        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("display-{}", std::process::id()));
+        static OPENED: AtomicU32 = AtomicU32::new(0);
+        let name = format!("display-{}-{}", std::process::id(), OPENED.fetch_add(1, Ordering::Relaxed));
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
         std::fs::create_dir_all(&folder).map_err(|e| e.to_string())?;
         // The server picks a free number and says which.
         let mut server = Command::new("Xvfb")
@@ -154,6 +157,11 @@ impl Demo {
             let _ = stderr.read_to_string(&mut text);
         }
         text
+    }
+
+    /// The X server, and the window that [`Self::focus`] found in it.
+    pub fn window(&self) -> (&str, u32) {
+        (&self.display, self.window.parse().expect("a number"))
     }
 
     /// Where the picture was last, window pixels: corner and size.
