@@ -13,6 +13,8 @@ mod firefly;
 mod gradients;
 mod host_header;
 mod hosts;
+#[cfg(feature = "hot-reload")]
+mod hot_reload;
 mod parity;
 mod pattern;
 mod percentile;
@@ -50,6 +52,8 @@ fn main() {
         ("documents", documents::TESTS, false),
         ("host_header", host_header::TESTS, false),
         ("hosts", hosts::TESTS, true),
+        #[cfg(feature = "hot-reload")]
+        ("hot_reload", hot_reload::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("eaw", eaw::TESTS, true),
         ("firefly", firefly::TESTS, true),

@@ -123,6 +123,19 @@ impl Session {
         self.executor.invalidate();
     }
 
+    /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    ///
+    /// # Errors
+    /// As [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    ///
+    /// # Safety
+    /// `spirv` is valid for Vulkan 1.1.
+    #[cfg(feature = "hot-reload")]
+    pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
+        // SAFETY: every frame was waited for; the rest is the caller's.
+        unsafe { self.executor.replace_shader(name, spirv) }
+    }
+
     fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
         let resource = *declaration.resource(find(declaration, name)?);
