@@ -93,10 +93,11 @@ mod compile {
         for file in shaders(glsl)? {
             let source = Glsl::read(&file, &[glsl.join("include")])?;
             for variant in source.variants() {
-                let words = source.compile(&compiler, &variant, Kept::Code)?;
+                let compile = |kept| source.compile(&compiler, &variant, kept).map_err(|e| format!("{}:\n{e}", variant.name));
+                let words = compile(Kept::Code)?;
                 let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_ne_bytes()).collect();
                 fs::write(out.join(format!("{}.spv", variant.name)), bytes)?;
-                let named = source.compile(&compiler, &variant, Kept::Everything)?;
+                let named = compile(Kept::Everything)?;
                 entry(&mut table, &variant.name, &named)?;
                 writeln!(interfaces, "({:?}, &{:?}),", variant.name, interface(&named)?)?;
                 names.push(variant.name.to_uppercase());

@@ -53,7 +53,7 @@ impl Glsl {
         line.split_whitespace().map(variant).collect()
     }
 
-    /// One module. The error is the compiler's text: file (an include's, where the mistake is there), line, problem.
+    /// One module. The error is the compiler's text, which does not name the variant: file (an include's, where the mistake is there), line, problem.
     pub fn compile(&self, compiler: &Compiler, variant: &Variant, kept: Kept) -> Result<Vec<u32>, String> {
         // Options of its own for each module: shaderc's include callback keeps state between compilations otherwise.
         let mut options = CompileOptions::new().map_err(|e| e.to_string())?;
@@ -74,14 +74,8 @@ impl Glsl {
         });
         match compiler.compile_into_spirv(&self.source, self.kind, &self.file.to_string_lossy(), "main", Some(&options)) {
             Ok(artifact) => Ok(artifact.as_binary().to_vec()),
-            Err(error) => {
-                let text = match error {
-                    shaderc::Error::CompilationError(_, text) => text,
-                    other => format!("{}: {other}", self.file.display()),
-                };
-                let variant = if variant.macros.is_empty() { String::new() } else { format!("\nwith {}", variant.macros) };
-                Err(format!("{}{variant}", text.trim_end()))
-            }
+            Err(shaderc::Error::CompilationError(_, text)) => Err(text.trim_end().to_owned()),
+            Err(other) => Err(format!("{}: {other}", self.file.display())),
         }
     }
 }

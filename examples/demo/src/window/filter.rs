@@ -59,6 +59,15 @@ impl Filter {
         gpu.submit(|cmd| self.denoiser.record(cmd, tracer))
     }
 
+    /// Gives its passes other code; whether one of them runs that shader.
+    ///
+    /// # Errors
+    /// As [`FrameDenoiser::replace_shader`].
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        self.denoiser.replace_shader(shader)
+    }
+
     /// Shows a view of the last frame.
     ///
     /// # Errors

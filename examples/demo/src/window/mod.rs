@@ -20,6 +20,8 @@ mod panel;
 mod panes;
 mod presenter;
 mod record;
+#[cfg(feature = "hot-reload")]
+mod reload;
 mod settings;
 mod shared;
 mod swapchain;
@@ -35,6 +37,8 @@ use winit::event_loop::EventLoop;
 use winit::window::Window;
 
 pub use content::Content;
+#[cfg(feature = "hot-reload")]
+pub(crate) use panes::shaders as pane_shaders;
 pub use settings::Settings;
 
 use crate::error::{Doing, Error, Result};

@@ -110,8 +110,8 @@ impl PanePipeline {
     /// No memory.
     pub fn make_pipeline(&mut self, render_pass: vk::RenderPass) -> Result<()> {
         let device = self.gpu.device();
-        let vertex = shader_module(&self.gpu, PRESENT_VERT)?;
-        let fragment = shader_module(&self.gpu, PRESENT_FRAG);
+        let vertex = shader_module(&self.gpu, PRESENT_VERT.spirv)?;
+        let fragment = shader_module(&self.gpu, PRESENT_FRAG.spirv);
         let made = fragment.and_then(|fragment| {
             let made = create_pipeline(device, self.layout, render_pass, vertex, fragment);
             // SAFETY: ours, and a pipeline does not need it once it is made.
