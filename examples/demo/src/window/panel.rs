@@ -35,7 +35,7 @@ impl Panel {
                 }
             });
             summary(ui, report);
-            shader_errors(ui, report);
+            saved_shaders(ui, report);
             section(ui, "Scene", true, |ui| scene(ui, settings, report, &mut actions));
             section(ui, "Split screen", true, |ui| split(ui, settings, report, &mut actions));
             section(ui, "Time", true, |ui| time(ui, settings, &mut actions));
@@ -115,7 +115,10 @@ fn summary(ui: &mut Ui, report: &Report) {
 }
 
 /// On top, since a shader that was just saved is what is worked on.
-fn shader_errors(ui: &mut Ui, report: &Report) {
+fn saved_shaders(ui: &mut Ui, report: &Report) {
+    if let Some(reloaded) = &report.reloaded {
+        ui.label(RichText::new(reloaded).color(ui.visuals().weak_text_color()).small());
+    }
     for error in &report.shader_errors {
         ui.label(RichText::new(error).color(Color32::LIGHT_RED).small())
             .on_hover_text("The shader as it was before goes on. Save it again when it is mended");

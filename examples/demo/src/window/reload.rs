@@ -12,6 +12,8 @@ use crate::hot_reload::{Compiled, Recompiled, ShaderFolders, ShaderWatch, Stale}
 
 /// A save is noticed after at most twice this time.
 const LOOK_EVERY: Duration = Duration::from_millis(150);
+/// An include may belong to many shaders: so many of them are named.
+const NAMED: usize = 3;
 
 /// Compiles what is saved, and hands it to the engine. Dropping it waits for the shader that is being compiled.
 pub struct ReloadThread {
@@ -107,11 +109,15 @@ impl ShaderErrors {
                 Err(problem) => drop(self.by_file.insert(file.clone(), problem)),
             }
         }
-        shared.report().shader_errors = self.texts();
-        if !reloaded.is_empty() {
-            shared.say(false, format!("reloaded {}", reloaded.join(", ")));
+        let text = (!reloaded.is_empty()).then(|| summary(&reloaded));
+        {
+            let mut report = shared.report();
+            report.shader_errors = self.texts();
+            report.reloaded.clone_from(&text);
         }
-        !reloaded.is_empty()
+        let is_any = text.is_some();
+        text.into_iter().for_each(|text| shared.say(false, text));
+        is_any
     }
 
     /// Each once: an include that is broken breaks many files.
@@ -120,5 +126,43 @@ impl ShaderErrors {
         texts.sort();
         texts.dedup();
         texts
+    }
+}
+
+fn summary(files: &[&str]) -> String {
+    match files.get(NAMED..) {
+        Some(more @ [_, ..]) => format!("reloaded {} and {} more", files[..NAMED].join(", "), more.len()),
+        _ => format!("reloaded {}", files.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn saved(file: &str, problem: Option<&str>) -> Arc<Recompiled> {
+        let shaders = problem.map_or(Ok(Vec::new()), |problem| Err(problem.to_owned()));
+        Arc::new(Recompiled { file: file.into(), shaders })
+    }
+
+    #[test]
+    fn an_error_is_told_once_and_goes_when_its_files_are_mended() {
+        let (shared, mut errors) = (Shared::default(), ShaderErrors::default());
+        let mut take = |saved: &[Arc<Recompiled>]| {
+            let is_any = errors.take(&shared, saved, |_| Ok(()));
+            let report = shared.report();
+            (is_any, report.shader_errors.clone(), report.reloaded.clone())
+        };
+        let (include, other) = ("glsl/include/guide.glsl:3: error", "glsl/taa.comp:9: error");
+        let all = [saved("a.comp", Some(include)), saved("b.comp", Some(include)), saved("taa.comp", Some(other))];
+        assert_eq!(take(&all), (false, vec![include.to_owned(), other.to_owned()], None));
+        assert_eq!(take(&[saved("a.comp", None)]), (true, vec![include.into(), other.into()], Some("reloaded a.comp".into())));
+        assert_eq!(take(&[saved("b.comp", None)]).1, [other]);
+        let files = ["taa.comp", "c.comp", "d.comp", "e.comp", "f.comp"].map(|file| saved(file, None));
+        let text = "reloaded taa.comp, c.comp, d.comp and 2 more";
+        assert_eq!(take(&files), (true, Vec::new(), Some(text.into())));
+        assert_eq!(take(&[]), (false, Vec::new(), Some(text.into())));
+        let said: Vec<_> = shared.report().messages.iter().map(|m| m.text.clone()).collect();
+        assert_eq!(said, ["reloaded a.comp", "reloaded b.comp", text]);
     }
 }

@@ -117,6 +117,8 @@ pub struct Report {
     pub said: usize,
     /// What is wrong with saved shaders, for as long as it is.
     pub shader_errors: Vec<String>,
+    /// What was put in place last.
+    pub reloaded: Option<String>,
     /// Bit 0: the left half is display-referred, bit 1: the right one.
     pub display_referred: u32,
     /// A frame sequence is being written.
