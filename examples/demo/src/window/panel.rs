@@ -117,7 +117,7 @@ fn summary(ui: &mut Ui, report: &Report) {
 /// On top, since a shader that was just saved is what is worked on.
 fn saved_shaders(ui: &mut Ui, report: &Report) {
     if let Some(reloaded) = &report.reloaded {
-        ui.label(RichText::new(reloaded).color(ui.visuals().weak_text_color()).small());
+        ui.label(RichText::new(reloaded).small());
     }
     for error in &report.shader_errors {
         ui.label(RichText::new(error).color(Color32::LIGHT_RED).small())
