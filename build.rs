@@ -70,34 +70,37 @@ fn hash_of_sources(glsl: &Path) -> Result<String, Box<dyn Error>> {
 }
 
 #[cfg(feature = "shaderc")]
+#[path = "build/glsl.rs"]
+mod glsl;
+#[cfg(feature = "shaderc")]
+#[path = "src/hot_reload/interface.rs"]
+mod interface;
+
+#[cfg(feature = "shaderc")]
 mod compile {
+    use super::glsl::{shaders, Glsl, Kept};
+    use super::interface::interface;
     use super::{fs, Error, Path};
-    use shaderc::{CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv};
     use spirq::{prelude::*, ty::DescriptorType, ty::Type, var::Variable};
     use std::fmt::Write as _;
 
-    /// Compiles every variant of every shader into `out`, with the table `shaders.rs` beside them.
+    /// Compiles every variant of every shader into `out`, with the table `shaders.rs` in it and the table `interfaces.rs` beside it.
     pub fn all(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
         let _ = fs::remove_dir_all(out);
         fs::create_dir_all(out)?;
-        let mut files: Vec<_> = fs::read_dir(glsl)?.filter_map(|e| Some(e.ok()?.path())).collect();
-        files.retain(|p| p.extension().is_some_and(|e| e == "comp"));
-        files.sort();
-        let (mut table, mut names) = (String::new(), Vec::new());
-        let compiler = Compiler::new()?;
-        for file in files {
-            let source = fs::read_to_string(&file)?;
-            let stem = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-            for variant in variants(&source) {
-                let name = if variant.is_empty() {
-                    stem.clone()
-                } else {
-                    format!("{stem}_{}", variant.replace(['=', ','], "_").to_lowercase())
-                };
-                let spirv = |optimise| module(&compiler, &source, &file, &variant, optimise);
-                fs::write(out.join(format!("{name}.spv")), spirv(true)?.as_binary_u8())?;
-                entry(&mut table, &name, spirv(false)?.as_binary())?;
-                names.push(name.to_uppercase());
+        let (mut table, mut interfaces, mut names) = (String::new(), String::new(), Vec::new());
+        let compiler = shaderc::Compiler::new()?;
+        for file in shaders(glsl)? {
+            let source = Glsl::read(&file, &[glsl.join("include")])?;
+            for variant in source.variants() {
+                let compile = |kept| source.compile(&compiler, &variant, kept).map_err(|e| format!("{}:\n{e}", variant.name));
+                let words = compile(Kept::Code)?;
+                let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_ne_bytes()).collect();
+                fs::write(out.join(format!("{}.spv", variant.name)), bytes)?;
+                let named = compile(Kept::Everything)?;
+                entry(&mut table, &variant.name, &named)?;
+                writeln!(interfaces, "({:?}, &{:?}),", variant.name, interface(&named)?)?;
+                names.push(variant.name.to_uppercase());
             }
         }
         writeln!(
@@ -106,39 +109,9 @@ mod compile {
             names.iter().map(|n| format!("&{n}, ")).collect::<String>()
         )?;
         fs::write(out.join("shaders.rs"), table)?;
+        let interfaces = format!("pub(super) static INTERFACES: &[(&str, &[(&str, &str)])] = &[\n{interfaces}];\n");
+        fs::write(out.with_file_name("interfaces.rs"), interfaces)?;
         Ok(())
-    }
-
-    /// `// variants: A=1 A=2,B=1`: the macro sets that a shader is compiled with; one empty set without that line.
-    fn variants(source: &str) -> Vec<String> {
-        let line = source.lines().find_map(|l| l.strip_prefix("// variants:"));
-        line.map_or(vec![String::new()], |l| l.split_whitespace().map(str::to_owned).collect())
-    }
-
-    fn module(
-        compiler: &Compiler,
-        source: &str,
-        file: &Path,
-        variant: &str,
-        optimise: bool,
-    ) -> Result<shaderc::CompilationArtifact, String> {
-        let mut options = CompileOptions::new().map_err(|e| e.to_string())?;
-        options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
-        options.set_warnings_as_errors();
-        // The optimiser strips names, and reflection needs them: so each module is made twice.
-        options.set_optimization_level(if optimise { OptimizationLevel::Performance } else { OptimizationLevel::Zero });
-        for (name, value) in variant.split(',').filter_map(|d| d.split_once('=')) {
-            options.add_macro_definition(name, Some(value));
-        }
-        let include = file.parent().unwrap_or(Path::new(".")).join("include");
-        options.set_include_callback(move |name, _, from, _| {
-            let path = include.join(name);
-            let content = fs::read_to_string(&path).map_err(|e| format!("{from} includes {}: {e}", path.display()))?;
-            Ok(ResolvedInclude { resolved_name: path.to_string_lossy().into_owned(), content })
-        });
-        compiler
-            .compile_into_spirv(source, ShaderKind::Compute, &file.to_string_lossy(), "main", Some(&options))
-            .map_err(|e| format!("{} [{variant}]:\n{e}", file.display()))
     }
 
     /// The table entry of one module, and the asserts for the blocks that have a Rust twin.

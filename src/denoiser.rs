@@ -17,7 +17,7 @@ impl PassDecl {
         }
     }
 
-    /// The SPIR-V that a dispatch runs, `None` for the pass that starts a frame: for tools that reflect or profile it.
+    /// The SPIR-V that a dispatch was built with, `None` for the pass that starts a frame: for tools that reflect or profile it.
     pub fn spirv(&self) -> Option<&'static [u8]> {
         self.shader().map(|s| s.spirv)
     }
@@ -103,6 +103,22 @@ impl Denoiser {
     /// The next frame drops all history: after the host re-created images.
     pub fn invalidate(&mut self) {
         self.state.invalidate();
+    }
+
+    /// Gives the passes that run a shader other code, and keeps the history. Whether there are such passes. The old code stays where this fails.
+    ///
+    /// # Errors
+    /// As [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
+    ///
+    /// # Safety
+    /// - `spirv` is valid for Vulkan 1.1: what a compiler made, not what a stranger sent.
+    /// - GPU work that was recorded with this denoiser is complete, in every frame slot, and none is recorded that has yet to be submitted: the
+    ///   old pipeline is destroyed. A host with frames in flight waits for all of them, for example with `vkDeviceWaitIdle`.
+    #[cfg(feature = "hot-reload")]
+    pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
+        crate::hot_reload::check(name, spirv)?;
+        // SAFETY: the interface is that of the build; the rest is the caller's.
+        unsafe { self.pipelines.replace(name, spirv) }
     }
 
     /// Records one pass: no barrier, no allocation of memory, no submission.

@@ -135,6 +135,14 @@ pub enum Error {
         /// What is wrong and what to do.
         problem: String,
     },
+    /// A shader that cannot take the place of the one that the program was built with.
+    #[error("shader `{shader}`: {difference}. The program was built for the other one: build it again")]
+    ShaderInterface {
+        /// Its name.
+        shader: String,
+        /// What is different, as given and as built.
+        difference: String,
+    },
     /// A Vulkan call failed.
     #[error("{call} failed with {result}")]
     Vulkan {

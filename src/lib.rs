@@ -15,6 +15,8 @@ mod error;
 #[cfg(feature = "executor")]
 pub mod executor;
 mod frame_constants;
+#[cfg(feature = "hot-reload")]
+pub mod hot_reload;
 mod nodes;
 mod pipeline;
 mod presets;

@@ -59,6 +59,24 @@ impl Pipelines {
         *self.bindables.get(slot as usize)?.get(pass)?
     }
 
+    /// Gives a shader other code with the same interface. The old pipeline stays where that fails. Whether there is such a shader.
+    ///
+    /// # Safety
+    /// The words are valid SPIR-V, and no work that uses the shader is pending or recorded.
+    #[cfg(feature = "hot-reload")]
+    pub unsafe fn replace(&mut self, name: &str, code: &[u32]) -> Result<bool, Error> {
+        let Some(pipeline) = self.pipelines.get_mut(name) else { return Ok(false) };
+        // SAFETY: the device is live, and the interface is that of the layout.
+        let new = unsafe { create_pipeline(&self.device, pipeline.layout, code)? };
+        let old = std::mem::replace(&mut pipeline.pipeline, new);
+        for bindable in self.bindables.iter_mut().flatten().flatten().filter(|b| b.pipeline == old) {
+            bindable.pipeline = new;
+        }
+        // SAFETY: ours, and not in use; the caller says so.
+        unsafe { self.device.destroy_pipeline(old, None) };
+        Ok(true)
+    }
+
     unsafe fn add_slot(&mut self, declaration: &Declaration) -> Result<(), Error> {
         let shaders: Vec<Option<&'static Shader>> = declaration.passes().iter().map(|p| p.shader()).collect();
         let mut sizes: BTreeMap<i32, vk::DescriptorPoolSize> = BTreeMap::new();
@@ -149,15 +167,7 @@ impl Pipeline {
             let ranges = [range];
             let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(&ranges);
             self.layout = device.create_pipeline_layout(&info, None).map_err(Error::vulkan("vkCreatePipelineLayout"))?;
-            let info = vk::ShaderModuleCreateInfo::default().code(&code);
-            let module = device.create_shader_module(&info, None).map_err(Error::vulkan("vkCreateShaderModule"))?;
-            let stage =
-                vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
-            let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
-            let pipelines = device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
-            device.destroy_shader_module(module, None);
-            let pipelines = pipelines.map_err(|(_, result)| Error::Vulkan { call: "vkCreateComputePipelines", result })?;
-            self.pipeline = pipelines.first().copied().unwrap_or_default();
+            self.pipeline = create_pipeline(device, self.layout, &code)?;
         }
         Ok(())
     }
@@ -169,5 +179,21 @@ impl Pipeline {
             device.destroy_pipeline_layout(self.layout, None);
             device.destroy_descriptor_set_layout(self.set_layout, None);
         }
+    }
+}
+
+/// # Safety
+/// The device is live; the code is valid, and its interface is that of the layout.
+unsafe fn create_pipeline(device: &ash::Device, layout: vk::PipelineLayout, code: &[u32]) -> Result<vk::Pipeline, Error> {
+    let info = vk::ShaderModuleCreateInfo::default().code(code);
+    // SAFETY: the caller's, for each of these.
+    unsafe {
+        let module = device.create_shader_module(&info, None).map_err(Error::vulkan("vkCreateShaderModule"))?;
+        let stage = vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
+        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout);
+        let pipelines = device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
+        device.destroy_shader_module(module, None);
+        let pipelines = pipelines.map_err(|(_, result)| Error::Vulkan { call: "vkCreateComputePipelines", result })?;
+        Ok(pipelines.first().copied().unwrap_or_default())
     }
 }

@@ -14,6 +14,8 @@ mod firefly;
 mod gradients;
 mod host_header;
 mod hosts;
+#[cfg(feature = "hot-reload")]
+mod hot_reload;
 mod parity;
 mod pattern;
 mod percentile;
@@ -51,6 +53,8 @@ fn main() {
         ("documents", documents::TESTS, false),
         ("host_header", host_header::TESTS, false),
         ("hosts", hosts::TESTS, true),
+        #[cfg(feature = "hot-reload")]
+        ("hot_reload", hot_reload::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
         ("debug_views", debug_views::TESTS, true),
         ("eaw", eaw::TESTS, true),

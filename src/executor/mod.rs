@@ -145,6 +145,19 @@ impl Executor {
         self.denoiser.invalidate();
     }
 
+    /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`].
+    ///
+    /// # Errors
+    /// As [`Denoiser::replace_shader`].
+    ///
+    /// # Safety
+    /// As [`Denoiser::replace_shader`].
+    #[cfg(feature = "hot-reload")]
+    pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
+        // SAFETY: the caller's.
+        unsafe { self.denoiser.replace_shader(name, spirv) }
+    }
+
     /// Records every pass of a phase with its barriers; `debug_view` in frames with a view.
     ///
     /// # Errors

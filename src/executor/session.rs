@@ -81,6 +81,19 @@ impl Session {
         self.executor.invalidate();
     }
 
+    /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    ///
+    /// # Errors
+    /// As [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    ///
+    /// # Safety
+    /// `spirv` is valid for Vulkan 1.1.
+    #[cfg(feature = "hot-reload")]
+    pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
+        // SAFETY: every frame was waited for; the rest is the caller's.
+        unsafe { self.executor.replace_shader(name, spirv) }
+    }
+
     /// Runs one frame with all its phases, and waits for it.
     ///
     /// # Errors

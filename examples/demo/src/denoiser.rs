@@ -173,6 +173,21 @@ impl FrameDenoiser {
         self.tuning = tuning;
     }
 
+    /// Gives the denoiser's passes other code, or the pass that shades gradient samples again; whether one of them runs that shader. Keeps the
+    /// history.
+    ///
+    /// # Errors
+    /// A shader that does not fit, no memory, or a lost device: the old code stays.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        match (shader.owner(), &mut self.reshading) {
+            // SAFETY: shaderc made it for Vulkan 1.1, and every submission of the engine is waited for.
+            (crate::hot_reload::Owner::Denoiser, _) => unsafe { Ok(self.executor.replace_shader(shader.name(), shader.spirv())?) },
+            (crate::hot_reload::Owner::Engine, Some(reshading)) => reshading.replace_shader(shader),
+            (crate::hot_reload::Owner::Engine, None) => Ok(false),
+        }
+    }
+
     /// Records the output `debug_view` of the last frame, with [`DenoiserOptions::debug_view`]: as often as there are views to show.
     ///
     /// # Errors

@@ -9,6 +9,8 @@
 pub mod denoiser;
 pub mod error;
 pub mod gpu;
+#[cfg(feature = "hot-reload")]
+pub mod hot_reload;
 pub mod measure;
 pub mod report;
 pub mod scene;

@@ -14,7 +14,7 @@ pub use choice::DeviceInfo;
 pub use image::Image;
 pub(crate) use image::WHOLE_IMAGE;
 pub use instance::MessageLog;
-pub(crate) use pipeline::{storage_images, Bound, DescriptorSet, Pipeline, SetLayout};
+pub(crate) use pipeline::{storage_images, Bound, DescriptorSet, Pipeline, SetLayout, Shader};
 pub use upload::Upload;
 
 use std::ffi::CStr;

@@ -141,8 +141,20 @@ impl Drop for DescriptorSet {
     }
 }
 
+/// A shader as it was built.
+#[cfg_attr(not(feature = "hot-reload"), allow(dead_code))]
+pub(crate) struct Shader {
+    /// Its file without `.comp`, and the macros of its variant.
+    pub name: &'static str,
+    pub spirv: &'static [u8],
+    /// What the program assumes of it: see `atrous::hot_reload::check_interface`.
+    pub interface: &'static [(&'static str, &'static str)],
+}
+
 /// A compute pipeline and its layout.
 pub(crate) struct Pipeline {
+    #[cfg(feature = "hot-reload")]
+    shader: &'static Shader,
     handle: vk::Pipeline,
     layout: vk::PipelineLayout,
     shared: Arc<Shared>,
@@ -150,7 +162,7 @@ pub(crate) struct Pipeline {
 
 impl Pipeline {
     /// Entry point `main`; `push_constant_bytes` may be 0.
-    pub fn new(gpu: &Gpu, spirv: &[u8], sets: &[&SetLayout], push_constant_bytes: u32) -> Result<Self> {
+    pub fn new(gpu: &Gpu, shader: &'static Shader, sets: &[&SetLayout], push_constant_bytes: u32) -> Result<Self> {
         let device = gpu.device();
         let layouts: Vec<_> = sets.iter().map(|set| set.handle).collect();
         let ranges = [vk::PushConstantRange::default().stage_flags(vk::ShaderStageFlags::COMPUTE).size(push_constant_bytes)];
@@ -158,19 +170,45 @@ impl Pipeline {
         let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(ranges);
         // SAFETY: the set layouts are alive.
         let layout = unsafe { device.create_pipeline_layout(&info, None) }.doing("create a pipeline layout")?;
-        let mut pipeline = Self { handle: vk::Pipeline::null(), layout, shared: gpu.shared.clone() };
-        let words: Vec<u32> = bytemuck::pod_collect_to_vec(spirv);
+        let mut pipeline = Self {
+            #[cfg(feature = "hot-reload")]
+            shader,
+            handle: vk::Pipeline::null(),
+            layout,
+            shared: gpu.shared.clone(),
+        };
+        pipeline.handle = pipeline.create(&bytemuck::pod_collect_to_vec(shader.spirv))?;
+        Ok(pipeline)
+    }
+
+    /// Takes other code, if it is of its shader; whether it is. No work that uses the pipeline is pending. The old code stays where this fails.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        if shader.owner() != crate::hot_reload::Owner::Engine || shader.name() != self.shader.name {
+            return Ok(false);
+        }
+        let new = self.create(shader.spirv())?;
+        let old = std::mem::replace(&mut self.handle, new);
+        // SAFETY: every submit here waits, so no pending work uses it.
+        unsafe { self.shared.device.destroy_pipeline(old, None) };
+        Ok(true)
+    }
+
+    fn create(&self, words: &[u32]) -> Result<vk::Pipeline> {
+        let device = &self.shared.device;
         // SAFETY: the words are SPIR-V that shaderc made for Vulkan 1.1.
-        let module = unsafe { device.create_shader_module(&vk::ShaderModuleCreateInfo::default().code(&words), None) }
+        let module = unsafe { device.create_shader_module(&vk::ShaderModuleCreateInfo::default().code(words), None) }
             .doing("create a shader module")?;
         let stage = vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
-        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout);
+        let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
         // SAFETY: module and layout are alive, and the module's bindings are those of the layout.
         let made = unsafe { device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
         // SAFETY: a pipeline does not need its module once it is made.
         unsafe { device.destroy_shader_module(module, None) };
-        pipeline.handle = made.map_err(|(_, result)| result).doing("create a compute pipeline")?[0];
-        Ok(pipeline)
+        Ok(made.map_err(|(_, result)| result).doing("create a compute pipeline")?[0])
     }
 
     /// Records one dispatch of 8x8 groups over `extent`. Clobbers the compute bindings.

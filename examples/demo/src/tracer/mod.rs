@@ -28,7 +28,8 @@ use barriers::{general_barrier, memory_barrier};
 use layout::FrameConstants;
 use scene_buffers::SceneBuffers;
 
-mod shaders {
+pub(crate) mod shaders {
+    use crate::gpu::Shader;
     include!(concat!(env!("OUT_DIR"), "/shaders.rs"));
 }
 
@@ -91,8 +92,8 @@ impl PathTracer {
             scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
             gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
             lighting_set: DescriptorSet::of_images(gpu, &lighting_layout, &lit_images(&outputs).map(|image| image.view))?,
-            gbuffer: Pipeline::new(gpu, shaders::GBUFFER, &[&scene_layout, &gbuffer_layout], 0)?,
-            lighting: Pipeline::new(gpu, shaders::PATH_TRACE, &[&scene_layout, &lighting_layout], 0)?,
+            gbuffer: Pipeline::new(gpu, &shaders::GBUFFER, &[&scene_layout, &gbuffer_layout], 0)?,
+            lighting: Pipeline::new(gpu, &shaders::PATH_TRACE, &[&scene_layout, &lighting_layout], 0)?,
             gpu: gpu.clone(),
             scene: scene.clone(),
             extent,
@@ -145,6 +146,21 @@ impl PathTracer {
         };
         self.buffers.set_constants(&constants);
         Ok(())
+    }
+
+    /// Gives its passes other code; whether one of them runs that shader.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        let volume = self.volume.as_mut().map(|volume| &mut volume.pipeline);
+        for pipeline in [&mut self.gbuffer, &mut self.lighting].into_iter().chain(volume) {
+            if pipeline.replace(shader)? {
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// Records the copies of the frame's data and the visibility pass. Waits for all earlier commands of the queue.

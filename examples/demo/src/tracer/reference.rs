@@ -10,7 +10,7 @@ use ash::vk;
 use super::barriers::{general_barrier, memory_barrier};
 use super::{shaders, PathTracer};
 use crate::error::{Error, Result};
-use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout, WHOLE_IMAGE};
+use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout, Shader, WHOLE_IMAGE};
 
 /// A submit should take about this long: short enough for a driver's watchdog, long enough to waste nothing.
 const SUBMIT_TIME: Duration = Duration::from_millis(300);
@@ -60,6 +60,15 @@ impl<const N: usize> ReferenceSums<N> {
     /// The next samples are the first ones.
     pub fn restart(&mut self) {
         self.samples = 0;
+    }
+
+    /// Gives it other code; whether it runs that shader.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        self.pipeline.replace(shader)
     }
 
     /// Adds samples of the tracer's frame, whose G-buffer was drawn: as many as take about `time`, at most `limit` in all. Waits for them.
@@ -117,7 +126,7 @@ impl PathTracer {
     /// # Errors
     /// No memory.
     pub fn reference_sums(&self) -> Result<ReferenceSums<2>> {
-        self.sums(["direct_sum", "indirect_sum"], [&self.outputs.visibility, &self.outputs.seed], shaders::REFERENCE)
+        self.sums(["direct_sum", "indirect_sum"], [&self.outputs.visibility, &self.outputs.seed], &shaders::REFERENCE)
     }
 
     /// The same of light that the medium scattered, where there is one.
@@ -128,10 +137,15 @@ impl PathTracer {
         if self.volume.is_none() {
             return Ok(None);
         }
-        self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], shaders::VOLUME_REFERENCE).map(Some)
+        self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], &shaders::VOLUME_REFERENCE).map(Some)
     }
 
-    fn sums<const N: usize>(&self, names: [&'static str; N], read: [&Image; 2], shader: &[u8]) -> Result<ReferenceSums<N>> {
+    fn sums<const N: usize>(
+        &self,
+        names: [&'static str; N],
+        read: [&Image; 2],
+        shader: &'static Shader,
+    ) -> Result<ReferenceSums<N>> {
         let gpu = &self.gpu;
         let sum = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_SFLOAT, self.extent);
         let sums = names.into_iter().map(sum).collect::<Result<Vec<_>>>()?;

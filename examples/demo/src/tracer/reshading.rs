@@ -24,6 +24,17 @@ pub struct Reshading {
     stratum_size: u32,
 }
 
+#[cfg(feature = "hot-reload")]
+impl Reshading {
+    /// Gives its pass other code; whether it runs that shader.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        self.pipeline.replace(shader)
+    }
+}
+
 impl PathTracer {
     /// Makes what it takes to shade gradient samples again, one for strata of `stratum_size`² pixels.
     ///
@@ -49,7 +60,7 @@ impl PathTracer {
             DescriptorSet::of_images(gpu, &layout, &views)
         };
         let sets = [set(0)?, set(1)?];
-        let pipeline = Pipeline::new(gpu, shaders::PATH_TRACE_RESHADED, &[&self.scene_layout, &layout], 4)?;
+        let pipeline = Pipeline::new(gpu, &shaders::PATH_TRACE_RESHADED, &[&self.scene_layout, &layout], 4)?;
         gpu.submit(|cmd| {
             let all: Vec<&Image> = samples.iter().flatten().chain([&gradient_samples]).collect();
             general_barrier(gpu.device(), cmd, &all);

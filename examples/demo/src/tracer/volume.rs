@@ -26,7 +26,7 @@ impl Volume {
         let layout = SetLayout::new(gpu, &storage_images(4))?;
         let images = [&outputs.seed, &outputs.depth, &noisy_volume, &scattering_depth].map(|image| image.view);
         let set = DescriptorSet::of_images(gpu, &layout, &images)?;
-        let pipeline = Pipeline::new(gpu, shaders::VOLUME, &[scene_layout, &layout], 0)?;
+        let pipeline = Pipeline::new(gpu, &shaders::VOLUME, &[scene_layout, &layout], 0)?;
         Ok(Self { noisy_volume, scattering_depth, set, pipeline })
     }
 }

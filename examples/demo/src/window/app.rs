@@ -19,6 +19,8 @@ use super::overlay::{self, Over};
 use super::pane_pipeline::Presented;
 use super::panel::Panel;
 use super::presenter::{Drawn, Outcome, Presenter};
+#[cfg(feature = "hot-reload")]
+use super::reload::ReloadThread;
 use super::settings::Settings;
 use super::shared::{Report, Request, Shared};
 use super::surface_format::Encoding;
@@ -27,6 +29,8 @@ use super::textures::PendingTextures;
 use super::{create_surface, WindowOptions};
 use crate::error::{Error, Result};
 use crate::gpu::MessageLog;
+#[cfg(feature = "hot-reload")]
+use crate::hot_reload::ShaderFolders;
 
 /// The engine made a frame.
 pub struct Woken;
@@ -42,6 +46,8 @@ const LENS_ZOOM: f32 = 12.0;
 
 /// What lives while the window does; dropped in this order.
 struct Live {
+    #[cfg(feature = "hot-reload")]
+    _reload: ReloadThread,
     _engine: EngineThread,
     presenter: Presenter,
     egui: egui_winit::State,
@@ -139,7 +145,14 @@ impl App {
         let wake = move || drop(proxy.send_event(Woken));
         let engine = EngineThread::start(&gpu, self.options.extent(&gpu), &self.shared, wake);
         self.log.line(&format!("ready {}", gpu.info().name));
-        self.live = Some(Live { _engine: engine, presenter, egui, window });
+        self.live = Some(Live {
+            #[cfg(feature = "hot-reload")]
+            _reload: ReloadThread::start(&self.shared, &ShaderFolders::of_the_build()),
+            _engine: engine,
+            presenter,
+            egui,
+            window,
+        });
         Ok(())
     }
 

@@ -35,7 +35,7 @@ impl Encoder {
             gpu: gpu.clone(),
         };
         made.make_layouts()?;
-        made.pipeline = fullscreen::create_pipeline(gpu, made.layout, render_pass, 1, ENCODE_FRAG)?;
+        made.pipeline = fullscreen::create_pipeline(gpu, made.layout, render_pass, 1, &ENCODE_FRAG)?;
         Ok(made)
     }
 

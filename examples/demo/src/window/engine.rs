@@ -9,6 +9,8 @@ use ash::vk;
 use super::content::Content;
 use super::jobs::Jobs;
 use super::panes::{PaneWriter, Panes};
+#[cfg(feature = "hot-reload")]
+use super::reload::ShaderErrors;
 use super::settings::Settings;
 use super::shared::{Request, Shared, Wanted};
 use super::world::World;
@@ -92,6 +94,8 @@ struct Engine {
     panes: Arc<Panes>,
     writer: PaneWriter,
     jobs: Jobs,
+    #[cfg(feature = "hot-reload")]
+    shader_errors: ShaderErrors,
     made: Option<Made>,
     frames: u64,
 }
@@ -103,7 +107,17 @@ impl Engine {
         let panes = Arc::new(Panes::new(gpu, extent)?);
         shared.report().panes = Some(panes.clone());
         let writer = PaneWriter::new(gpu, &panes)?;
-        Ok(Self { gpu: gpu.clone(), world, panes, writer, jobs: Jobs::default(), made: None, frames: 0 })
+        Ok(Self {
+            gpu: gpu.clone(),
+            world,
+            panes,
+            writer,
+            jobs: Jobs::default(),
+            #[cfg(feature = "hot-reload")]
+            shader_errors: ShaderErrors::default(),
+            made: None,
+            frames: 0,
+        })
     }
 
     /// Whether there is work while time stands still.
@@ -118,6 +132,8 @@ impl Engine {
             self.world.forget_scene();
         }
         let reloaded = self.world.follow(shared, settings)?;
+        #[cfg(feature = "hot-reload")]
+        let reloaded = self.take_shaders(shared, &wanted.recompiled) || reloaded;
         self.jobs.take(shared, &wanted.requests);
         let flown = self.jobs.next_view();
         let made = Made::new(settings, flown.or(wanted.view));
@@ -137,6 +153,16 @@ impl Engine {
         }
         self.jobs.shoot(shared, &self.gpu, &self.panes, settings, self.display_referred(settings))?;
         self.publish(shared, wanted, (!stands).then_some(start), switched)
+    }
+
+    /// Puts saved shaders in place, all of them between two frames; whether there are any.
+    #[cfg(feature = "hot-reload")]
+    fn take_shaders(&mut self, shared: &Shared, recompiled: &[Arc<crate::hot_reload::Recompiled>]) -> bool {
+        let Self { world, writer, shader_errors, .. } = self;
+        shader_errors.take(shared, recompiled, |shader| {
+            world.replace_shader(shader)?;
+            writer.replace_shader(shader).map(drop)
+        })
     }
 
     /// Whether the last frame has everything for a picture: then time may stand still.

@@ -81,6 +81,15 @@ impl Filter {
         Source::sum([(&self.radiance, 1.0), nothing, nothing], self.medium.as_ref().map(|medium| (medium, 1.0)))
     }
 
+    /// Gives its passes other code; whether one of them runs that shader.
+    ///
+    /// # Errors
+    /// As [`FrameDenoiser::replace_shader`].
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        self.denoiser.replace_shader(shader)
+    }
+
     /// Shows a view of the last frame.
     ///
     /// # Errors

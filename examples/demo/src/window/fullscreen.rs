@@ -4,7 +4,7 @@ use ash::vk;
 
 use super::panes::{shader_module, PRESENT_VERT};
 use crate::error::{Doing, Result};
-use crate::gpu::Gpu;
+use crate::gpu::{Gpu, Shader};
 
 /// A pipeline for a subpass with one colour attachment and no blending; viewport and scissor are dynamic.
 ///
@@ -15,10 +15,10 @@ pub fn create_pipeline(
     layout: vk::PipelineLayout,
     render_pass: vk::RenderPass,
     subpass: u32,
-    fragment: &[u8],
+    fragment: &Shader,
 ) -> Result<vk::Pipeline> {
-    let vertex = shader_module(gpu, PRESENT_VERT)?;
-    let made = shader_module(gpu, fragment).and_then(|fragment| {
+    let vertex = shader_module(gpu, PRESENT_VERT.spirv)?;
+    let made = shader_module(gpu, fragment.spirv).and_then(|fragment| {
         let made = from_modules(gpu.device(), layout, render_pass, subpass, [vertex, fragment]);
         // SAFETY: ours, and a pipeline does not need it once it is made.
         unsafe { gpu.device().destroy_shader_module(fragment, None) };

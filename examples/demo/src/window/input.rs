@@ -73,7 +73,7 @@ const ACTIONS: [(KeyCode, bool, Action); 15] = [
 ];
 
 /// What the help says, in its order.
-pub const HELP: [(&str, &str); 18] = [
+pub const HELP: &[(&str, &str)] = &[
     ("W A S D, E Q", "fly; Shift: faster"),
     ("drag the picture", "look around"),
     ("drag the line", "move the divider"),
@@ -91,6 +91,8 @@ pub const HELP: [(&str, &str); 18] = [
     ("F4, F5", "record the camera's way until F4, fly it"),
     ("Ctrl S, Ctrl O", "save, load the settings"),
     ("drop a .gltf or .glb", "load the scene"),
+    #[cfg(feature = "hot-reload")]
+    ("save a .comp or .glsl", "compile it and put it in place; the old shader stays while the new one is broken"),
     ("Ctrl Q", "close"),
 ];
 

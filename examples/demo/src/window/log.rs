@@ -19,6 +19,7 @@ pub struct Log {
     frames: u64,
     drawn: u64,
     said: usize,
+    shader_errors: Vec<String>,
     place: Place,
     state: String,
     probe: Option<Probe>,
@@ -84,6 +85,10 @@ impl Log {
             self.line(&format!("{kind} {}", message.text));
         }
         self.said = report.said;
+        let before = std::mem::replace(&mut self.shader_errors, report.shader_errors.clone());
+        for error in report.shader_errors.iter().filter(|error| !before.contains(error)) {
+            self.line(&format!("error {}", error.replace('\n', " | ")));
+        }
     }
 
     /// A frame of the window, with the engine's last one in it.

@@ -25,6 +25,8 @@ mod panes;
 mod presenter;
 mod record;
 mod reference;
+#[cfg(feature = "hot-reload")]
+mod reload;
 mod settings;
 mod shared;
 mod surface_format;
@@ -43,6 +45,8 @@ use winit::event_loop::EventLoop;
 use winit::window::Window;
 
 pub use content::Content;
+#[cfg(feature = "hot-reload")]
+pub(crate) use panes::shaders as pane_shaders;
 pub use settings::Settings;
 
 use crate::error::{Doing, Error, Result};

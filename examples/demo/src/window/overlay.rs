@@ -131,8 +131,8 @@ pub fn help(ctx: &egui::Context, open: &mut bool) {
         |ui| {
             egui::Grid::new("help").num_columns(2).striped(true).spacing([16.0, 6.0]).show(ui, |ui| {
                 for (key, what) in HELP {
-                    ui.strong(key);
-                    ui.label(what);
+                    ui.strong(*key);
+                    ui.label(*what);
                     ui.end_row();
                 }
             });

@@ -112,7 +112,7 @@ impl PanePipeline {
         // SAFETY: ours or null, and not in use, says the caller.
         unsafe { self.gpu.device().destroy_pipeline(self.pipeline, None) };
         self.pipeline = vk::Pipeline::null();
-        self.pipeline = fullscreen::create_pipeline(&self.gpu, self.layout, render_pass, 0, PRESENT_FRAG)?;
+        self.pipeline = fullscreen::create_pipeline(&self.gpu, self.layout, render_pass, 0, &PRESENT_FRAG)?;
         Ok(())
     }
 

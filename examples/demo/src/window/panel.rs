@@ -36,6 +36,7 @@ impl Panel {
                 }
             });
             summary(ui, report);
+            saved_shaders(ui, report);
             section(ui, "Scene", true, |ui| scene(ui, settings, report, &mut actions));
             section(ui, "Split screen", true, |ui| split(ui, settings, report, &mut actions));
             section(ui, "Time", true, |ui| time(ui, settings, &mut actions));
@@ -111,6 +112,17 @@ fn summary(ui: &mut Ui, report: &Report) {
     }
     if let Some(path) = report.path {
         ui.colored_label(Color32::LIGHT_RED, path);
+    }
+}
+
+/// On top, since a shader that was just saved is what is worked on.
+fn saved_shaders(ui: &mut Ui, report: &Report) {
+    if let Some(reloaded) = &report.reloaded {
+        ui.label(RichText::new(reloaded).small());
+    }
+    for error in &report.shader_errors {
+        ui.label(RichText::new(error).color(Color32::LIGHT_RED).small())
+            .on_hover_text("The shader as it was before goes on. Save it again when it is mended");
     }
 }
 

@@ -6,7 +6,8 @@ use crate::error::{Doing, Result};
 use crate::gpu::{DescriptorSet, Gpu, Image, Pipeline, SetLayout, WHOLE_IMAGE};
 use crate::tracer::barriers::{general_barrier, memory_barrier, Scope};
 
-mod shaders {
+pub(crate) mod shaders {
+    use crate::gpu::Shader;
     include!(concat!(env!("OUT_DIR"), "/window_shaders.rs"));
 }
 pub use shaders::{ENCODE_FRAG, PRESENT_FRAG, PRESENT_VERT};
@@ -85,10 +86,19 @@ impl PaneWriter {
         let mut kinds = vec![vk::DescriptorType::STORAGE_IMAGE];
         kinds.resize(5, vk::DescriptorType::SAMPLED_IMAGE);
         let layout = SetLayout::new(gpu, &kinds)?;
-        let pipeline = Pipeline::new(gpu, shaders::PANE, &[&layout], 16)?;
+        let pipeline = Pipeline::new(gpu, &shaders::PANE, &[&layout], 16)?;
         let set = |side: usize| DescriptorSet::of_images(gpu, &layout, &[panes.images[side].view; 5]);
         let sets = [set(0)?, set(1)?];
         Ok(Self { layout, pipeline, sets })
+    }
+
+    /// Gives it other code; whether it runs that shader.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        self.pipeline.replace(shader)
     }
 
     /// Fills one pane in a submission of its own.

@@ -40,6 +40,16 @@ impl GrowingReference {
         medium.add(tracer, time / 2, limit)
     }
 
+    /// Takes other code, if it is of one of the two shaders; whether it is. No work of theirs is pending.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
+        let medium = self.medium.as_mut().map_or(Ok(false), |medium| medium.replace_shader(shader))?;
+        Ok(self.surfaces.replace_shader(shader)? || medium)
+    }
+
     /// Samples for each pixel so far, of that which has fewer.
     pub fn samples(&self) -> u32 {
         let surfaces = self.surfaces.samples();

@@ -29,6 +29,9 @@ pub struct Wanted {
     pub probe: Option<[u32; 2]>,
     /// Files to write and camera paths to fly.
     pub requests: Vec<Request>,
+    /// Shaders that were saved, to be put in place together.
+    #[cfg(feature = "hot-reload")]
+    pub recompiled: Vec<Arc<crate::hot_reload::Recompiled>>,
     /// Counts changes, so that the engine sees them while paused.
     pub version: u64,
     /// The window is closed.
@@ -114,6 +117,10 @@ pub struct Report {
     pub messages: Vec<Message>,
     /// How many there were, with those that are no longer kept.
     pub said: usize,
+    /// What is wrong with saved shaders, for as long as it is.
+    pub shader_errors: Vec<String>,
+    /// What was put in place last.
+    pub reloaded: Option<String>,
     /// Bit 0: the left half is display-referred, bit 1: the right one.
     pub display_referred: u32,
     /// A frame sequence is being written.
@@ -174,6 +181,8 @@ impl Shared {
         wanted.steps = wanted.steps.saturating_sub(1);
         wanted.reset = false;
         wanted.requests.clear();
+        #[cfg(feature = "hot-reload")]
+        wanted.recompiled.clear();
         taken
     }
 

@@ -12,10 +12,14 @@ use super::content::Content;
 use super::filter::Filter;
 use super::panes::{PaneWriter, Panes, Source};
 use super::reference::GrowingReference;
+#[cfg(feature = "hot-reload")]
+use super::reload::LiveShaders;
 use super::settings::Settings;
 use super::shared::{FilterReport, Probe, Shared, HISTOGRAM_BARS};
 use crate::error::Result;
 use crate::gpu::Gpu;
+#[cfg(feature = "hot-reload")]
+use crate::hot_reload::{Compiled, Owner};
 use crate::scene::View;
 use crate::{PathTracer, Scene, SceneOptions, TracerOptions};
 
@@ -36,6 +40,8 @@ pub struct World {
     wants_reference: bool,
     tracer: PathTracer,
     clock: Clock,
+    #[cfg(feature = "hot-reload")]
+    shaders: LiveShaders,
     taa: bool,
     /// Counts frames of the tracer: its random numbers.
     seed: u32,
@@ -58,6 +64,8 @@ impl World {
             wants_reference: false,
             tracer,
             clock: Clock::default(),
+            #[cfg(feature = "hot-reload")]
+            shaders: LiveShaders::default(),
             taa: settings.taa,
             seed: 0,
         })
@@ -80,7 +88,10 @@ impl World {
         self.asked.clone_from(&settings.scene);
         self.taa = settings.taa;
         match made {
-            Ok((tracer, scene)) => {
+            #[cfg_attr(not(feature = "hot-reload"), allow(unused_mut))]
+            Ok((mut tracer, scene)) => {
+                #[cfg(feature = "hot-reload")]
+                self.shaders.put_into(|shader| tracer.replace_shader(shader))?;
                 self.filters.clear();
                 self.reference = None;
                 // Another kind of picture is of the same moment.
@@ -131,7 +142,11 @@ impl World {
             let index = match self.filters.iter().position(|f| f.preset == preset) {
                 Some(index) => index,
                 None => {
-                    self.filters.push(Filter::new(&gpu, &self.tracer, preset, self.taa)?);
+                    #[cfg_attr(not(feature = "hot-reload"), allow(unused_mut))]
+                    let mut filter = Filter::new(&gpu, &self.tracer, preset, self.taa)?;
+                    #[cfg(feature = "hot-reload")]
+                    self.shaders.put_into(|shader| filter.replace_shader(shader))?;
+                    self.filters.push(filter);
                     self.filters.len() - 1
                 }
             };
@@ -153,9 +168,33 @@ impl World {
         }
         let reference = match &mut self.reference {
             Some(reference) => reference,
-            empty => empty.insert(GrowingReference::new(&self.tracer)?),
+            empty => {
+                #[cfg_attr(not(feature = "hot-reload"), allow(unused_mut))]
+                let mut sums = GrowingReference::new(&self.tracer)?;
+                #[cfg(feature = "hot-reload")]
+                self.shaders.put_into(|shader| sums.replace_shader(shader))?;
+                empty.insert(sums)
+            }
         };
         reference.add(&self.tracer, REFERENCE_TIME, REFERENCE_LIMIT)
+    }
+
+    /// Puts a shader in place wherever it runs, now and in what is made later. The history is kept; the reference starts anew.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    #[cfg(feature = "hot-reload")]
+    pub fn replace_shader(&mut self, shader: &Compiled) -> Result<()> {
+        self.tracer.replace_shader(shader)?;
+        for filter in &mut self.filters {
+            filter.replace_shader(shader)?;
+        }
+        if let Some(reference) = self.reference.as_mut().filter(|_| shader.owner() == Owner::Engine) {
+            reference.replace_shader(shader)?;
+            reference.restart();
+        }
+        self.shaders.keep(shader.clone());
+        Ok(())
     }
 
     /// Whether the reference is shown and can still grow.

@@ -1,0 +1,104 @@
+//! Shaders that are compiled again when they are saved, those of the denoiser and the engine's own (feature `hot-reload`).
+
+#[path = "../../../../build/glsl.rs"]
+#[allow(dead_code)] // build scripts use the rest
+mod glsl;
+mod watch;
+
+pub use watch::{ShaderWatch, Stale};
+
+use std::path::{Path, PathBuf};
+
+use glsl::{Glsl, Kept};
+
+use crate::gpu::Shader;
+
+/// Where the GLSL is.
+#[derive(Clone, Debug)]
+pub struct ShaderFolders {
+    /// `glsl/` of the crate, with `include` and `host` in it.
+    pub denoiser: PathBuf,
+    /// `examples/demo/glsl/`, with `include` and `window` in it.
+    pub engine: PathBuf,
+}
+
+impl ShaderFolders {
+    /// Those that the program was built from.
+    pub fn of_the_build() -> Self {
+        let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+        Self { denoiser: package.join("../../glsl"), engine: package.join("glsl") }
+    }
+}
+
+/// Whose shader it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Owner {
+    /// The denoiser's.
+    Denoiser,
+    /// The engine's.
+    Engine,
+}
+
+/// A shader that was compiled while the program runs, and that fits where the built one is.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    owner: Owner,
+    name: String,
+    spirv: Vec<u32>,
+}
+
+impl Compiled {
+    /// Whose it is.
+    pub fn owner(&self) -> Owner {
+        self.owner
+    }
+
+    /// Its file without `.comp`, and the macros of its variant.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The module, made by shaderc for Vulkan 1.1.
+    pub fn spirv(&self) -> &[u32] {
+        &self.spirv
+    }
+
+    fn check(&self) -> Result<(), String> {
+        let checked = match self.owner {
+            Owner::Denoiser => atrous::hot_reload::check(&self.name, &self.spirv),
+            Owner::Engine => {
+                let built: Option<&&Shader> = crate::tracer::shaders::ALL
+                    .iter()
+                    .chain(crate::window::pane_shaders::ALL)
+                    .find(|shader| shader.name == self.name);
+                let Some(built) = built else { return Err("the program was built without it: build it again".into()) };
+                atrous::hot_reload::check_interface(&self.name, &self.spirv, built.interface)
+            }
+        };
+        checked.map_err(|e| e.to_string())
+    }
+}
+
+/// What came of a file that was saved, or that includes one that was.
+#[derive(Clone, Debug)]
+pub struct Recompiled {
+    /// From its `glsl` on.
+    pub file: String,
+    /// Its variants; or what is wrong, with file and line.
+    pub shaders: Result<Vec<Compiled>, String>,
+}
+
+/// Every variant of a file.
+fn compile(owner: Owner, file: &Path, includes: &[PathBuf]) -> Result<Vec<Compiled>, String> {
+    let source = Glsl::read(file, includes)?;
+    let compiler = shaderc::Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
+    let compile = |(i, variant): (usize, glsl::Variant)| {
+        // What fails in a later variant alone has to do with it.
+        let of_variant = |text: String| if i == 0 { text } else { format!("{text}\nin {}", variant.name) };
+        let spirv = source.compile(&compiler, &variant, Kept::CodeAndNames).map_err(of_variant)?;
+        let compiled = Compiled { owner, name: variant.name, spirv };
+        compiled.check().map_err(|problem| format!("{}: {problem}", file.display()))?;
+        Ok(compiled)
+    };
+    source.variants().into_iter().enumerate().map(compile).collect()
+}

@@ -1,0 +1,147 @@
+//! Shaders that are replaced while a session runs.
+
+#[path = "../build/glsl.rs"]
+#[allow(dead_code)] // the build uses the rest
+mod glsl;
+
+use super::support::{assert_valid, frame, scene::Scene, session};
+use super::GpuTest;
+use atrous::executor::Session;
+use atrous::{Config, Error, Tuning};
+use std::fs;
+use std::path::Path;
+use tempfile::TempDir;
+
+pub const TESTS: &[GpuTest] = &[
+    ("another_shader_changes_the_output_and_keeps_the_history", another_shader_changes_the_output_and_keeps_the_history),
+    ("a_shader_that_does_not_fit_is_refused_and_the_old_one_stays", a_shader_that_does_not_fit_is_refused_and_the_old_one_stays),
+    ("every_shader_may_take_its_own_place", every_shader_may_take_its_own_place),
+    ("what_does_not_compile_is_named_by_file_and_line", what_does_not_compile_is_named_by_file_and_line),
+];
+
+const EXTENT: [u32; 2] = [64, 36];
+
+/// A copy of the crate's GLSL.
+struct Sources(TempDir);
+
+impl Sources {
+    fn new() -> Self {
+        let (from, to) = (Path::new(env!("CARGO_MANIFEST_DIR")).join("glsl"), TempDir::new().expect("a folder"));
+        for folder in ["", "include"] {
+            fs::create_dir_all(to.path().join(folder)).expect("a folder");
+            for entry in fs::read_dir(from.join(folder)).expect("glsl").flatten().filter(|e| e.path().is_file()) {
+                fs::copy(entry.path(), to.path().join(folder).join(entry.file_name())).expect("a copy");
+            }
+        }
+        Self(to)
+    }
+
+    fn edit(&self, file: &str, old: &str, new: &str) {
+        let path = self.0.path().join(file);
+        let text = fs::read_to_string(&path).expect(file);
+        assert!(text.contains(old), "{file} has no `{old}`");
+        fs::write(path, text.replacen(old, new, 1)).expect(file);
+    }
+
+    /// Every variant with its name.
+    fn compile(&self, file: &str) -> Result<Vec<(String, Vec<u32>)>, String> {
+        let compiler = shaderc::Compiler::new().expect("shaderc");
+        let source = glsl::Glsl::read(&self.0.path().join(file), &[self.0.path().join("include")])?;
+        let compile = |v: glsl::Variant| Ok((v.name.clone(), source.compile(&compiler, &v, glsl::Kept::CodeAndNames)?));
+        source.variants().into_iter().map(compile).collect()
+    }
+}
+
+fn replace(session: &mut Session, (name, spirv): &(String, Vec<u32>)) -> Result<bool, Error> {
+    // SAFETY: shaderc made it for Vulkan 1.1.
+    unsafe { session.replace_shader(name, spirv) }
+}
+
+fn another_shader_changes_the_output_and_keeps_the_history() {
+    let sources = Sources::new();
+    sources.edit("modulate.comp", "storable(irradiance", "storable(0.5 * irradiance");
+    sources.edit("modulate.comp", "+ emission_at(p))", "+ 0.5 * emission_at(p))");
+    let shaders = sources.compile("modulate.comp").expect("GLSL");
+    let config = Config::new(EXTENT);
+    let (mut changed, mut same) = (session(&config), session(&config));
+    let scene = Scene::new(EXTENT);
+    for i in 0..4 {
+        if i == 2 {
+            let used: Vec<_> = shaders.iter().map(|shader| replace(&mut changed, shader).expect("it fits")).collect();
+            assert_eq!(used.iter().filter(|used| **used).count(), 1, "one variant of {} runs", shaders.len());
+        }
+        let (guides, params) = (scene.frame(i, i), scene.params(i));
+        let (context, halved) = frame(&mut changed, &guides, &params, &Tuning::default());
+        let (_, whole) = frame(&mut same, &guides, &params, &Tuning::default());
+        assert_eq!(context.reset.is_some(), i == 0, "history is dropped in frame {i}");
+        let factor = if i < 2 { 1.0 } else { 0.5 };
+        // Both are rounded to half floats.
+        let differs = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).any(|c| (a[c] - factor * b[c]).abs() > 1e-3 * b[c].abs() + 1e-6);
+        assert!(whole.iter().any(|t| t[0] > 0.1));
+        assert!(!halved.iter().zip(&whole).any(differs), "frame {i} is not {factor} times what it was");
+    }
+    let lengths = |s: &mut Session| s.download("moments_direct").or_else(|_| s.download("moments")).expect("moments");
+    assert_eq!(lengths(&mut changed), lengths(&mut same));
+    assert_valid();
+}
+
+fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
+    let edits = [
+        ("modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`"),
+        ("modulate.comp", "binding = 4) uniform texture2D", "binding = 9) uniform texture2D", "set 0 binding 9 is new"),
+        ("modulate.comp", "local_size_y = 8", "local_size_y = 4", "LocalSize is `8 x 4 x 1`"),
+        ("include/push_constants.glsl", "uint level;", "uint other; uint level;", "push constants byte 0 is `other: u32`"),
+        ("include/frame.glsl", "uvec2 render_extent", "ivec2 render_extent", "byte 448 is `render_extent: vec2<i32>`"),
+        (
+            "modulate.comp",
+            "void main() {",
+            "void main() { double d = double(gl_GlobalInvocationID.x); if (d < -1.0) return;",
+            "Float64",
+        ),
+        ("modulate.comp", "SIGNALS=2", "SIGNALS=2,OTHER=1", "none of this name"),
+    ];
+    let config = Config::new(EXTENT);
+    let (mut refused, mut same) = (session(&config), session(&config));
+    let scene = Scene::new(EXTENT);
+    for (file, old, new, problem) in edits {
+        let sources = Sources::new();
+        sources.edit(file, old, new);
+        let shaders = sources.compile("modulate.comp").expect("GLSL");
+        let errors: Vec<_> = shaders.iter().filter_map(|shader| replace(&mut refused, shader).err()).collect();
+        assert!(!errors.is_empty(), "{new}: all of {} shaders are taken", shaders.len());
+        let text = errors[0].to_string();
+        assert!(matches!(errors[0], Error::ShaderInterface { .. }) && text.contains(problem), "{text}");
+        assert!(text.contains("`modulate_signals_"), "{text}");
+    }
+    for i in 0..2 {
+        let (guides, params) = (scene.frame(i, i), scene.params(i));
+        let (_, a) = frame(&mut refused, &guides, &params, &Tuning::default());
+        let (_, b) = frame(&mut same, &guides, &params, &Tuning::default());
+        assert_eq!(a, b);
+    }
+}
+
+fn every_shader_may_take_its_own_place() {
+    let sources = Sources::new();
+    let mut count = 0;
+    for file in glsl::shaders(sources.0.path()).expect("shaders") {
+        let name = file.file_name().and_then(|n| n.to_str()).expect("a name");
+        for (name, spirv) in sources.compile(name).expect("GLSL") {
+            atrous::hot_reload::check(&name, &spirv).expect("its own place");
+            count += 1;
+        }
+    }
+    assert!(count > 50, "{count}");
+}
+
+fn what_does_not_compile_is_named_by_file_and_line() {
+    let line_of = |text: &str, what: &str| 1 + text.lines().position(|l| l.contains(what)).expect("a line");
+    for (file, old) in [("modulate.comp", "vec3 irradiance ="), ("include/guide.glsl", "return")] {
+        let sources = Sources::new();
+        sources.edit(file, old, &format!("no_such_thing(); {old}"));
+        let path = sources.0.path().join(file);
+        let line = line_of(&fs::read_to_string(&path).expect(file), "no_such_thing");
+        let error = sources.compile("modulate.comp").expect_err("it is broken");
+        assert!(error.contains(&format!("{}:{line}: error: 'no_such_thing'", path.display())), "{error}");
+    }
+}
