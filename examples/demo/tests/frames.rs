@@ -64,6 +64,24 @@ fn every_scene_gives_finite_positive_light_and_unit_normals() {
 }
 
 #[test]
+fn a_scene_is_seen_however_long_it_runs() {
+    let Some(gpu) = Validated::new() else { return };
+    for name in BUILT_IN {
+        let mut tracer =
+            tracer(&gpu, &built_in(name, SceneOptions { static_light: true, ..Default::default() }), TracerOptions::default());
+        let mut light = |frame| {
+            render(&gpu, &mut tracer, frame);
+            let pixels = gpu.0.read_image(&tracer.outputs().scattered).expect("pixels");
+            pixels.iter().map(|p| p[0] + p[1] + p[2]).sum::<f32>()
+        };
+        let first = light(0);
+        for frame in [200, 900, 3000, 30_000] {
+            assert!(light(frame) > 0.2 * first, "{name}, frame {frame}");
+        }
+    }
+}
+
+#[test]
 fn the_light_steps_and_can_be_held() {
     let steps = |scene: &Scene| [7, 8, 15, 16].map(|frame| scene.light_scale(frame));
     assert_eq!(steps(&built_in("cornell", SceneOptions::default())), [1.0, 0.1, 0.1, 1.0]);

@@ -3,7 +3,7 @@
 use glam::{vec3, Affine3A, Vec3};
 
 use super::shapes::{cuboid, cylinder, quad};
-use super::{Material, Medium, Placement, Scene, View};
+use super::{to_and_fro, Material, Medium, Placement, Scene, View};
 
 const PILLARS: usize = 21;
 const SPACING: f32 = 1.3;
@@ -53,6 +53,7 @@ fn arcade(scene: &mut Scene) {
 
 /// Sideways: near and far move differently.
 fn view(time: f32) -> View {
+    let time = to_and_fro(time, 3.0);
     let eye = vec3(-1.4 + 2.7 * time, 1.5, 6.2 - 0.3 * time);
     View { eye, target: eye + vec3(0.1, -0.03, -1.0), up: Vec3::Y, vertical_fov: 0.8 }
 }

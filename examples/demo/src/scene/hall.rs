@@ -5,7 +5,7 @@ use glam::{vec2, vec3, Affine3A, Vec2, Vec3};
 
 use super::mesh::Mesh;
 use super::shapes::{cuboid, lathe, quad, sphere};
-use super::{Environment, Lamp, Material, Placement, Scene, View};
+use super::{to_and_fro, Environment, Lamp, Material, Placement, Scene, View};
 
 const BAYS: usize = 8;
 const BAY: f32 = 3.0;
@@ -117,6 +117,7 @@ fn ornaments(scene: &mut Scene) {
 
 /// A walk of a metre a second, with steps that can be seen.
 fn view(time: f32) -> View {
+    let time = to_and_fro(time, 16.0);
     let step = time * 1.8 * std::f32::consts::PI;
     let eye = vec3(0.55 + 0.03 * (0.5 * step).sin(), 1.65 + 0.025 * step.cos(), 4.6 - 1.1 * time);
     let target = eye + vec3(-0.26 + 0.06 * (0.5 * time).sin(), -0.06, -1.0);

@@ -209,6 +209,11 @@ impl Scene {
     }
 }
 
+/// Time on a way that ends at `turn` and goes back as it came, again and again: a window is open for longer than a way is long.
+fn to_and_fro(time: f32, turn: f32) -> f32 {
+    turn - (time.rem_euclid(2.0 * turn) - turn).abs()
+}
+
 fn seconds(frame: u32) -> f32 {
     frame as f32 / FRAMES_PER_SECOND
 }

@@ -202,6 +202,7 @@ impl Engine {
         report.filters = self.world.reports();
         report.view = self.world.view();
         report.scene = self.world.scene_name().to_owned();
+        report.loaded = Some(self.world.loaded().to_owned());
         report.reference_samples = self.world.reference_samples();
         report.probe = probe;
         (report.recording, report.path) = self.jobs.state();

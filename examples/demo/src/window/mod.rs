@@ -18,6 +18,7 @@ mod input;
 mod jobs;
 mod layout;
 mod log;
+mod measurements;
 mod overlay;
 mod pane_pipeline;
 mod panel;

@@ -1,32 +1,26 @@
 //! The panel: every choice with its explanation, and what the engine says.
 
-use std::collections::VecDeque;
-
 use atrous::{DebugView, Tuning, TuningField};
 use egui::{Color32, RichText, Ui};
 
-use super::content::{title_of, Content, FILTERS};
+use super::content::{Content, FILTERS};
 use super::input::Action;
+use super::measurements::{histogram, memory, Timings};
 use super::settings::{Settings, SPEEDS};
-use super::shared::{FilterReport, Report};
+use super::shared::Report;
 use super::surface_format::Encoding;
 use crate::scene::BUILT_IN;
-
-/// Frames that the plot shows.
-const PLOTTED: usize = 160;
 
 /// What the panel remembers.
 #[derive(Default)]
 pub struct Panel {
-    /// Milliseconds of all passes of each filter, by frame; oldest first.
-    times: VecDeque<Vec<(&'static str, f64)>>,
-    last_frame: u64,
+    timings: Timings,
 }
 
 impl Panel {
     /// Draws it; returns what was clicked. `encoding`: how colours get to the display.
     pub fn show(&mut self, ui: &mut Ui, settings: &mut Settings, report: &Report, encoding: Encoding) -> Vec<Action> {
-        self.remember(report);
+        self.timings.remember(report);
         let mut actions = Vec::new();
         egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
             ui.horizontal(|ui| {
@@ -46,7 +40,7 @@ impl Panel {
                     section(ui, &format!("{title}: numbers"), false, |ui| tuning(ui, settings, preset, name));
                 }
             }
-            section(ui, "Timings", true, |ui| self.timings(ui, report));
+            section(ui, "Timings", true, |ui| self.timings.show(ui, report));
             section(ui, "History lengths", true, |ui| histogram(ui, report));
             section(ui, "Memory", false, |ui| memory(ui, report));
             section(ui, "Files", false, |ui| files(ui, report, &mut actions));
@@ -54,50 +48,7 @@ impl Panel {
         });
         actions
     }
-
-    fn remember(&mut self, report: &Report) {
-        if report.frames == self.last_frame {
-            return;
-        }
-        self.last_frame = report.frames;
-        let total = |f: &FilterReport| (title_of(f.preset), f.times.iter().map(|t| t.milliseconds).sum());
-        self.times.push_back(report.filters.iter().map(total).collect());
-        while self.times.len() > PLOTTED {
-            self.times.pop_front();
-        }
-    }
-
-    /// A rolling plot of each filter's time, then its passes.
-    fn timings(&self, ui: &mut Ui, report: &Report) {
-        let highest = self.times.iter().flatten().map(|t| t.1).fold(1e-3, f64::max);
-        let (rect, _) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 60.0), egui::Sense::hover());
-        let painter = ui.painter_at(rect);
-        painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
-        for (i, filter) in report.filters.iter().enumerate() {
-            let title = title_of(filter.preset);
-            let at = |(x, frame): (usize, &Vec<(&str, f64)>)| {
-                let value = frame.iter().find(|t| t.0 == title)?.1;
-                let x = rect.left() + rect.width() * x as f32 / PLOTTED as f32;
-                Some(egui::pos2(x, rect.bottom() - rect.height() * (0.9 * value / highest) as f32))
-            };
-            let points: Vec<_> = self.times.iter().enumerate().filter_map(at).collect();
-            painter.add(egui::Shape::line(points, egui::Stroke::new(1.5, COLOURS[i % COLOURS.len()])));
-        }
-        let text = format!("{highest:.1} ms");
-        painter.text(rect.left_top(), egui::Align2::LEFT_TOP, text, egui::FontId::proportional(10.0), ui.visuals().text_color());
-        for (i, filter) in report.filters.iter().enumerate() {
-            passes(ui, filter, COLOURS[i % COLOURS.len()]);
-        }
-    }
 }
-
-/// Of the filters, in plots.
-const COLOURS: [Color32; 4] = [
-    Color32::from_rgb(86, 180, 233),
-    Color32::from_rgb(230, 159, 0),
-    Color32::from_rgb(0, 158, 115),
-    Color32::from_rgb(240, 228, 66),
-];
 
 fn section(ui: &mut Ui, title: &str, open: bool, body: impl FnOnce(&mut Ui)) {
     egui::CollapsingHeader::new(RichText::new(title).strong()).default_open(open).show(ui, body);
@@ -278,55 +229,6 @@ fn slider<'a>(field: &TuningField, value: &'a mut f32) -> egui::Slider<'a> {
 fn explain(field: &TuningField) -> String {
     let TuningField { doc, unit, min, max, default, .. } = field;
     format!("{}\nUnit: {unit}. {min} to {max}, default {default}", doc.trim())
-}
-
-fn passes(ui: &mut Ui, filter: &FilterReport, colour: Color32) {
-    let total: f64 = filter.times.iter().map(|t| t.milliseconds).sum();
-    egui::CollapsingHeader::new(RichText::new(format!("{}: {total:.2} ms", title_of(filter.preset))).color(colour))
-        .id_salt(("passes", title_of(filter.preset)))
-        .show(ui, |ui| {
-            egui::Grid::new(("times", title_of(filter.preset))).num_columns(2).show(ui, |ui| {
-                for time in &filter.times {
-                    ui.label(time.name.replace('_', " "));
-                    ui.label(format!("{:.2} ms", time.milliseconds));
-                    ui.end_row();
-                }
-            });
-        });
-}
-
-fn histogram(ui: &mut Ui, report: &Report) {
-    let Some(bars) = &report.histogram else {
-        ui.label("The filters that run have no history.");
-        return;
-    };
-    let (rect, response) = ui.allocate_exact_size(egui::vec2(ui.available_width(), 50.0), egui::Sense::hover());
-    response.on_hover_text("Pixels by frames accumulated: 0 to 31, the last bar 32 and more");
-    let painter = ui.painter_at(rect);
-    painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
-    let highest = bars.iter().copied().max().unwrap_or(1).max(1) as f32;
-    let width = rect.width() / bars.len() as f32;
-    for (i, bar) in bars.iter().enumerate() {
-        let height = rect.height() * *bar as f32 / highest;
-        let low = egui::pos2(rect.left() + width * i as f32, rect.bottom() - height);
-        painter.rect_filled(egui::Rect::from_min_size(low, egui::vec2(width - 1.0, height)), 0.0, COLOURS[0]);
-    }
-}
-
-fn memory(ui: &mut Ui, report: &Report) {
-    egui::Grid::new("memory").num_columns(4).show(ui, |ui| {
-        for head in ["KiB", "history", "transient", "outputs"] {
-            ui.label(RichText::new(head).strong());
-        }
-        ui.end_row();
-        for filter in &report.filters {
-            ui.label(title_of(filter.preset));
-            for bytes in [filter.memory.history, filter.memory.transient, filter.memory.output] {
-                ui.label(format!("{}", bytes / 1024));
-            }
-            ui.end_row();
-        }
-    });
 }
 
 fn files(ui: &mut Ui, report: &Report, actions: &mut Vec<Action>) {

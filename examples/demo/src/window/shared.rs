@@ -113,6 +113,8 @@ pub struct Report {
     pub view: Option<View>,
     /// Name of the scene.
     pub scene: String,
+    /// As it was asked for: a name, or a file.
+    pub loaded: Option<String>,
     /// What went wrong or was written, newest last.
     pub messages: Vec<Message>,
     /// How many there were, with those that are no longer kept.

@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use ash::vk;
 use atrous::config::Preset;
-use atrous::DebugView;
 
 use super::clock::Clock;
 use super::content::Content;
@@ -15,7 +14,7 @@ use super::reference::GrowingReference;
 #[cfg(feature = "hot-reload")]
 use super::reload::LiveShaders;
 use super::settings::Settings;
-use super::shared::{FilterReport, Probe, Shared, HISTOGRAM_BARS};
+use super::shared::Shared;
 use crate::error::Result;
 use crate::gpu::Gpu;
 #[cfg(feature = "hot-reload")]
@@ -32,8 +31,10 @@ const REFERENCE_TIME: Duration = Duration::from_millis(60);
 pub struct World {
     gpu: Gpu,
     scene: Arc<Scene>,
-    /// As it was asked for.
+    /// What was asked for last, which may have failed.
     asked: String,
+    /// What the scene was asked for by.
+    loaded: String,
     // Before the tracer, whose images they read.
     filters: Vec<Filter>,
     reference: Option<GrowingReference>,
@@ -59,6 +60,7 @@ impl World {
             gpu: gpu.clone(),
             scene,
             asked: settings.scene.clone(),
+            loaded: settings.scene.clone(),
             filters: Vec::new(),
             reference: None,
             wants_reference: false,
@@ -97,6 +99,7 @@ impl World {
                 // Another kind of picture is of the same moment.
                 if !Arc::ptr_eq(&self.scene, &scene) {
                     (self.clock, self.seed) = (Clock::default(), 0);
+                    self.loaded.clone_from(&self.asked);
                 }
                 (self.tracer, self.scene) = (tracer, scene);
                 Ok(true)
@@ -237,44 +240,14 @@ impl World {
         Ok(())
     }
 
-    /// What a pixel says: of the first filter that is shown, right before left.
-    ///
-    /// # Errors
-    /// A lost device.
-    pub fn probe(&mut self, panes: &Panes, contents: [Content; 2], pixel: [u32; 2]) -> Result<Probe> {
-        let colour = |image| self.gpu.read_half_texel(image, pixel).map(|[r, g, b, _]| [r, g, b]);
-        let colours = [colour(&panes.images[0])?, colour(&panes.images[1])?];
-        let mut probe = Probe { pixel, colours, ..Probe::default() };
-        let preset = [contents[1], contents[0]].into_iter().find_map(Content::preset);
-        let Some(filter) = self.filters.iter_mut().find(|f| Some(f.preset) == preset) else { return Ok(probe) };
-        probe.preset = preset;
-        for view in filter.report().views.into_iter().filter(|view| PROBED.contains(view)) {
-            filter.show(&self.gpu, view)?;
-            probe.numbers[view as usize] = Some(self.gpu.read_half_texel(&filter.debug, pixel)?[3]);
-        }
-        Ok(probe)
-    }
-
-    /// Pixels by history length, of the first filter in `contents`.
-    ///
-    /// # Errors
-    /// A lost device.
-    pub fn histogram(&mut self, contents: [Content; 2]) -> Result<Option<[u32; HISTOGRAM_BARS]>> {
-        let preset = contents.into_iter().find_map(Content::preset);
-        match self.filters.iter_mut().find(|f| Some(f.preset) == preset) {
-            Some(filter) => filter.histogram(),
-            None => Ok(None),
-        }
-    }
-
-    /// Times, memory and views of the filters that saw the last frame.
-    pub fn reports(&self) -> Vec<FilterReport> {
-        self.filters.iter().filter(|f| f.is_current(&self.tracer)).map(Filter::report).collect()
-    }
-
     /// Where the camera is.
     pub fn view(&self) -> Option<View> {
         self.clock.view()
+    }
+
+    /// What the scene was asked for by: a name, or a file.
+    pub fn loaded(&self) -> &str {
+        &self.loaded
     }
 
     /// The scene's name.
@@ -282,18 +255,6 @@ impl World {
         &self.scene.name
     }
 }
-
-/// What the magnifier shows of a pixel.
-const PROBED: [DebugView; 8] = [
-    DebugView::HistoryLength,
-    DebugView::Variance,
-    DebugView::Alpha,
-    DebugView::Lambda,
-    DebugView::Motion,
-    DebugView::Depth,
-    DebugView::SurfaceId,
-    DebugView::Disocclusion,
-];
 
 fn tracer_options(settings: &Settings) -> TracerOptions {
     TracerOptions { jitter: settings.taa, ..TracerOptions::default() }
@@ -308,5 +269,6 @@ fn presets(contents: [Content; 2]) -> Vec<Preset> {
     presets
 }
 
+mod inspection;
 #[cfg(test)]
 mod tests;

@@ -160,6 +160,10 @@ fn a_dropped_file_is_the_scene_and_a_broken_one_is_not() {
         let frame = demo.wait("a frame", |line| line.starts_with("frame"));
         assert!(is_dropped(&frame), "the old scene stays: {frame}");
     }
+    demo.key("ctrl+s");
+    demo.wait("settings", |line| line.starts_with("message settings are in"));
+    let saved = fs::read_to_string(out.join("settings.json")).expect("settings");
+    assert!(saved.contains("one triangle.gltf") && !saved.contains("broken.gltf"), "{saved}");
 
     triangle(&out, "broken.gltf");
     assert!(source.drop_file(&broken), "refused");
