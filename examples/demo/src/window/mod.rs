@@ -8,12 +8,13 @@ mod camera;
 mod camera_path;
 mod clock;
 mod content;
+#[cfg(test)]
+#[path = "../../tests/support/device.rs"]
+mod device;
 mod encode;
 mod engine;
 mod filter;
 mod fullscreen;
-#[cfg(test)]
-mod headless;
 mod input;
 mod jobs;
 mod layout;

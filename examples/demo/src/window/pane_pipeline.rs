@@ -5,9 +5,9 @@ use std::sync::Arc;
 use ash::vk;
 use bytemuck::{Pod, Zeroable};
 
-use super::fullscreen;
+use super::fullscreen::Fullscreen;
 use super::panes::{Panes, PRESENT_FRAG};
-use crate::error::{Doing, Result};
+use crate::error::Result;
 use crate::gpu::Gpu;
 
 /// Push constants of glsl/window/present.frag, which documents them.
@@ -45,14 +45,9 @@ impl Presented {
 
 /// The pipeline, with one descriptor set for each frame in flight.
 pub struct PanePipeline {
-    set_layout: vk::DescriptorSetLayout,
-    layout: vk::PipelineLayout,
-    pipeline: vk::Pipeline,
-    pool: vk::DescriptorPool,
-    sets: Vec<vk::DescriptorSet>,
+    fullscreen: Fullscreen,
     /// What the sets point at: kept until the next frame of the slot.
     bound: Vec<Option<Arc<Panes>>>,
-    gpu: Gpu,
 }
 
 impl PanePipeline {
@@ -61,47 +56,11 @@ impl PanePipeline {
     /// # Errors
     /// No memory.
     pub fn new(gpu: &Gpu, render_pass: vk::RenderPass, slots: usize) -> Result<Self> {
-        let mut made = Self {
-            set_layout: vk::DescriptorSetLayout::null(),
-            layout: vk::PipelineLayout::null(),
-            pipeline: vk::Pipeline::null(),
-            pool: vk::DescriptorPool::null(),
-            sets: Vec::new(),
-            bound: vec![None; slots],
-            gpu: gpu.clone(),
-        };
-        made.make_layouts(slots as u32)?;
+        let kind = vk::DescriptorType::SAMPLED_IMAGE;
+        let fullscreen = Fullscreen::new(gpu, kind, 2, slots as u32, std::mem::size_of::<Presented>())?;
+        let mut made = Self { fullscreen, bound: vec![None; slots] };
         made.make_pipeline(render_pass)?;
         Ok(made)
-    }
-
-    fn make_layouts(&mut self, slots: u32) -> Result<()> {
-        let device = self.gpu.device();
-        let kind = vk::DescriptorType::SAMPLED_IMAGE;
-        let binding = |i| {
-            vk::DescriptorSetLayoutBinding::default()
-                .binding(i)
-                .descriptor_type(kind)
-                .descriptor_count(1)
-                .stage_flags(vk::ShaderStageFlags::FRAGMENT)
-        };
-        let bindings = [binding(0), binding(1)];
-        let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
-        // SAFETY: the device is alive, and every info refers to locals or to what was just made.
-        unsafe {
-            self.set_layout = device.create_descriptor_set_layout(&info, None).doing("create a descriptor set layout")?;
-            let (sets, size) = ([self.set_layout], std::mem::size_of::<Presented>() as u32);
-            let ranges = [vk::PushConstantRange { stage_flags: vk::ShaderStageFlags::FRAGMENT, offset: 0, size }];
-            let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&sets).push_constant_ranges(&ranges);
-            self.layout = device.create_pipeline_layout(&info, None).doing("create a pipeline layout")?;
-            let sizes = [vk::DescriptorPoolSize { ty: kind, descriptor_count: 2 * slots }];
-            let info = vk::DescriptorPoolCreateInfo::default().max_sets(slots).pool_sizes(&sizes);
-            self.pool = device.create_descriptor_pool(&info, None).doing("create a descriptor pool")?;
-            let layouts = vec![self.set_layout; slots as usize];
-            let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(self.pool).set_layouts(&layouts);
-            self.sets = device.allocate_descriptor_sets(&info).doing("allocate descriptor sets")?;
-        }
-        Ok(())
     }
 
     /// Makes the pipeline anew, for another format of the window. Nothing may be drawing with it.
@@ -109,50 +68,16 @@ impl PanePipeline {
     /// # Errors
     /// No memory.
     pub fn make_pipeline(&mut self, render_pass: vk::RenderPass) -> Result<()> {
-        // SAFETY: ours or null, and not in use, says the caller.
-        unsafe { self.gpu.device().destroy_pipeline(self.pipeline, None) };
-        self.pipeline = vk::Pipeline::null();
-        self.pipeline = fullscreen::create_pipeline(&self.gpu, self.layout, render_pass, 0, &PRESENT_FRAG)?;
-        Ok(())
+        self.fullscreen.make_pipeline(render_pass, 0, &PRESENT_FRAG)
     }
 
     /// Draws, inside a render pass. The slot's last frame is complete.
     pub fn record(&mut self, cmd: vk::CommandBuffer, slot: usize, panes: &Arc<Panes>, extent: vk::Extent2D, presented: &Presented) {
-        let device = self.gpu.device();
         if !self.bound[slot].as_ref().is_some_and(|bound| Arc::ptr_eq(bound, panes)) {
-            for (binding, image) in (0..).zip(&panes.images) {
-                let info = [vk::DescriptorImageInfo::default().image_view(image.view).image_layout(vk::ImageLayout::GENERAL)];
-                let write = vk::WriteDescriptorSet::default()
-                    .dst_set(self.sets[slot])
-                    .dst_binding(binding)
-                    .descriptor_type(vk::DescriptorType::SAMPLED_IMAGE)
-                    .image_info(&info);
-                // SAFETY: the slot's last frame is complete, so the set is not in use; the view is alive.
-                unsafe { device.update_descriptor_sets(&[write], &[]) };
-            }
+            self.fullscreen.point_at(slot, &panes.images, vk::ImageLayout::GENERAL);
             self.bound[slot] = Some(panes.clone());
         }
-        let scissor = presented.reach(extent);
-        // SAFETY: `cmd` is recording inside a render pass; pipeline, layout and set belong together.
-        unsafe {
-            device.cmd_bind_pipeline(cmd, vk::PipelineBindPoint::GRAPHICS, self.pipeline);
-            device.cmd_bind_descriptor_sets(cmd, vk::PipelineBindPoint::GRAPHICS, self.layout, 0, &[self.sets[slot]], &[]);
-            device.cmd_push_constants(cmd, self.layout, vk::ShaderStageFlags::FRAGMENT, 0, bytemuck::bytes_of(presented));
-            fullscreen::draw(device, cmd, extent, scissor);
-        }
-    }
-}
-
-impl Drop for PanePipeline {
-    fn drop(&mut self) {
-        let device = self.gpu.device();
-        // SAFETY: ours or null, and the owner waits for its frames first.
-        unsafe {
-            device.destroy_pipeline(self.pipeline, None);
-            device.destroy_descriptor_pool(self.pool, None);
-            device.destroy_pipeline_layout(self.layout, None);
-            device.destroy_descriptor_set_layout(self.set_layout, None);
-        }
+        self.fullscreen.record(cmd, slot, bytemuck::bytes_of(presented), extent, presented.reach(extent));
     }
 }
 

@@ -1,7 +1,8 @@
 //! A device under validation, and small pictures.
 #![allow(dead_code)] // each test binary uses a part of this
 
-use std::io::Write;
+mod device;
+
 use std::sync::Arc;
 
 use ash::vk::Extent2D;
@@ -9,36 +10,9 @@ use atrous_demo::scene::Mesh;
 use atrous_demo::{Gpu, GpuOptions, PathTracer, Scene, SceneOptions, TracerOptions};
 use glam::{Vec2, Vec3};
 
+pub use device::Validated;
+
 pub const SMALL: Extent2D = Extent2D { width: 32, height: 18 };
-
-/// A device under synchronisation validation; the test fails when it goes with messages.
-pub struct Validated(pub Gpu);
-
-impl Validated {
-    /// `None`, said on the terminal, where there is no device or no validation layer: the test is skipped then. An error with
-    /// `ATROUS_REQUIRE_DEVICE=1`.
-    pub fn new() -> Option<Self> {
-        match Gpu::new(&GpuOptions { validation: true, ..GpuOptions::default() }) {
-            Ok(gpu) => Some(Self(gpu)),
-            Err(error) => {
-                assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
-                let thread = std::thread::current();
-                // Not by a macro: the test harness would swallow it.
-                let _ = writeln!(std::io::stderr(), "SKIPPED {}: {error}", thread.name().unwrap_or("a test"));
-                None
-            }
-        }
-    }
-}
-
-impl Drop for Validated {
-    fn drop(&mut self) {
-        let messages = self.0.validation_messages();
-        if !std::thread::panicking() {
-            assert!(messages.is_empty(), "validation: {messages:#?}");
-        }
-    }
-}
 
 pub fn built_in(name: &str, options: SceneOptions) -> Arc<Scene> {
     Arc::new(Scene::load(name, &options).expect("a built-in scene"))

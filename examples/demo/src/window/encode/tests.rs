@@ -3,7 +3,7 @@
 use ash::vk;
 
 use crate::gpu::Image;
-use crate::window::headless::Headless;
+use crate::window::device::Validated;
 use crate::window::surface_format::{Encoding, SDR_WHITE_NITS};
 use crate::window::target::Target;
 
@@ -80,7 +80,7 @@ const COLOURS: [[f32; 3]; 12] = [
 ];
 
 /// Draws the colours side by side into the canvas, and has them encoded into an image of this format.
-fn encode(gpu: &Headless, encoding: Encoding, format: vk::Format) -> Image {
+fn encode(gpu: &Validated, encoding: Encoding, format: vk::Format) -> Image {
     let layout = vk::ImageLayout::GENERAL;
     let extent = vk::Extent2D { width: COLOURS.len() as u32, height: 1 };
     let surface_format = vk::SurfaceFormatKHR { format, ..Default::default() };
@@ -113,7 +113,7 @@ fn encode(gpu: &Headless, encoding: Encoding, format: vk::Format) -> Image {
 
 #[test]
 fn the_shader_encodes_as_the_twin() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     for encoding in [Encoding::Hdr10, Encoding::Unorm] {
         let image = encode(&gpu, encoding, vk::Format::R32G32B32A32_SFLOAT);
         for (given, rgb) in gpu.read_image(&image).expect("pixels").iter().zip(COLOURS) {
@@ -127,7 +127,7 @@ fn the_shader_encodes_as_the_twin() {
 
 #[test]
 fn ten_bits_hold_the_signal() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     let image = encode(&gpu, Encoding::Hdr10, vk::Format::A2B10G10R10_UNORM_PACK32);
     for (bits, rgb) in gpu.read_image_u32(&image).expect("pixels").iter().zip(COLOURS) {
         let steps = [0, 10, 20].map(|shift| f64::from(bits >> shift & 1023));

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::*;
-use crate::window::headless::Headless;
+use crate::window::device::Validated;
 
 const SMALL: vk::Extent2D = vk::Extent2D { width: 32, height: 18 };
 
@@ -49,7 +49,7 @@ fn assert_same(given: &[[f32; 3]], wanted: &[[f32; 3]], what: &str) {
 
 #[test]
 fn the_reference_of_fog_is_that_without_a_window() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     let settings = settings("fog");
     let mut world = world(&gpu, &settings);
     world.frame(&settings, None, false, false).expect("a frame");
@@ -71,7 +71,7 @@ fn the_reference_of_fog_is_that_without_a_window() {
 
 #[test]
 fn noisy_and_filtered_pictures_have_their_medium() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     let settings = settings("fog");
     let mut world = world(&gpu, &settings);
     for _ in 0..3 {
@@ -100,7 +100,7 @@ fn with(preset: Preset) -> Settings {
 
 #[test]
 fn a_paused_picture_does_not_move_and_a_step_moves_by_its_motion() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     for taa in [false, true] {
         let settings = Settings { taa, ..with(Preset::Asvgf) };
         let mut world = world(&gpu, &settings);
@@ -129,7 +129,7 @@ fn a_paused_picture_does_not_move_and_a_step_moves_by_its_motion() {
 
 #[test]
 fn a_filter_goes_on_where_it_stopped_while_time_stands_still() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     for taa in [false, true] {
         let [asvgf, svgf] = [Preset::Asvgf, Preset::Svgf].map(|preset| Settings { taa, ..with(preset) });
         let mut world = world(&gpu, &asvgf);
@@ -162,7 +162,7 @@ fn a_filter_goes_on_where_it_stopped_while_time_stands_still() {
 
 #[test]
 fn another_kind_of_picture_is_of_the_same_moment() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     let plain = with(Preset::Asvgf);
     let mut world = world(&gpu, &plain);
     for _ in 0..3 {
@@ -180,7 +180,7 @@ fn another_kind_of_picture_is_of_the_same_moment() {
 
 #[test]
 fn a_scene_that_cannot_be_loaded_leaves_the_old_one() {
-    let Some(gpu) = Headless::new() else { return };
+    let Some(gpu) = Validated::new() else { return };
     let settings = with(Preset::Asvgf);
     let (mut world, shared) = (world(&gpu, &settings), Shared::default());
     world.frame(&settings, None, true, false).expect("a frame");

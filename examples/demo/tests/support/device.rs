@@ -1,15 +1,16 @@
-//! A device for unit tests of the window, without a window.
+//! A device under validation, for tests. The unit tests of the window include this file, too.
 
 use std::io::Write;
 use std::ops::Deref;
 
-use crate::gpu::{Gpu, GpuOptions};
+use super::{Gpu, GpuOptions};
 
 /// A device under synchronisation validation; the test fails when it goes with messages.
-pub struct Headless(Gpu);
+pub struct Validated(pub Gpu);
 
-impl Headless {
-    /// `None`, said on the terminal, where there is no device or no validation layer; an error with `ATROUS_REQUIRE_DEVICE=1`.
+impl Validated {
+    /// `None`, said on the terminal, where there is no device or no validation layer: the test is skipped then. An error with
+    /// `ATROUS_REQUIRE_DEVICE=1`.
     pub fn new() -> Option<Self> {
         match Gpu::new(&GpuOptions { validation: true, ..GpuOptions::default() }) {
             Ok(gpu) => Some(Self(gpu)),
@@ -24,7 +25,7 @@ impl Headless {
     }
 }
 
-impl Deref for Headless {
+impl Deref for Validated {
     type Target = Gpu;
 
     fn deref(&self) -> &Gpu {
@@ -32,7 +33,7 @@ impl Deref for Headless {
     }
 }
 
-impl Drop for Headless {
+impl Drop for Validated {
     fn drop(&mut self) {
         let messages = self.0.validation_messages();
         if !std::thread::panicking() {
