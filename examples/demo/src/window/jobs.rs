@@ -40,6 +40,10 @@ impl Jobs {
                 // The world's.
                 Request::Reload => {}
                 Request::RecordPath(path) => self.record_path(shared, path),
+                Request::ReplayPath(path) if !path.exists() => {
+                    shared
+                        .say(true, format!("there is no {}: F4 records the camera's way, and F4 again writes it", path.display()));
+                }
                 Request::ReplayPath(path) => match CameraPath::load(&path) {
                     Ok(way) => self.way = Way::Flown(way, 0),
                     Err(error) => shared.say(true, error.to_string()),

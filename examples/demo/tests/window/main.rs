@@ -138,6 +138,10 @@ fn magnifier(demo: &mut Demo) {
 }
 
 fn camera_and_files(demo: &mut Demo, out: &Path) {
+    demo.key("F5");
+    demo.wait("what is missing", |line| line.starts_with("error there is no") && line.contains("F4"));
+    demo.key("ctrl+o");
+    demo.wait("what is missing", |line| line.starts_with("error there is no") && line.contains("Ctrl S"));
     demo.key("F4");
     demo.hold("w", |demo| {
         demo.wait("a free camera", |line| line.starts_with("state") && line.contains("camera=free"));

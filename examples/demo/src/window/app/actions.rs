@@ -91,7 +91,11 @@ impl App {
     }
 
     fn load(&mut self) {
-        match Settings::load(&self.options.settings_path()) {
+        let path = self.options.settings_path();
+        if !path.exists() {
+            return self.shared.say(true, format!("there is no {}: Ctrl S saves the settings", path.display()));
+        }
+        match Settings::load(&path) {
             Ok(settings) => self.settings = settings,
             Err(error) => self.shared.say(true, error.to_string()),
         }
