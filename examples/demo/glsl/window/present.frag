@@ -47,19 +47,19 @@ vec3 picture(vec2 position) {
 void main() {
     vec2 p = gl_FragCoord.xy, scale = presented.extent / presented.rect.zw;
     vec2 position = (p - presented.rect.xy) * scale;
-    vec3 value = GROUND;
-    if (all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, presented.extent))) value = picture(position);
+    bool inside = all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, presented.extent));
     vec2 from_lens = abs(p - presented.lens);
     float reach = max(from_lens.x, from_lens.y);
-    if (presented.lens.x >= 0.0 && reach < 0.5 * presented.lens_side) {
-        vec2 centre = floor((presented.lens - presented.rect.xy) * scale) + 0.5;
-        vec2 offset = (p - presented.lens) / presented.lens_zoom;
-        bool border = reach > 0.5 * presented.lens_side - 2.0;
-        // A frame around the pixel whose numbers are shown.
-        vec2 from_centre = abs(offset * presented.lens_zoom);
-        float centre_reach = max(from_centre.x, from_centre.y);
-        bool marked = centre_reach > 0.5 * presented.lens_zoom && centre_reach < 0.5 * presented.lens_zoom + 1.5;
-        value = border || marked ? vec3(1.0) : picture(centre + offset);
-    }
+    bool in_lens = presented.lens.x >= 0.0 && reach < 0.5 * presented.lens_side;
+    vec2 offset = (p - presented.lens) / presented.lens_zoom;
+    if (in_lens) position = floor((presented.lens - presented.rect.xy) * scale) + 0.5 + offset;
+    // Once for the picture and the magnifier, since software devices run both sides of a branch.
+    vec3 value = inside || in_lens ? picture(position) : GROUND;
+    bool border = reach > 0.5 * presented.lens_side - 2.0;
+    // A frame around the pixel whose numbers are shown.
+    vec2 from_centre = abs(offset * presented.lens_zoom);
+    float centre_reach = max(from_centre.x, from_centre.y);
+    bool marked = centre_reach > 0.5 * presented.lens_zoom && centre_reach < 0.5 * presented.lens_zoom + 1.5;
+    if (in_lens && (border || marked)) value = vec3(1.0);
     colour = vec4(value, 1.0);
 }
