@@ -77,8 +77,7 @@ impl Filter {
         if self.taa {
             return Source::of(&self.display);
         }
-        let nothing = (&self.radiance, 0.0);
-        Source::sum([(&self.radiance, 1.0), nothing, nothing], self.medium.as_ref().map(|medium| (medium, 1.0)))
+        Source::sum((&self.radiance, 1.0), self.medium.as_ref().map(|medium| (medium, 1.0)))
     }
 
     /// Gives its passes other code; whether one of them runs that shader.
@@ -117,15 +116,13 @@ impl Filter {
     /// # Errors
     /// A lost device.
     pub fn histogram(&mut self) -> Result<Option<[u32; HISTOGRAM_BARS]>> {
-        let name = match self.denoiser.executor().denoiser().declaration() {
-            d if d.find("moments").is_some() => "moments",
-            d if d.find("moments_direct").is_some() => "moments_direct",
-            _ => return Ok(None),
-        };
+        if !self.denoiser.executor().denoiser().declaration().debug_views().contains(&DebugView::HistoryLength) {
+            return Ok(None);
+        }
         let mut bars = [0; HISTOGRAM_BARS];
-        for texel in self.denoiser.read(name)? {
-            let frames = half::f16::from_bits(texel[2] as u16).to_f32();
-            bars[(frames as usize).min(HISTOGRAM_BARS - 1)] += 1;
+        for [_, _, _, frames] in self.denoiser.view(DebugView::HistoryLength)? {
+            // The background has none, and counts as new.
+            bars[(frames as usize).clamp(1, HISTOGRAM_BARS - 1)] += 1;
         }
         Ok(Some(bars))
     }

@@ -33,10 +33,14 @@ impl<'a> Source<'a> {
         Self { images: [image; 4], weights: [1.0, 0.0, 0.0, 0.0] }
     }
 
-    /// Three images with their weights, and the medium's, where there is one.
-    pub fn sum([a, b, c]: [(&'a Image, f32); 3], medium: Option<(&'a Image, f32)>) -> Self {
-        let d = medium.unwrap_or((a.0, 0.0));
-        Self { images: [a.0, b.0, c.0, d.0], weights: [a.1, b.1, c.1, d.1] }
+    /// An image with its weight, and as many more as there are, three at most.
+    pub fn sum(first: (&'a Image, f32), more: impl IntoIterator<Item = (&'a Image, f32)>) -> Self {
+        let mut sum = Self { images: [first.0; 4], weights: [first.1, 0.0, 0.0, 0.0] };
+        let places = sum.images.iter_mut().zip(&mut sum.weights).skip(1);
+        for ((image, weight), part) in places.zip(more) {
+            (*image, *weight) = part;
+        }
+        sum
     }
 }
 

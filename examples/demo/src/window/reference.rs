@@ -61,8 +61,7 @@ impl GrowingReference {
         let weight = |samples: u32| 1.0 / samples.max(1) as f32;
         let [direct, indirect] = &self.surfaces.sums;
         let surfaces = weight(self.surfaces.samples());
-        let parts = [(direct, surfaces), (indirect, surfaces), (&outputs.emission, 1.0)];
         let medium = self.medium.as_ref().map(|medium| (&medium.sums[0], weight(medium.samples())));
-        Source::sum(parts, medium)
+        Source::sum((direct, surfaces), [(indirect, surfaces), (&outputs.emission, 1.0)].into_iter().chain(medium))
     }
 }

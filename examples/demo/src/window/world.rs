@@ -37,8 +37,8 @@ pub struct World {
     loaded: String,
     // Before the tracer, whose images they read.
     filters: Vec<Filter>,
+    /// Where it is shown.
     reference: Option<GrowingReference>,
-    wants_reference: bool,
     tracer: PathTracer,
     clock: Clock,
     #[cfg(feature = "hot-reload")]
@@ -63,7 +63,6 @@ impl World {
             loaded: settings.scene.clone(),
             filters: Vec::new(),
             reference: None,
-            wants_reference: false,
             tracer,
             clock: Clock::default(),
             #[cfg(feature = "hot-reload")]
@@ -163,7 +162,6 @@ impl World {
     /// # Errors
     /// A lost device.
     pub fn accumulate(&mut self, wanted: bool) -> Result<()> {
-        self.wants_reference = wanted;
         if !wanted {
             // What moves meanwhile is not noticed.
             self.reference = None;
@@ -202,7 +200,7 @@ impl World {
 
     /// Whether the reference is shown and can still grow.
     pub fn is_accumulating(&self) -> bool {
-        self.wants_reference && self.reference_samples() < REFERENCE_LIMIT
+        self.reference.as_ref().is_some_and(|reference| reference.samples() < REFERENCE_LIMIT)
     }
 
     /// Paths of each pixel in the reference.
@@ -232,7 +230,7 @@ impl World {
                 (Content::Reference, _, Some(reference)) => reference.source(outputs),
                 _ => {
                     let medium = self.tracer.volume().map(|volume| (&volume.noisy_volume, 1.0));
-                    Source::sum([(&outputs.scattered, 1.0), (&outputs.emission, 1.0), (&outputs.emission, 0.0)], medium)
+                    Source::sum((&outputs.scattered, 1.0), [(&outputs.emission, 1.0)].into_iter().chain(medium))
                 }
             };
             writer.write(&self.gpu, panes, side, &source)?;
