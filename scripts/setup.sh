@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing and nothing else: a C toolchain for shaderc's archive, the Vulkan loader, a Vulkan driver
-# where no device answers, and (with --test) the Khronos validation layer, the headers for the C++ host, and a virtual X server for the window. Then makes the archive that `shaderc` links.
+# where no device answers; with --window what a window needs, and with --test that, the Khronos validation layer, the headers for the C++ host,
+# and a virtual X server. Then makes the archive that `shaderc` links.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -28,9 +29,11 @@ if command -v apt-get >/dev/null; then
     for package in gcc g++ binutils libshaderc-dev glslang-dev spirv-tools libvulkan1 vulkan-tools; do need "$package"; done
     for option in "$@"; do
         case $option in
-            --test) for package in vulkan-validationlayers libvulkan-dev xvfb xdotool libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0; do need "$package"; done ;;
-            *) fail "unknown option $option: only --test is known" ;;
+            --window) ;;
+            --test) for package in vulkan-validationlayers libvulkan-dev xvfb xdotool; do need "$package"; done ;;
+            *) fail "unknown option $option: only --window and --test are known" ;;
         esac
+        for package in libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0; do need "$package"; done
     done
     install_missing
     if ! vulkaninfo --summary >/dev/null 2>&1; then
