@@ -5,6 +5,7 @@
 
 mod allocation;
 mod bad_input;
+mod checksums;
 mod contract;
 mod debug_views;
 mod declarations;
@@ -56,6 +57,7 @@ fn main() {
         #[cfg(feature = "hot-reload")]
         ("hot_reload", hot_reload::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
+        ("checksums", checksums::TESTS, true),
         ("debug_views", debug_views::TESTS, true),
         ("eaw", eaw::TESTS, true),
         ("firefly", firefly::TESTS, true),

@@ -1,0 +1,152 @@
+//! The bits of every output, held against a table: a change of structure must not change a picture.
+//!
+//! The table was made on llvmpipe, which gives the same bits for every number of threads; another driver rounds in its own way, so there the
+//! test says that it compares nothing. `ATROUS_UPDATE_CHECKSUMS=1` writes the table anew, for a commit that says why.
+
+use super::support::{assert_valid, gpu, scene::Guides, scene::Scene, session, upload};
+use super::GpuTest;
+use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
+use atrous::executor::Session;
+use atrous::{Config, DebugView, FrameParams, Lifetime, ResetReason, Shape, Tuning, UseFrame};
+use std::fmt::Write as _;
+
+pub const TESTS: &[GpuTest] = &[("every_preset", every_preset)];
+
+const TABLE: &str = include_str!("checksums/llvmpipe.txt");
+const FRAMES: u32 = 6;
+
+fn configurations() -> Vec<(&'static str, Config)> {
+    let base = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([61, 35]) };
+    let apart = Config { signals: Signals::Apart, ..base };
+    let asvgf = Config { preset: Preset::Asvgf, ..base };
+    let percentile = Config { preset: Preset::Percentile, ..base };
+    let eaw = Config { preset: Preset::Eaw, ..base };
+    let stabilize = Config { preset: Preset::Stabilize, ..base };
+    vec![
+        ("svgf", base),
+        ("svgf apart", apart),
+        ("svgf object normals, no ids", Config { object_normal: true, surface_id: false, ..apart }),
+        ("svgf fireflies", Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..base }),
+        ("svgf one level, tone map", Config { levels: 1, post_process: PostProcess::ToneMap, ..base }),
+        ("svgf ten levels", Config { levels: 10, post_process: PostProcess::None, ..base }),
+        ("svgf debug views", Config { debug_view: true, ..apart }),
+        ("asvgf", Config { debug_view: true, ..asvgf }),
+        ("asvgf apart", Config { signals: Signals::Apart, firefly_filter: true, ..asvgf }),
+        (
+            "asvgf 2x2, forward motion, object normals",
+            Config { stratum_size: 2, forward_motion: true, object_normal: true, ..asvgf },
+        ),
+        ("asvgf 4x4, no ids", Config { stratum_size: 4, surface_id: false, ..asvgf }),
+        ("asvgf reshaded", Config { gradient_source: GradientSource::Reshaded, signals: Signals::Apart, ..asvgf }),
+        ("asvgf sparse", Config { gradient_source: GradientSource::Sparse, ..asvgf }),
+        ("asvgf confidence", Config { gradient_source: GradientSource::Confidence, ..asvgf }),
+        ("percentile", Config { debug_view: true, ..percentile }),
+        ("percentile apart, object normals", Config { signals: Signals::Apart, object_normal: true, ..percentile }),
+        ("percentile published", Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile }),
+        ("percentile published apart", Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile }),
+        ("eaw", eaw),
+        ("eaw apart, two weights", Config { signals: Signals::Apart, eaw_weights: EawWeights::first(2), ..eaw }),
+        ("eaw 2x2", Config { sampling: Sampling::OneOf2x2, ..eaw }),
+        ("eaw 4x4, fireflies", Config { sampling: Sampling::OneOf4x4, firefly_filter: true, ..eaw }),
+        ("stabilize", Config { debug_view: true, firefly_filter: true, ..stabilize }),
+        ("stabilize reshaded", Config { gradient_source: GradientSource::Reshaded, ..stabilize }),
+        ("volume", Config { preset: Preset::Volume, debug_view: true, ..base }),
+        ("volume beside svgf", Config { volume: true, firefly_filter: true, ..base }),
+        ("volume beside asvgf", Config { volume: true, ..asvgf }),
+    ]
+}
+
+fn every_preset() {
+    let mut table = String::new();
+    for (name, config) in configurations() {
+        writeln!(table, "{:016x} {name}", checksum(&config)).expect("a string takes everything");
+    }
+    assert_valid();
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/checksums/llvmpipe.txt");
+    if std::env::var_os("ATROUS_UPDATE_CHECKSUMS").is_some() {
+        std::fs::write(path, &table).expect(path);
+    } else if !gpu().name().starts_with("llvmpipe") {
+        println!("the table of checksums is llvmpipe's; this device is {}: nothing was compared", gpu().name());
+    } else {
+        assert_eq!(table, TABLE, "checksums of every output, as they are and as {path} has them");
+    }
+}
+
+/// Of every output of every frame, in the order of their names.
+fn checksum(config: &Config) -> u64 {
+    let scene = Scene { speed: 0.12, ..Scene::new(config.allocated_extent) };
+    let mut s = session(config);
+    let declaration = s.executor().denoiser().declaration().clone();
+    let mut outputs: Vec<_> =
+        declaration.resources().iter().filter(|r| r.lifetime == Lifetime::Output).map(|r| r.name.to_string()).collect();
+    outputs.sort();
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut before: Option<Guides> = None;
+    for i in 0..FRAMES {
+        let light = if i >= 4 { 0.3 } else { 1.0 };
+        let mut guides = Scene { light, ..scene }.frame(i, i);
+        add_outliers(&mut guides);
+        upload(&mut s, &guides);
+        upload_extras(&mut s, &guides, before.as_ref());
+        let reset = (i == 3).then_some(ResetReason::CameraCut);
+        let params = FrameParams {
+            jitter: [0.3 - 0.1 * i as f32, 0.05 * i as f32],
+            exposure_ratio: if i == 2 { 1.5 } else { 1.0 },
+            reset,
+            reshaded: true,
+            debug_view: config.debug_view.then(|| DebugView::ALL[i as usize * 2]),
+            ..scene.params(i)
+        };
+        s.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
+        for name in &outputs {
+            let bytes = s.download_bytes(name, UseFrame::Current).expect(name);
+            hash = bytes.iter().fold(hash, |h, byte| (h ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3));
+        }
+        before = Some(guides);
+    }
+    hash
+}
+
+/// Fireflies, and a few values that are not finite.
+fn add_outliers(guides: &mut Guides) {
+    for images in [&mut guides.noisy_radiance, &mut guides.noisy_direct, &mut guides.noisy_indirect, &mut guides.noisy_volume] {
+        images.iter_mut().step_by(97).for_each(|t| *t = t.map(|c| 40.0 * c));
+        images.iter_mut().skip(11).step_by(501).for_each(|t| t[0] = f32::NAN);
+    }
+}
+
+/// Inputs that the scene does not have, made of those that it has.
+fn upload_extras(s: &mut Session, guides: &Guides, before: Option<&Guides>) {
+    let declaration = s.executor().denoiser().declaration().clone();
+    let earlier = before.unwrap_or(guides);
+    let pixels = guides.depth.len();
+    let reshaded: Vec<_> = earlier.noisy_radiance.iter().map(|t| t.map(|c| 0.8 * c)).collect();
+    // An object that turned under some of the pixels: its history is refused there.
+    let turned = |i: usize| {
+        if (i / 8 + guides.noisy_radiance[0][1].to_bits() as usize) % 5 == 0 {
+            [1.0, 0.0, 0.0, 0.0]
+        } else {
+            [0.0, 0.0, 1.0, 0.0]
+        }
+    };
+    let made: [(&str, Vec<[f32; 4]>); 7] = [
+        ("object_normal", (0..pixels).map(turned).collect()),
+        ("emission", vec![[0.25, 0.5, 0.125, 0.0]; pixels]),
+        ("other_denoised_radiance", guides.noisy_radiance.clone()),
+        ("reshaded_radiance", reshaded),
+        ("confidence", (0..pixels).map(|i| [(i % 7) as f32 / 6.0; 4]).collect()),
+        ("forward_motion", vec![[0.01, 0.0, 0.0, 0.0]; pixels]),
+        ("roughness", vec![[0.5; 4]; pixels]),
+    ];
+    for (name, texels) in made {
+        if declaration.find(name).is_some() {
+            s.upload(name, &texels).expect(name);
+        }
+    }
+    if let Some(id) = declaration.find("sparse_gradient") {
+        let Shape::Image { .. } = declaration.resource(id).shape else { panic!("an image") };
+        let [w, h] = declaration.resource(id).extent(declaration.allocated_extent()).expect("an image");
+        let texels: Vec<_> = (0..w * h).map(|i| [0.1 * (i % 5) as f32, 0.5, 0.0, 0.0]).collect();
+        s.upload("sparse_gradient", &texels).expect("sparse_gradient");
+    }
+}
