@@ -70,17 +70,9 @@ fn hash_of_sources(glsl: &Path) -> Result<String, Box<dyn Error>> {
 }
 
 #[cfg(feature = "shaderc")]
-#[path = "build/glsl.rs"]
-mod glsl;
-#[cfg(feature = "shaderc")]
-#[path = "src/hot_reload/interface.rs"]
-mod interface;
-
-#[cfg(feature = "shaderc")]
 mod compile {
-    use super::glsl::{shaders, Glsl, Kept};
-    use super::interface::interface;
     use super::{fs, Error, Path};
+    use atrous_glsl::{interface, shaders, Compiler, Glsl, Kept};
     use spirq::{prelude::*, ty::DescriptorType, ty::Type, var::Variable};
     use std::fmt::Write as _;
 
@@ -89,7 +81,7 @@ mod compile {
         let _ = fs::remove_dir_all(out);
         fs::create_dir_all(out)?;
         let (mut table, mut interfaces, mut names) = (String::new(), String::new(), Vec::new());
-        let compiler = shaderc::Compiler::new()?;
+        let compiler = Compiler::new()?;
         for file in shaders(glsl)? {
             let source = Glsl::read(&file, &[glsl.join("include")])?;
             for variant in source.variants() {

@@ -1,13 +1,10 @@
 //! Shaders that are replaced while a session runs.
 
-#[path = "../build/glsl.rs"]
-#[allow(dead_code)] // the build uses the rest
-mod glsl;
-
 use super::support::{assert_valid, frame, scene::Scene, session};
 use super::GpuTest;
 use atrous::executor::Session;
 use atrous::{Config, Error, Tuning};
+use atrous_glsl as glsl;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
@@ -45,7 +42,7 @@ impl Sources {
 
     /// Every variant with its name.
     fn compile(&self, file: &str) -> Result<Vec<(String, Vec<u32>)>, String> {
-        let compiler = shaderc::Compiler::new().expect("shaderc");
+        let compiler = glsl::Compiler::new().expect("shaderc");
         let source = glsl::Glsl::read(&self.0.path().join(file), &[self.0.path().join("include")])?;
         let compile = |v: glsl::Variant| Ok((v.name.clone(), source.compile(&compiler, &v, glsl::Kept::CodeAndNames)?));
         source.variants().into_iter().map(compile).collect()

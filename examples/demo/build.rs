@@ -2,13 +2,7 @@
 //! `glsl/window/` into `$OUT_DIR/window_shaders.rs`; with the feature `hot-reload` with their interfaces.
 //! Includes come from `glsl/include`, and from the folder of the crate that holds the header for hosts.
 
-#[path = "../../build/glsl.rs"]
-mod glsl;
-#[cfg(feature = "hot-reload")]
-#[path = "../../src/hot_reload/interface.rs"]
-mod interface;
-
-use glsl::{Glsl, Kept, Variant};
+use atrous_glsl::{shaders, Compiler, Glsl, Kept, Variant};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -27,9 +21,9 @@ fn main() -> Result<(), String> {
 
 /// Compiles the shaders of a folder, with a table of constants beside them.
 fn write_table(folder: &Path, includes: &[PathBuf], table: &Path) -> Result<(), String> {
-    let compiler = shaderc::Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
+    let compiler = Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
     let (mut generated, mut names) = (String::new(), String::new());
-    for file in glsl::shaders(folder)? {
+    for file in shaders(folder)? {
         let source = Glsl::read(&file, includes)?;
         for variant in source.variants() {
             let name = &variant.name;
@@ -51,11 +45,11 @@ fn write_table(folder: &Path, includes: &[PathBuf], table: &Path) -> Result<(), 
 }
 
 #[cfg(feature = "hot-reload")]
-fn interface_of(source: &Glsl, compiler: &shaderc::Compiler, variant: &Variant) -> Result<String, String> {
-    interface::interface(&source.compile(compiler, variant, Kept::Everything)?).map(|lines| format!("{lines:?}"))
+fn interface_of(source: &Glsl, compiler: &Compiler, variant: &Variant) -> Result<String, String> {
+    atrous_glsl::interface(&source.compile(compiler, variant, Kept::Everything)?).map(|lines| format!("{lines:?}"))
 }
 
 #[cfg(not(feature = "hot-reload"))]
-fn interface_of(_: &Glsl, _: &shaderc::Compiler, _: &Variant) -> Result<String, String> {
+fn interface_of(_: &Glsl, _: &Compiler, _: &Variant) -> Result<String, String> {
     Ok("[]".into())
 }

@@ -1,16 +1,14 @@
 //! Shaders that change while the program runs, for those who work on them (feature `hot-reload`).
 //!
 //! Compile a file of `glsl/` as the build does: for Vulkan 1.1, each set of macros of its line `// variants:`, includes from `glsl/include`;
-//! `build/glsl.rs` has it, and the demo shows how. Keep the names (shaderc: `set_generate_debug_info`): blocks are compared by those of their
+//! `crates/glsl` has it, and the demo shows how. Keep the names (shaderc: `set_generate_debug_info`): blocks are compared by those of their
 //! members. Then [`Denoiser::replace_shader`](crate::Denoiser::replace_shader), or that of the executor, puts it in place between two frames.
 //!
 //! What the rest of the program assumes has to stay: a shader with other bindings, blocks or workgroups is refused by
 //! [`Error::ShaderInterface`], which names the difference.
 
-mod interface;
-
 use crate::error::Error;
-use interface::interface;
+use atrous_glsl::interface;
 
 include!(concat!(env!("OUT_DIR"), "/interfaces.rs"));
 
@@ -26,7 +24,7 @@ pub fn check(name: &str, spirv: &[u32]) -> Result<(), Error> {
     }
 }
 
-/// The same for a host's own shaders, against what its build found: pairs of a place and what is there (`src/hot_reload/interface.rs` makes
+/// The same for a host's own shaders, against what its build found: pairs of a place and what is there (`crates/glsl/src/interface.rs` makes
 /// them). What the module does not use any more may be missing; what it has must be what it was.
 ///
 /// # Errors

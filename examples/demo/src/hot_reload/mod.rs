@@ -1,15 +1,12 @@
 //! Shaders that are compiled again when they are saved, those of the denoiser and the engine's own (feature `hot-reload`).
 
-#[path = "../../../../build/glsl.rs"]
-#[allow(dead_code)] // build scripts use the rest
-mod glsl;
 mod watch;
 
 pub use watch::{ShaderWatch, Stale};
 
 use std::path::{Path, PathBuf};
 
-use glsl::{Glsl, Kept};
+use atrous_glsl::{Compiler, Glsl, Kept, Variant};
 
 use crate::gpu::Shader;
 
@@ -91,8 +88,8 @@ pub struct Recompiled {
 /// Every variant of a file.
 fn compile(owner: Owner, file: &Path, includes: &[PathBuf]) -> Result<Vec<Compiled>, String> {
     let source = Glsl::read(file, includes)?;
-    let compiler = shaderc::Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
-    let compile = |(i, variant): (usize, glsl::Variant)| {
+    let compiler = Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
+    let compile = |(i, variant): (usize, Variant)| {
         // What fails in a later variant alone has to do with it.
         let of_variant = |text: String| if i == 0 { text } else { format!("{text}\nin {}", variant.name) };
         let spirv = source.compile(&compiler, &variant, Kept::CodeAndNames).map_err(of_variant)?;

@@ -5,7 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use super::glsl::{resolve, shaders};
+use atrous_glsl::{resolve, shaders};
+
 use super::{compile, Owner, Recompiled, ShaderFolders};
 use crate::error::{Error, Result};
 

@@ -1,5 +1,5 @@
-//! From GLSL to SPIR-V. The build scripts of the crate and of the demo include this file, and so does what compiles while a program runs: a
-//! shader is then the one that a build would have made.
+//! From GLSL to SPIR-V. The build scripts of the crate and of the demo use it, and so does what compiles while a program runs: a shader is then
+//! the one that a build would have made.
 
 use shaderc::{CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv};
 use std::fs;
@@ -15,13 +15,13 @@ pub struct Glsl {
 
 /// Macros that a shader is compiled with, and the name that it has then.
 pub struct Variant {
+    /// Its file without `.comp`, and its macros, as in `modulate_signals_1`.
     pub name: String,
     macros: String,
 }
 
 /// What a module keeps of its source.
 #[derive(Clone, Copy, PartialEq, Eq)]
-#[allow(dead_code)] // each program has its own
 pub enum Kept {
     /// What runs, optimised.
     Code,
