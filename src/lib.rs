@@ -9,6 +9,7 @@ pub mod capi;
 pub mod capture;
 pub mod config;
 pub mod contract;
+#[cfg(feature = "conventions")]
 pub mod conventions;
 mod denoiser;
 mod error;
@@ -20,7 +21,6 @@ pub mod hot_reload;
 mod nodes;
 mod pipeline;
 mod presets;
-pub mod quality;
 pub mod reference;
 mod requirements;
 mod shaders;

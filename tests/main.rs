@@ -5,6 +5,8 @@
 
 mod allocation;
 mod bad_input;
+#[cfg(feature = "capture")]
+mod capture;
 mod checksums;
 mod contract;
 mod debug_views;
@@ -57,6 +59,8 @@ fn main() {
         #[cfg(feature = "hot-reload")]
         ("hot_reload", hot_reload::TESTS, true),
         ("bad_input", bad_input::TESTS, true),
+        #[cfg(feature = "capture")]
+        ("capture", capture::TESTS, true),
         ("checksums", checksums::TESTS, true),
         ("debug_views", debug_views::TESTS, true),
         ("eaw", eaw::TESTS, true),

@@ -2,7 +2,8 @@
 
 pub mod host;
 pub mod rig;
-pub mod scene;
+
+pub use atrous_synthetic::{pixels, random, scene};
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
@@ -96,26 +97,6 @@ pub fn assert_finite(image: &[[f32; 4]], render: [u32; 2], allocated: [u32; 2]) 
         let texel = image[(y * allocated[0] + x) as usize];
         assert!(texel.iter().all(|v| v.is_finite()), "pixel {x},{y} is {texel:?}");
     }
-}
-
-/// Every pixel, row by row.
-pub fn pixels(extent: [u32; 2]) -> impl Iterator<Item = (u32, u32)> {
-    (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)))
-}
-
-/// 32 random bits of three numbers.
-pub fn hash(a: u32, b: u32, c: u32) -> u32 {
-    let mut h = a.wrapping_mul(0x9e37_79b9) ^ b.wrapping_mul(0x85eb_ca6b) ^ c.wrapping_mul(0xc2b2_ae35);
-    for _ in 0..2 {
-        h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
-        h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
-    }
-    h ^ h >> 16
-}
-
-/// Uniform in 0..1.
-pub fn random(a: u32, b: u32, c: u32) -> f32 {
-    (hash(a, b, c) >> 8) as f32 / (1 << 24) as f32
 }
 
 /// Root of the mean squared difference of colours.

@@ -129,7 +129,7 @@ pub enum Error {
     Denoiser(#[from] atrous::Error),
     /// Two pictures could not be compared.
     #[error("comparing pictures: {0}")]
-    Quality(#[from] atrous::quality::QualityError),
+    Quality(#[from] atrous_quality::QualityError),
     /// A picture could not be composed or written.
     #[error("{0}")]
     Composition(#[from] atrous_picture::PictureError),

@@ -14,6 +14,8 @@ pub mod hot_reload;
 pub mod measure;
 pub mod report;
 pub mod scene;
+#[doc(hidden)]
+pub mod testing;
 pub mod tracer;
 pub mod volume;
 #[cfg(feature = "window")]

@@ -1,7 +1,7 @@
 //! What a frame is measured with: its pictures on the CPU, and their scores against the reference.
 
-use atrous::quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 use atrous::DebugView;
+use atrous_quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 
 use crate::{FrameDenoiser, Gpu, PathTracer, Reference, Result, VolumeFrame};
 

@@ -8,9 +8,6 @@ mod camera;
 mod camera_path;
 mod clock;
 mod content;
-#[cfg(test)]
-#[path = "../../tests/support/device.rs"]
-mod device;
 mod encode;
 mod engine;
 mod filter;

@@ -1,16 +1,14 @@
 //! A device under validation, and small pictures.
 #![allow(dead_code)] // each test binary uses a part of this
 
-mod device;
-
 use std::sync::Arc;
 
 use ash::vk::Extent2D;
 use atrous_demo::scene::Mesh;
-use atrous_demo::{Gpu, GpuOptions, PathTracer, Scene, SceneOptions, TracerOptions};
+use atrous_demo::{PathTracer, Scene, SceneOptions, TracerOptions};
 use glam::{Vec2, Vec3};
 
-pub use device::Validated;
+pub use atrous_demo::testing::Validated;
 
 pub const SMALL: Extent2D = Extent2D { width: 32, height: 18 };
 

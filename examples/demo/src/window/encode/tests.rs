@@ -3,7 +3,7 @@
 use ash::vk;
 
 use crate::gpu::Image;
-use crate::window::device::Validated;
+use crate::testing::Validated;
 use crate::window::surface_format::{Encoding, SDR_WHITE_NITS};
 use crate::window::target::Target;
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::*;
-use crate::window::device::Validated;
+use crate::testing::Validated;
 
 const SMALL: vk::Extent2D = vk::Extent2D { width: 32, height: 18 };
 

@@ -1,14 +1,15 @@
 //! Memory does not grow with the number of frames.
 
-use crate::backend::{Backend, FrameOutputs};
-use crate::error::Result;
-use crate::frame::FrameInputs;
-use crate::pipeline::{self, Finished, Sink};
-use crate::plan::{self, Existing};
-use crate::saver::{output_channels, Saver, Wanted};
-use crate::score::ScoreBook;
-use crate::setup::{Setup, Wishes};
-use crate::{frame_files, samples};
+use crate::samples;
+use atrous_denoise::backend::{Backend, FrameOutputs};
+use atrous_denoise::error::Result;
+use atrous_denoise::frame::FrameInputs;
+use atrous_denoise::frame_files;
+use atrous_denoise::pipeline::{self, Finished, Sink};
+use atrous_denoise::plan::{self, Existing};
+use atrous_denoise::saver::{output_channels, Saver, Wanted};
+use atrous_denoise::score::ScoreBook;
+use atrous_denoise::setup::{Setup, Wishes};
 
 /// Gives the input back.
 struct Copy;

@@ -1,13 +1,13 @@
 //! What `atrous::capture` writes of slices is what this tool reads; on the CPU alone.
 
-use crate::frame_files;
-use crate::setup::{Setup, Wishes};
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
 use atrous::{Config, FrameParams, Tuning};
+use atrous_denoise::frame_files;
+use atrous_denoise::setup::{Setup, Wishes};
 
 fn variants() -> Vec<Conventions> {
     let base = Conventions::default();
@@ -43,7 +43,7 @@ fn every_convention_and_texel_arrives_as_it_was() {
         let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
         assert_eq!(setup.config.conventions, conventions);
         assert_eq!(setup.tuning(0).expect("tunables"), tuning);
-        let frame = crate::frame::load(&files[0], &setup).expect("a frame");
+        let frame = atrous_denoise::frame::load(&files[0], &setup).expect("a frame");
         assert_eq!(frame.params, params);
         let z = if conventions.motion_depth == MotionDepth::None { [0.0; 2] } else { [f32::INFINITY, -7.0] };
         assert_eq!(frame.images["motion"], [[0.1, 1e-30, z[0], 0.0], [5.0, f32::MAX, z[1], 0.0]]);

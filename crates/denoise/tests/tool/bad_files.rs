@@ -1,8 +1,8 @@
 //! Bad input and bad output: an error that names the file, and what was finished stays.
 
-use crate::error::ToolError;
-use crate::exr_read::{read, read_header};
 use crate::samples::{self, denoise, frame_path, sequence, Sample, Type};
+use atrous_denoise::error::ToolError;
+use atrous_denoise::exr_read::{read, read_header};
 use std::path::Path;
 
 fn fails(path: &Path, part: &str) {
@@ -126,7 +126,7 @@ fn bad_pixels_become_zero() {
     denoise(input.path(), output.path(), &["--score", "--png", "--views", "--strip"]).expect("bad pixels are replaced");
     let planes = read(&frame_path(output.path(), 1), |_| true).expect("a result");
     for (name, samples) in planes.samples {
-        let crate::exr_read::Samples::Float(values) = samples else { panic!("{name} is no float") };
+        let atrous_denoise::exr_read::Samples::Float(values) = samples else { panic!("{name} is no float") };
         assert!(values.iter().all(|v| v.is_finite()), "{name}");
     }
 }

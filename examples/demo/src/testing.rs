@@ -1,9 +1,9 @@
-//! A device under validation, for tests. The unit tests of the window include this file, too.
+//! A device under validation, for the tests of this package.
 
 use std::io::Write;
 use std::ops::Deref;
 
-use super::{Gpu, GpuOptions};
+use crate::{Gpu, GpuOptions};
 
 /// A device under synchronisation validation; the test fails when it goes with messages.
 pub struct Validated(pub Gpu);

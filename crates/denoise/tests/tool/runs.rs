@@ -1,8 +1,8 @@
 //! Whole runs on the CPU.
 
-use crate::error::ToolError;
-use crate::exr_read::{read, read_header, Samples};
 use crate::samples::{denoise, frame_path, sequence, HEIGHT, WIDTH};
+use atrous_denoise::error::ToolError;
+use atrous_denoise::exr_read::{read, read_header, Samples};
 use exr::meta::attribute::SampleType;
 use std::path::Path;
 

@@ -1,7 +1,7 @@
 //! Every way of storing pixels gives the same pixels.
 
-use crate::exr_read::{read, Samples};
 use crate::samples::{bounds, noise, Sample, Type};
+use atrous_denoise::exr_read::{read, Samples};
 use exr::compression::Compression;
 use std::path::Path;
 
@@ -111,7 +111,7 @@ fn parts_are_layers() {
     let colour = Sample::new(8, 6).flat("R G B", Type::Half, 0.25);
     let depth = Sample::new(8, 6).flat("Z", Type::Float, 7.0);
     Sample::write_parts([("beauty", &colour), ("depth", &depth)], &path);
-    let header = crate::exr_read::read_header(&path).expect("readable");
+    let header = atrous_denoise::exr_read::read_header(&path).expect("readable");
     let names: Vec<_> = header.channels.iter().map(|c| c.name.as_str()).collect();
     assert_eq!(names, ["beauty.B", "beauty.G", "beauty.R", "depth.Z"]);
     assert_eq!(floats(&path, "depth.Z"), vec![7.0; 48]);

@@ -2,12 +2,12 @@
 
 use super::support::{assert_valid, gpu};
 use super::GpuTest;
-use crate::setup::{Setup, Wishes};
-use crate::{frame, frame_files};
 use ash::vk;
 use atrous::config::NormalEncoding;
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
 use atrous::{Config, Error, FrameParams, Phase, Tuning};
+use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::{frame, frame_files};
 
 pub const TESTS: &[GpuTest] = &[
     ("formats_of_a_host_are_decoded_with_two_frames_in_flight", formats_of_a_host_are_decoded_with_two_frames_in_flight),

@@ -1,7 +1,7 @@
 //! Frames are found and put into order.
 
-use crate::error::ToolError;
-use crate::frame_files::find;
+use atrous_denoise::error::ToolError;
+use atrous_denoise::frame_files::find;
 use std::path::{Path, PathBuf};
 
 fn folder(names: &[&str]) -> tempfile::TempDir {

@@ -1,14 +1,16 @@
 //! A replay of a capture gives what the engine had.
 
-use super::support::{assert_valid, random, rmse, scene::Scene, session, upload};
+use super::support::{assert_valid, rmse, session, upload};
 use super::GpuTest;
-use crate::backend::{Backend, GpuBackend};
-use crate::backend_reference::ReferenceBackend;
-use crate::setup::{Setup, Wishes};
-use crate::{frame, frame_files};
 use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, MotionUnit, Preset, Sampling, Signals};
 use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
+use atrous_denoise::backend::{Backend, GpuBackend};
+use atrous_denoise::backend_reference::ReferenceBackend;
+use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::{frame, frame_files};
+use atrous_synthetic::random;
+use atrous_synthetic::scene::{Guides, Scene};
 use std::path::Path;
 
 pub const TESTS: &[GpuTest] = &[
@@ -67,7 +69,7 @@ fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, chang
 }
 
 struct Inputs {
-    guides: super::support::scene::Guides,
+    guides: Guides,
     params: FrameParams,
     tuning: Tuning,
     images: Vec<(&'static str, Vec<[f32; 4]>)>,

@@ -2,29 +2,40 @@
 //!
 //! Rays are intersected analytically, so depth, normal, motion and the clean radiance have no error of their own.
 
-use super::{pixels, random};
+use crate::{pixels, random};
 use atrous::FrameParams;
 
-/// The inputs of one frame.
+/// The inputs of one frame, row by row, four floats a texel.
 #[derive(Clone)]
 pub struct Guides {
+    /// x: linear; 0 is the sky.
     pub depth: Vec<[f32; 4]>,
+    /// xyz, world.
     pub normal: Vec<[f32; 4]>,
+    /// xy: `uv_previous − uv_current`.
     pub motion: Vec<[f32; 4]>,
+    /// Of the primary hit.
     pub albedo: Vec<[f32; 4]>,
+    /// 0: sky, 1: wall, 2: ball.
     pub surface_id: Vec<u32>,
+    /// Direct and indirect light together.
     pub noisy_radiance: Vec<[f32; 4]>,
+    /// Three quarters of the light, with noise of its own.
     pub noisy_direct: Vec<[f32; 4]>,
+    /// The other quarter.
     pub noisy_indirect: Vec<[f32; 4]>,
     /// What a converged renderer would give.
     pub clean: Vec<[f32; 4]>,
+    /// One sample of the fog, mostly dark.
     pub noisy_volume: Vec<[f32; 4]>,
+    /// Depth of that sample; some are 0, NaN or infinite, as hosts give them.
     pub scattering_depth: Vec<[f32; 4]>,
     /// The volume of a converged renderer.
     pub clean_volume: Vec<[f32; 4]>,
 }
 
 impl Guides {
+    /// Every image of floats by the name of its input; the normals serve twice.
     pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 10] {
         [
             ("depth", &self.depth),
@@ -44,6 +55,7 @@ impl Guides {
 /// What is rendered.
 #[derive(Clone, Copy)]
 pub struct Scene {
+    /// Extent that is rendered.
     pub extent: [u32; 2],
     /// Extent of the images around it; what lies outside the render extent is NaN.
     pub allocated: [u32; 2],
@@ -51,6 +63,7 @@ pub struct Scene {
     pub speed: f32,
     /// Standard deviation of the noise relative to the clean value.
     pub noise: f32,
+    /// Factor of all light.
     pub light: f32,
 }
 
@@ -75,10 +88,12 @@ struct Hit {
 }
 
 impl Scene {
+    /// Stands still, with strong noise.
     pub fn new(extent: [u32; 2]) -> Self {
         Self { extent, allocated: extent, speed: 0.0, noise: 0.7, light: 1.0 }
     }
 
+    /// The camera of frame `index`.
     pub fn params(&self, index: u32) -> FrameParams {
         let aspect = self.extent[0] as f32 / self.extent[1] as f32;
         let (near, far) = (0.1, 100.0);

@@ -1,13 +1,13 @@
 //! Channels of known renderers are found; what is missing is told.
 
-use crate::error::ToolError;
-use crate::frame;
-use crate::frame_files;
-use crate::layouts::Layout;
-use crate::roles::Role;
 use crate::samples::{self, Sample, Type};
-use crate::setup::{Setup, Wishes};
 use atrous::config::{DepthEncoding, MotionDepth, Signals};
+use atrous_denoise::error::ToolError;
+use atrous_denoise::frame;
+use atrous_denoise::frame_files;
+use atrous_denoise::layouts::Layout;
+use atrous_denoise::roles::Role;
+use atrous_denoise::setup::{Setup, Wishes};
 use std::path::Path;
 
 fn setup_of(sample: &Sample, wishes: &Wishes) -> (tempfile::TempDir, Result<Setup, ToolError>) {
@@ -190,7 +190,7 @@ fn a_camera_stands_in_for_motion() {
     assert_eq!(second.images["depth"][9][0], 2.0);
     assert!(!second.images.contains_key("motion"));
     // The camera moved 0.25 to the right at depth 2 with a focal length of 1: by 0.125 of half the width, so the surface was 2 pixels further right.
-    let motion = crate::motion::of_frame(&second, &first.params, &setup.config.conventions);
+    let motion = atrous_denoise::motion::of_frame(&second, &first.params, &setup.config.conventions);
     let [x, y] = motion.motion_px[100];
     assert!((x - 2.0).abs() < 1e-3 && y.abs() < 1e-3, "{x} {y}");
     assert!((motion.previous_depth[100] - 2.0).abs() < 1e-4);

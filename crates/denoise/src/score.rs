@@ -4,9 +4,9 @@ use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::motion::{self, SurfaceMotion};
 use atrous::config::Conventions;
-use atrous::quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 use atrous::FrameParams;
 use atrous_picture::{Column, PictureError, TextTable};
+use atrous_quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 use serde::Serialize;
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! Corrupt files end in an error or in pixels: never in a panic, and never in a huge allocation.
 
-use crate::mapping::Mapping;
 use crate::samples::{frame, noise, Sample, Type};
-use crate::{exr_header, exr_read};
+use atrous_denoise::mapping::Mapping;
+use atrous_denoise::{exr_header, exr_read};
 use exr::compression::Compression;
 
 /// Splitmix64.
@@ -131,7 +131,7 @@ fn mutated_names_do_not_break_the_mapping() {
         }
         let keep = random.below(changed.channels.len() + 1);
         changed.channels.truncate(keep);
-        let named = [(crate::roles::Role::Normal, pieces[random.below(pieces.len())].to_owned())];
+        let named = [(atrous_denoise::roles::Role::Normal, pieces[random.below(pieces.len())].to_owned())];
         let view = pieces[random.below(pieces.len())];
         let _ = Mapping::choose(&path, &changed, &named[..random.below(2)], (random.below(4) == 0).then_some(view));
     }

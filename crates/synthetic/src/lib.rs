@@ -1,7 +1,11 @@
 //! A short sequence of noisy frames with guides: a slanted card before a checkered wall, a sky above, seen by a camera that slides.
 //!
 //! Every host that is compared denoises these frames. Only operations that IEEE 754 rounds exactly are used, in a fixed order, so that
-//! `examples/host_cpp/synthetic.hpp`, which says the same in C++, gives the same bits.
+//! `examples/host_cpp/synthetic.hpp`, which says the same in C++, gives the same bits. [`scene`] has a larger choice for tests alone.
+
+#![forbid(unsafe_code)]
+
+pub mod scene;
 
 /// Width and height in pixels: not a multiple of a workgroup.
 pub const EXTENT: [u32; 2] = [76, 44];
@@ -64,14 +68,24 @@ fn texel(index: u32, x: u32, y: u32) -> ([[f32; 4]; 5], u32) {
     ([[depth, 0.0, 0.0, 0.0], normal, [motion, 0.0, 0.0, 0.0], albedo, radiance], id)
 }
 
-/// Uniform in 0..1.
-fn random(x: u32, y: u32, index: u32) -> f32 {
-    let mut h = x.wrapping_mul(0x9e37_79b9) ^ y.wrapping_mul(0x85eb_ca6b) ^ index.wrapping_mul(0xc2b2_ae35);
+/// Every pixel, row by row.
+pub fn pixels(extent: [u32; 2]) -> impl Iterator<Item = (u32, u32)> {
+    (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)))
+}
+
+/// 32 random bits of three numbers.
+pub fn hash(a: u32, b: u32, c: u32) -> u32 {
+    let mut h = a.wrapping_mul(0x9e37_79b9) ^ b.wrapping_mul(0x85eb_ca6b) ^ c.wrapping_mul(0xc2b2_ae35);
     for _ in 0..2 {
         h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
         h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
     }
-    (h >> 8) as f32 / 16_777_216.0
+    h ^ h >> 16
+}
+
+/// Uniform in 0..1.
+pub fn random(a: u32, b: u32, c: u32) -> f32 {
+    (hash(a, b, c) >> 8) as f32 / (1 << 24) as f32
 }
 
 /// World to view of frame `index`, column-major; the camera looks along −z.

@@ -1,0 +1,33 @@
+//! Denoises a sequence of EXR frames: `cargo run --release -p atrous-denoise -- FRAMES -o FOLDER`. See docs/denoise.md.
+//!
+//! [`tool::run`] is the whole run. The modules are public for the tests of this package: nothing else builds on them.
+
+#![forbid(unsafe_code)]
+
+pub mod backend;
+pub mod backend_reference;
+pub mod camera;
+mod captured_config;
+pub mod check;
+pub mod cli;
+mod conventions;
+pub mod error;
+pub mod exr_header;
+pub mod exr_read;
+mod exr_write;
+pub mod frame;
+pub mod frame_files;
+mod frame_images;
+mod frame_source;
+pub mod layouts;
+pub mod mapping;
+pub mod motion;
+mod panics;
+mod pictures;
+pub mod pipeline;
+pub mod plan;
+pub mod roles;
+pub mod saver;
+pub mod score;
+pub mod setup;
+pub mod tool;

@@ -1,0 +1,48 @@
+//! The device that the tests share, and sessions on it.
+
+use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
+use atrous::{Config, Error};
+use atrous_synthetic::scene::Guides;
+use std::sync::{Arc, OnceLock};
+
+static GPU: OnceLock<Result<Arc<HeadlessDevice>, Error>> = OnceLock::new();
+
+/// The device, under validation.
+pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
+    let open = || HeadlessDevice::new(&HeadlessOptions { device: None, validation: Validation::On }).map(Arc::new);
+    GPU.get_or_init(open).clone()
+}
+
+pub fn gpu() -> Arc<HeadlessDevice> {
+    try_gpu().expect("tests that need a device are ignored without one")
+}
+
+/// A session with poison: transients and previous copies hold NaN before they are written.
+pub fn session(config: &Config) -> Session {
+    Session::new(gpu(), config, SessionOptions { poison: true, ..Default::default() }).expect("session")
+}
+
+/// No error of the validation layer so far.
+pub fn assert_valid() {
+    let errors = gpu().validation_errors();
+    assert!(errors.is_empty(), "{} validation messages, the first:\n{}", errors.len(), errors[0]);
+}
+
+/// Uploads what a frame of the synthetic scene has, for the inputs that the configuration declares.
+pub fn upload(session: &mut Session, guides: &Guides) {
+    let declaration = session.executor().denoiser().declaration().clone();
+    for (name, texels) in guides.images() {
+        if declaration.find(name).is_some() {
+            session.upload(name, texels).expect(name);
+        }
+    }
+    if declaration.find("surface_id").is_some() {
+        session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
+    }
+}
+
+/// Root of the mean squared difference of colours.
+pub fn rmse(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
+    let squared = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).powi(2)).sum::<f64>();
+    (a.iter().zip(b).map(squared).sum::<f64>() / (3 * a.len()) as f64).sqrt()
+}

@@ -1,0 +1,12 @@
+//! Tests of the tool that need no Vulkan device.
+
+mod bad_files;
+mod capture_tests;
+mod check_tests;
+mod fuzz;
+mod layout_tests;
+mod memory;
+mod reading;
+mod runs;
+mod samples;
+mod sequence_tests;
