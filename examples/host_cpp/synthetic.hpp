@@ -1,4 +1,4 @@
-// The frames of examples/synthetic, in C++: the same operations in the same order give the same bits.
+// The frames of crates/synthetic, in C++: the same operations in the same order give the same bits.
 #pragma once
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-//! Which channels an input becomes: the names of this project's data sets, which `examples/denoise` knows.
+//! Which channels an input becomes: the names of this project's data sets, which `atrous-denoise` knows.
 
 use crate::config::MotionDepth;
 use exr::image::FlatSamples;

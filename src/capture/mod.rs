@@ -1,4 +1,4 @@
-//! Captures: the inputs of some frames as an EXR sequence, which the tool `examples/denoise` filters again, on a GPU or on the CPU twin.
+//! Captures: the inputs of some frames as an EXR sequence, which the tool `atrous-denoise` filters again, on a GPU or on the CPU twin.
 //!
 //! A picture that is wrong in an engine becomes a folder that anyone can look into, replay, bisect and attach to a report.
 //!

@@ -13,7 +13,7 @@
 //! motion, and with jitter on if the engine has jitter.
 //!
 //! It runs on the CPU in a fraction of a second and needs no device. Of an engine's frames it is had by a capture (`Executor::capture`, feature `capture`)
-//! and `cargo run --example denoise -- FOLDER --check`; or directly:
+//! and `cargo run --release -p atrous-denoise -- FOLDER --check`; or directly:
 //!
 //! ```
 //! use atrous::config::{Conventions, MotionDirection, MotionUnit};

@@ -3,7 +3,7 @@
 pub mod host;
 pub mod rig;
 
-pub use atrous_synthetic::{pixels, random, scene};
+pub use atrous_synthetic::scene::{self, pixels, random};
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// Reads multi-channel EXR from Blender, Mitsuba, PBRT and others; finds colour, albedo, normal, depth, motion and ids by their channel names;
 /// says what it found and what is lost without the rest. See docs/denoise.md.
 #[derive(Parser, Clone, Debug)]
-#[command(name = "denoise", version, max_term_width = 110)]
+#[command(name = "atrous-denoise", version, max_term_width = 110)]
 pub struct Cli {
     /// A folder, a pattern in quotes ("shot_*.exr", "shot_%04d.exr", "shot_####.exr"), or files
     #[arg(required = true, value_name = "FRAMES")]

@@ -68,24 +68,14 @@ fn texel(index: u32, x: u32, y: u32) -> ([[f32; 4]; 5], u32) {
     ([[depth, 0.0, 0.0, 0.0], normal, [motion, 0.0, 0.0, 0.0], albedo, radiance], id)
 }
 
-/// Every pixel, row by row.
-pub fn pixels(extent: [u32; 2]) -> impl Iterator<Item = (u32, u32)> {
-    (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)))
-}
-
-/// 32 random bits of three numbers.
-pub fn hash(a: u32, b: u32, c: u32) -> u32 {
-    let mut h = a.wrapping_mul(0x9e37_79b9) ^ b.wrapping_mul(0x85eb_ca6b) ^ c.wrapping_mul(0xc2b2_ae35);
+/// Uniform in 0..1.
+fn random(x: u32, y: u32, index: u32) -> f32 {
+    let mut h = x.wrapping_mul(0x9e37_79b9) ^ y.wrapping_mul(0x85eb_ca6b) ^ index.wrapping_mul(0xc2b2_ae35);
     for _ in 0..2 {
         h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
         h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
     }
-    h ^ h >> 16
-}
-
-/// Uniform in 0..1.
-pub fn random(a: u32, b: u32, c: u32) -> f32 {
-    (hash(a, b, c) >> 8) as f32 / (1 << 24) as f32
+    (h >> 8) as f32 / 16_777_216.0
 }
 
 /// World to view of frame `index`, column-major; the camera looks along −z.

@@ -2,7 +2,6 @@
 //!
 //! Rays are intersected analytically, so depth, normal, motion and the clean radiance have no error of their own.
 
-use crate::{pixels, random};
 use atrous::FrameParams;
 
 /// The inputs of one frame, row by row, four floats a texel.
@@ -200,4 +199,24 @@ fn trace(camera: f32, [dx, dy]: [f32; 2]) -> Hit {
     let odd = ((x.floor() + y.floor()) as i32).rem_euclid(2) as f32;
     let albedo = [0.2 + 0.6 * odd, 0.5, 0.7 - 0.4 * odd];
     Hit { depth: WALL, normal: [0.0, 0.0, 1.0], albedo, light: 0.6 + 0.3 * (0.8 * x).sin(), id: 1 }
+}
+
+/// Every pixel, row by row.
+pub fn pixels(extent: [u32; 2]) -> impl Iterator<Item = (u32, u32)> {
+    (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)))
+}
+
+/// 32 random bits of three numbers.
+pub fn hash(a: u32, b: u32, c: u32) -> u32 {
+    let mut h = a.wrapping_mul(0x9e37_79b9) ^ b.wrapping_mul(0x85eb_ca6b) ^ c.wrapping_mul(0xc2b2_ae35);
+    for _ in 0..2 {
+        h = (h ^ h >> 16).wrapping_mul(0x7feb_352d);
+        h = (h ^ h >> 15).wrapping_mul(0x846c_a68b);
+    }
+    h ^ h >> 16
+}
+
+/// Uniform in 0..1.
+pub fn random(a: u32, b: u32, c: u32) -> f32 {
+    (hash(a, b, c) >> 8) as f32 / (1 << 24) as f32
 }

@@ -1,4 +1,4 @@
-//! What each filter is given, as an EXR sequence with references, which `examples/denoise` filters again and scores.
+//! What each filter is given, as an EXR sequence with references, which `atrous-denoise` filters again and scores.
 
 #[cfg(feature = "capture")]
 pub use with_feature::{finish, start};

@@ -46,7 +46,7 @@ pub struct Options {
     /// Paths per pixel of a reference; 0: no references
     #[arg(long, default_value_t = 1024)]
     pub reference_spp: u32,
-    /// Write what each filter is given as an EXR sequence, with the references: OUT/SCENE/capture_FILTER, for `examples/denoise` (feature `capture`)
+    /// Write what each filter is given as an EXR sequence, with the references: OUT/SCENE/capture_FILTER, for `atrous-denoise` (feature `capture`)
     #[arg(long)]
     pub capture: bool,
     /// Index or a part of the name of the device

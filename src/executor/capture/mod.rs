@@ -180,7 +180,7 @@ impl Drop for Capturing {
 }
 
 impl Executor {
-    /// Captures the inputs of the next `frames` frames as a sequence in `folder`, which `examples/denoise` can replay: see [`crate::capture`].
+    /// Captures the inputs of the next `frames` frames as a sequence in `folder`, which `atrous-denoise` can replay: see [`crate::capture`].
     ///
     /// Copies are recorded at the end of the phase that uses an input last. A frame is written, in [`Self::record`], when its slot comes round
     /// again, which takes as long as compressing it does; the last ones when recording goes on, in [`Self::finish_capture`], or when the executor is

@@ -9,8 +9,7 @@ use atrous_denoise::backend::{Backend, GpuBackend};
 use atrous_denoise::backend_reference::ReferenceBackend;
 use atrous_denoise::setup::{Setup, Wishes};
 use atrous_denoise::{frame, frame_files};
-use atrous_synthetic::random;
-use atrous_synthetic::scene::{Guides, Scene};
+use atrous_synthetic::scene::{random, Guides, Scene};
 use std::path::Path;
 
 pub const TESTS: &[GpuTest] = &[

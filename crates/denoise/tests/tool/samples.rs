@@ -134,7 +134,7 @@ pub fn frame_path(folder: &Path, number: u32) -> PathBuf {
 /// Runs the tool on the CPU with these arguments.
 pub fn denoise(input: &Path, output: &Path, more: &[&str]) -> atrous_denoise::error::Result<()> {
     use clap::Parser;
-    let mut arguments = vec!["denoise", "--quiet", "--device", "reference"];
+    let mut arguments = vec!["atrous-denoise", "--quiet", "--device", "reference"];
     let (input, output) = (input.to_str().expect("UTF-8"), output.to_str().expect("UTF-8"));
     arguments.extend([input, "-o", output]);
     arguments.extend(more);
