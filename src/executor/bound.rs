@@ -1,6 +1,6 @@
 //! What a host binds: images and buffers of its own, for inputs and outputs.
 
-use super::barriers::Scope;
+use super::scope::Scope;
 use super::storage::Storage;
 use super::{find, Executor};
 use crate::contract::{Lifetime, Shape};

@@ -11,6 +11,7 @@ mod headless;
 mod memory;
 mod profiler;
 mod readback;
+mod scope;
 mod session;
 mod session_inputs;
 mod session_objects;

@@ -1,6 +1,7 @@
 //! What a session is given: images and buffers from slices.
 
-use super::barriers::{buffer_barrier, Scope};
+use super::barriers::buffer_barrier;
+use super::scope::Scope;
 use super::session::Session;
 use super::session_objects::OwnedImage;
 use super::storage::Storage;

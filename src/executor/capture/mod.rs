@@ -204,8 +204,8 @@ impl Executor {
         }
         let declaration = self.denoiser.declaration();
         for (id, name) in inputs(declaration) {
-            if let Some(storage) = self.memory.storages.storage(id, 0).filter(|s| s.image != vk::Image::null()) {
-                check_format(name, storage.format)?;
+            if let Some(image) = self.memory.storages.storage(id, 0).and_then(|storage| storage.image()) {
+                check_format(name, image.format)?;
             }
         }
         let writer = SequenceWriter::new(folder, self.denoiser.config())?;
