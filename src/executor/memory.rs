@@ -41,7 +41,7 @@ impl Memory {
             allocations: Vec::new(),
             storages: Storages::new(declaration),
             owned: Vec::new(),
-            labels: declaration.passes().iter().map(|p| CString::new(p.name).unwrap_or_default()).collect(),
+            labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
             allocated: AllocatedMemory::default(),
         };
         // SAFETY: the caller's. What was created before a failure is destroyed when `this` is dropped.
@@ -88,7 +88,7 @@ impl Memory {
         unsafe {
             let mut storage = self.create_image(d, r, options, vk::ImageCreateFlags::empty())?;
             let requirements = self.device.get_image_memory_requirements(storage.image);
-            let (memory, offset) = self.allocate(r.name, requirements, false)?;
+            let (memory, offset) = self.allocate(&r.name, requirements, false)?;
             self.device.bind_image_memory(storage.image, memory, offset).map_err(Error::vulkan("vkBindImageMemory"))?;
             self.create_view(&mut storage)?;
             Ok((storage, requirements.size))
@@ -105,7 +105,7 @@ impl Memory {
             let storage = Storage { buffer, size, ..Storage::EMPTY };
             self.owned.push(storage);
             let requirements = self.device.get_buffer_memory_requirements(buffer);
-            let (memory, offset) = self.allocate(r.name, requirements, true)?;
+            let (memory, offset) = self.allocate(&r.name, requirements, true)?;
             self.device.bind_buffer_memory(buffer, memory, offset).map_err(Error::vulkan("vkBindBufferMemory"))?;
             Ok((storage, size))
         }
