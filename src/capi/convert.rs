@@ -225,7 +225,7 @@ pub(super) fn resource(declaration: &Declaration, id: ResourceId) -> AtrousResou
         first_pass: first as u32,
         last_pass: last as u32,
         bytes: decl.bytes(allocated),
-        name: name(decl.name),
+        name: name(&decl.name),
     }
 }
 
@@ -265,7 +265,7 @@ pub(super) fn pass(declaration: &Declaration, index: usize) -> Option<AtrousPass
         phase: decl.phase as u32,
         use_count: decl.uses.len() as u32,
         uses: [NO_USE; super::ATROUS_MAX_USES],
-        name: name(decl.name),
+        name: name(&decl.name),
     };
     for (to, from) in pass.uses.iter_mut().zip(&decl.uses) {
         *to = one_use(from);

@@ -103,7 +103,8 @@ fn names_and_uses_fit() {
         let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
         assert_eq!(config.preset as u32, preset);
         let declaration = config.declare().expect("valid");
-        let names = declaration.resources().iter().map(|r| r.name).chain(declaration.passes().iter().map(|p| p.name));
+        let names =
+            declaration.resources().iter().map(|r| r.name.as_str()).chain(declaration.passes().iter().map(|p| p.name.as_str()));
         assert!(names.chain(Tuning::FIELDS.iter().map(|f| f.name)).all(|n| n.len() < ATROUS_NAME_SIZE));
     }
     const { assert!(crate::pipeline::MAX_BINDINGS <= ATROUS_MAX_USES) };

@@ -48,7 +48,7 @@ impl Memory {
             allocations: Vec::new(),
             storages: Storages::new(declaration),
             owned: Vec::new(),
-            labels: declaration.passes().iter().map(|p| CString::new(p.name).unwrap_or_default()).collect(),
+            labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
             allocated: AllocatedMemory::default(),
         };
         // SAFETY: the caller's. What was created before a failure is destroyed when `this` is dropped.

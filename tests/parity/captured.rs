@@ -113,10 +113,11 @@ pub fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result
     let mut captured = BTreeMap::new();
     for u in declaration.passes()[pass].uses.iter().filter(|u| want(u.access)) {
         let resource = declaration.resource(u.resource);
-        if matches!(resource.shape, Shape::Image { .. }) || ["instance_transforms", "statistics"].contains(&resource.name) {
+        if matches!(resource.shape, Shape::Image { .. }) || ["instance_transforms", "statistics"].contains(&resource.name.as_str())
+        {
             // An optional input that nothing is bound to has no bytes.
-            if let Ok(bytes) = s.download_bytes(resource.name, u.frame) {
-                captured.insert((resource.name.to_owned(), u.frame), bytes);
+            if let Ok(bytes) = s.download_bytes(&resource.name, u.frame) {
+                captured.insert((resource.name.clone(), u.frame), bytes);
             }
         }
     }

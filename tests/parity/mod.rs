@@ -160,7 +160,7 @@ pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuni
 
 fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
     let pass = &s.executor().denoiser().declaration().passes()[pass];
-    match pass.name {
+    match pass.name.as_str() {
         "start_frame" => {}
         "import" => import::check(captured),
         "forward_project_clear" => {}

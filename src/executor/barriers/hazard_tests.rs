@@ -9,7 +9,7 @@ use ash::vk::Handle;
 /// One access in the past.
 #[derive(Clone)]
 struct Event {
-    what: &'static str,
+    what: String,
     access: Access,
     /// What barriers have ordered after it so far.
     before: Vec<Ordered>,
@@ -80,11 +80,11 @@ impl Tracker {
         let decl = self.declaration.passes()[pass].clone();
         let mut hazards = Vec::new();
         for u in &decl.uses {
-            hazards.extend(self.conflicts(decl.name, u, self.declaration.copy(u, frame)));
+            hazards.extend(self.conflicts(&decl.name, u, self.declaration.copy(u, frame)));
         }
         for u in &decl.uses {
             let copy = self.declaration.copy(u, frame);
-            self.remember(decl.name, u, copy);
+            self.remember(&decl.name, u, copy);
         }
         self.barriers.globals.clear();
         self.barriers.images.clear();
@@ -114,9 +114,9 @@ impl Tracker {
         }
     }
 
-    fn conflicts(&self, pass: &'static str, u: &Use, copy: usize) -> Vec<String> {
+    fn conflicts(&self, pass: &str, u: &Use, copy: usize) -> Vec<String> {
         let index = u.resource.0 as usize;
-        let name = self.declaration.resource(u.resource).name;
+        let name = &self.declaration.resource(u.resource).name;
         let own = self.events[index][copy].iter().filter(|e| e.access.writes() || u.access.writes());
         let missing = own.filter(|e| !e.is_before(u.access, false)).map(|e| format!("{pass}: {name} after {}", e.what));
         let alias = self.shared[index].iter().flat_map(|&other| self.events[other][0].iter().map(move |e| (other, e)));
@@ -133,7 +133,7 @@ impl Tracker {
     }
 
     /// A write is ordered after all that came before, so that nothing before it can conflict any more; aliases of a resource that starts are dead.
-    fn remember(&mut self, pass: &'static str, u: &Use, copy: usize) {
+    fn remember(&mut self, pass: &str, u: &Use, copy: usize) {
         let index = u.resource.0 as usize;
         if u.access.writes() {
             self.events[index][copy].clear();
@@ -141,7 +141,7 @@ impl Tracker {
                 self.events[other][0].clear();
             }
         }
-        self.events[index][copy].push(Event { what: pass, access: u.access, before: Vec::new() });
+        self.events[index][copy].push(Event { what: pass.to_owned(), access: u.access, before: Vec::new() });
     }
 }
 

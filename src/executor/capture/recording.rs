@@ -18,12 +18,12 @@ impl Executor {
         }
         let declaration = self.denoiser.declaration();
         let last_phase = |id| declaration.life(id).map(|(_, last)| declaration.passes()[last].phase);
-        let inputs: Vec<_> = inputs(declaration).collect();
-        let here: Vec<_> = inputs.iter().copied().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
+        let inputs: Vec<_> = inputs(declaration).map(|(id, name)| (id, name.to_owned())).collect();
         let is_last = inputs.iter().filter_map(|(id, _)| last_phase(*id)).max() == Some(phase);
+        let here: Vec<_> = inputs.iter().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
         for (id, name) in here {
             // SAFETY: the caller's.
-            if let Err(error) = unsafe { self.copy_input(cmd, frame, id, name) } {
+            if let Err(error) = unsafe { self.copy_input(cmd, frame, *id, name) } {
                 return self.capture.fail(error);
             }
         }
@@ -32,13 +32,7 @@ impl Executor {
         }
     }
 
-    unsafe fn copy_input(
-        &mut self,
-        cmd: vk::CommandBuffer,
-        frame: &FrameContext,
-        id: ResourceId,
-        name: &'static str,
-    ) -> Result<(), Error> {
+    unsafe fn copy_input(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, id: ResourceId, name: &str) -> Result<(), Error> {
         let shape = self.denoiser.declaration().resource(id).shape;
         let Some(storage) = self.memory.storages.storage_mut(id, 0) else { return Ok(()) };
         let divisor = if let Shape::Image { divisor, .. } = shape { divisor } else { 1 };
@@ -54,10 +48,10 @@ impl Executor {
         if slot.buffers.get(name).is_none_or(|b| b.size < bytes as u64) {
             // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is complete.
             let staging = unsafe { Staging::of_types(&capture.device, &capture.memory_types, bytes.max(TRANSFORM_BYTES) as u64)? };
-            slot.buffers.insert(name, staging);
+            slot.buffers.insert(name.to_owned(), staging);
         }
         let Some(buffer) = slot.buffers.get(name).map(|b| b.buffer) else { return Ok(()) };
-        slot.copies.push(Copied { name, format, bytes });
+        slot.copies.push(Copied { name: name.to_owned(), format, bytes });
         let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
         let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
         // SAFETY: the caller's; image and buffer are live and large enough, and the input is handed back at the end of the phase.
