@@ -3,7 +3,7 @@
 use ::atrous::config::{Preset, Signals};
 use ::atrous::executor::Session;
 use ::atrous::reference::{Image, BLOCK_SIZE};
-use ::atrous::{Access, Config, Error, FrameContext, Shape, UseFrame};
+use ::atrous::{Access, Config, Error, FrameContext, Shape, Tuning, UseFrame};
 use half::f16;
 use std::collections::BTreeMap;
 
@@ -14,6 +14,7 @@ pub type Resources = BTreeMap<(String, UseFrame), Vec<u8>>;
 pub struct Captured<'a> {
     pub frame: &'a FrameContext,
     pub config: &'a Config,
+    pub tuning: &'a Tuning,
     pub inputs: Resources,
     pub outputs: BTreeMap<String, Vec<u8>>,
 }
