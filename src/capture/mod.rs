@@ -35,6 +35,7 @@ use crate::reference::InstanceTransform;
 use crate::Config;
 use ash::vk;
 use channels::Layer;
+use sequence_json::Head;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -132,8 +133,12 @@ impl SequenceWriter {
         }
         exr_file::write(&file(".exr"), params.render_extent, layers)?;
         let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
-        self.frames.insert(number, sequence_json::frame(number, params, tuning, &first.tuning));
-        let text = sequence_json::sequence(&self.config, &first.tuning, self.frames.values());
+        let text =
+            |error: serde_json::Error| Error::Capture { path: file(".exr"), problem: format!("cannot be described: {error}") };
+        let head = Head::new(&self.config, &first.tuning).map_err(text)?;
+        let entry = sequence_json::frame(number, params, tuning, &first.tuning).map_err(text)?;
+        self.frames.insert(number, entry);
+        let text = head.with_frames(self.frames.values());
         exr_file::write_atomically(&self.folder.join("sequence.json"), text.as_bytes())
     }
 
