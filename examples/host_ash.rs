@@ -181,7 +181,7 @@ unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropert
             }
             Shape::Image { format, .. } => {
                 let [width, height] = decl.extent(synthetic::EXTENT).unwrap_or(synthetic::EXTENT);
-                let is_float_input = synthetic::NAMES.contains(&decl.name);
+                let is_float_input = synthetic::NAMES.contains(&decl.name.as_str());
                 let format = if is_float_input { vk::Format::R32G32B32A32_SFLOAT } else { format.preferred() };
                 let usage = decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;
                 let info = vk::ImageCreateInfo::default().image_type(vk::ImageType::TYPE_2D).format(format).usage(usage);
@@ -218,7 +218,7 @@ pub fn main() -> Result<()> {
         let mut denoiser = Denoiser::new(host, &Config::new(synthetic::EXTENT))?;
         let mut resources = Vec::new();
         for decl in denoiser.declaration().resources() {
-            let is_input = decl.name == "surface_id" || synthetic::NAMES.contains(&decl.name);
+            let is_input = decl.name == "surface_id" || synthetic::NAMES.contains(&decl.name.as_str());
             let copies = 0..if is_input { 1 } else { decl.lifetime.copies() };
             let copies: Result<_> = copies.map(|_| create(host, decl, vk::MemoryPropertyFlags::DEVICE_LOCAL)).collect();
             resources.push(copies?);
@@ -226,7 +226,7 @@ pub fn main() -> Result<()> {
         let staging = ResourceDecl {
             shape: Shape::Buffer { size: (resources.len() * STAGING_EACH) as u64 },
             buffer_usage: vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST,
-            ..denoiser.declaration().resources()[0]
+            ..denoiser.declaration().resources()[0].clone()
         };
         let staging = create(host, &staging, vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT)?;
         let mapped = device.map_memory(staging.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty())?.cast();

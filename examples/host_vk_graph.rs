@@ -63,7 +63,7 @@ impl Host {
         let declaration = denoiser.declaration().clone();
         let mut resources = Vec::new();
         for decl in declaration.resources() {
-            let is_input = decl.name == "surface_id" || synthetic::NAMES.contains(&decl.name);
+            let is_input = decl.name == "surface_id" || synthetic::NAMES.contains(&decl.name.as_str());
             let copies = 0..if is_input { 1 } else { decl.lifetime.copies() };
             resources.push(copies.map(|_| create(&device, decl)).collect::<Result<Vec<_>>>()?);
         }
@@ -105,7 +105,7 @@ impl Host {
     /// The passes of a phase as commands of the graph.
     fn add_phase(&self, graph: &mut Graph, nodes: &[Vec<Node>], frame: FrameContext, phase: Phase) {
         for (index, pass) in self.declaration.passes().iter().enumerate().filter(|(_, pass)| pass.phase == phase) {
-            let mut command = graph.begin_cmd().debug_name(pass.name);
+            let mut command = graph.begin_cmd().debug_name(pass.name.as_str());
             let mut bound = Vec::new();
             for u in &pass.uses {
                 let node = nodes[u.resource.0 as usize].get(self.declaration.copy(u, &frame)).copied();
@@ -164,7 +164,7 @@ fn bind(graph: &mut Graph, resource: &Resource) -> Node {
 fn create(device: &GraphDevice, decl: &ResourceDecl) -> Result<Resource> {
     Ok(match (decl.shape, decl.extent(synthetic::EXTENT)) {
         (Shape::Image { format, .. }, Some([width, height])) => {
-            let is_float_input = synthetic::NAMES.contains(&decl.name);
+            let is_float_input = synthetic::NAMES.contains(&decl.name.as_str());
             let format = if is_float_input { vk::Format::R32G32B32A32_SFLOAT } else { format.preferred() };
             let usage = decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;
             Resource::Image(Arc::new(Image::create(device, ImageInfo::image_2d(width, height, format, usage))?))

@@ -39,7 +39,7 @@ pub enum Binding {
 /// Whether a pass can be recorded with them.
 pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, bindings: &[Binding]) -> Result<(), Error> {
     if bindings.len() != pass.uses.len() || bindings.len() > MAX_BINDINGS {
-        return Err(Error::Bindings { pass: pass.name.to_owned(), given: bindings.len(), needed: pass.uses.len() });
+        return Err(Error::Bindings { pass: pass.name.clone(), given: bindings.len(), needed: pass.uses.len() });
     }
     for (u, binding) in pass.uses.iter().zip(bindings) {
         let resource = declaration.resource(u.resource);
@@ -51,7 +51,7 @@ pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, binding
             _ => false,
         };
         if !fits {
-            return Err(Error::NotBound(resource.name.to_owned()));
+            return Err(Error::NotBound(resource.name.clone()));
         }
     }
     Ok(())
@@ -63,10 +63,13 @@ pub(crate) fn present(bindings: &[Binding]) -> u32 {
 }
 
 /// The input that gradients come from, where the pass needs it and it is absent.
-pub(crate) fn absent_gradients(declaration: &Declaration, pass: usize, bindings: &[Binding]) -> Option<&'static str> {
+pub(crate) fn absent_gradients(declaration: &Declaration, pass: usize, bindings: &[Binding]) -> Option<String> {
     let uses = &declaration.passes.get(pass)?.uses;
     let absent = uses.iter().zip(bindings).filter(|(_, b)| **b == Binding::Absent);
-    absent.map(|(u, _)| declaration.resource(u.resource).name).find(|name| crate::nodes::GRADIENT_INPUTS.contains(name))
+    absent
+        .map(|(u, _)| &declaration.resource(u.resource).name)
+        .find(|name| crate::nodes::GRADIENT_INPUTS.contains(&name.as_str()))
+        .cloned()
 }
 
 /// For an absent binding another one of its kind.

@@ -36,6 +36,16 @@ pub enum Error {
         /// Largest legal value.
         max: u32,
     },
+    /// A choice has no value of this name or number.
+    #[error("`{given}` is no {kind}; there are: {allowed}")]
+    Choice {
+        /// Type of the choice, as `Preset`.
+        kind: &'static str,
+        /// Name or number as given.
+        given: String,
+        /// Names, or numbers with their names, that exist.
+        allowed: String,
+    },
     /// A tunable is out of range.
     #[error("Tuning::{name} is {value}; allowed is {min} to {max}, the default is {default}")]
     Tuning {

@@ -7,6 +7,7 @@ mod binding;
 pub mod capi;
 #[cfg(feature = "capture")]
 pub mod capture;
+mod choice;
 pub mod config;
 pub mod contract;
 #[cfg(feature = "conventions")]
@@ -31,6 +32,7 @@ mod shaders;
 struct Integrate;
 
 pub use binding::Binding;
+pub use choice::Choice;
 pub use config::Config;
 pub use contract::*;
 pub use denoiser::{Denoiser, Device};

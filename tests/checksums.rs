@@ -123,7 +123,7 @@ fn upload_extras(s: &mut Session, guides: &Guides, before: Option<&Guides>) {
     let reshaded: Vec<_> = earlier.noisy_radiance.iter().map(|t| t.map(|c| 0.8 * c)).collect();
     // An object that turned under some of the pixels: its history is refused there.
     let turned = |i: usize| {
-        if (i / 8 + guides.noisy_radiance[0][1].to_bits() as usize) % 5 == 0 {
+        if (i / 8 + guides.noisy_radiance[0][1].to_bits() as usize).is_multiple_of(5) {
             [1.0, 0.0, 0.0, 0.0]
         } else {
             [0.0, 0.0, 1.0, 0.0]

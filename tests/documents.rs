@@ -68,7 +68,7 @@ fn the_guide_names_every_input_and_output() {
     for config in configurations() {
         let Ok(declaration) = config.declare() else { continue };
         let outside = declaration.resources().iter().filter(|r| matches!(r.lifetime, Lifetime::Input { .. } | Lifetime::Output));
-        names.extend(outside.map(|r| r.name));
+        names.extend(outside.map(|r| r.name.clone()));
     }
     let missing: Vec<_> = names.iter().filter(|name| !GUIDE.contains(&format!("| `{name}` |"))).collect();
     assert!(names.len() > 15 && missing.is_empty(), "docs/integrate.md has no row for {missing:?}");

@@ -3,7 +3,7 @@
 use super::pointers::{read, write};
 use super::status::{guard, AtrousStatus, Failure};
 use super::structs::{AtrousConfig, AtrousFrameParams};
-use crate::conventions::{check, Finding, Guides, Report, Verdict};
+use crate::conventions::{check, Finding, Guides, Report};
 use crate::reference::Image;
 use std::ffi::c_char;
 
@@ -132,13 +132,7 @@ unsafe fn image<T: Copy>(texels: *const T, [width, height]: [u32; 2]) -> Result<
 }
 
 fn flat(report: &Report) -> AtrousConventionReport {
-    let verdict = |finding: &Finding| match finding.verdict {
-        Verdict::Agrees => 0,
-        Verdict::Mistake => 1,
-        Verdict::Unexplained => 2,
-        Verdict::Inconclusive => 3,
-        Verdict::Absent => 4,
-    };
+    let verdict = |finding: &Finding| finding.verdict as u32;
     let mut text = [0; ATROUS_REPORT_SIZE];
     for (to, from) in text.iter_mut().zip(report.to_string().bytes()).take(ATROUS_REPORT_SIZE - 1) {
         *to = from as c_char;

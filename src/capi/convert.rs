@@ -2,89 +2,90 @@
 
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
-use crate::config::{
-    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
-    NormalEncoding, NormalSpace, PostProcess, Preset, Sampling, Signals, ViewForward,
-};
+use crate::choice::{numbers, Choice};
+use crate::config::{Conventions, EawWeights};
 use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
-use crate::{Config, DebugView, FrameParams, ResetReason};
+use crate::{Config, FrameParams};
 use ash::vk;
 use std::ffi::c_char;
 
-/// The value that a number of the ABI stands for: its place in `values`.
-fn pick<T: Copy>(name: &str, given: u32, values: &[T]) -> Result<T, Failure> {
-    let most = values.len() - 1;
-    values.get(given as usize).copied().ok_or_else(|| Failure::argument(format!("{name} is {given}; allowed is 0 to {most}")))
+/// The value of a field that is a choice.
+fn choice<T: Choice>(field: &str, given: u32) -> Result<T, Failure> {
+    T::try_from(given).map_err(|_| unknown(field, given, &allowed::<T>()))
 }
 
-/// In the order of their numbers.
-const PRESETS: &[Preset] = &[Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume];
-
-const GRADIENT_SOURCES: &[GradientSource] =
-    &[GradientSource::ForwardProjected, GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
-
-const ADAPTIVE_RULES: &[AdaptiveRule] = &[AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles];
-
-const BLOCK_SORTS: &[BlockSort] = &[BlockSort::Counting, BlockSort::OddEven];
-
-const SAMPLINGS: &[Sampling] = &[Sampling::Full, Sampling::OneOf2x2, Sampling::OneOf4x4];
-
-/// From bits: radiance, normal, position.
-fn eaw_weights(bits: u32) -> Result<EawWeights, Failure> {
-    if bits > 7 {
-        return Err(Failure::argument(format!("eaw_weights is {bits}; allowed are bits 0 to 2, which is 0 to 7")));
+/// The value of a field that may be 0, none.
+fn choice_or_none<T: Choice>(field: &str, given: u32) -> Result<Option<T>, Failure> {
+    match given {
+        0 => Ok(None),
+        _ => T::try_from(given - shift::<T>()).map(Some).map_err(|_| unknown(field, given, &allowed_or_none::<T>())),
     }
-    Ok(EawWeights { radiance: bits & 1 != 0, normal: bits & 2 != 0, position: bits & 4 != 0 })
+}
+
+pub(super) fn allowed<T: Choice>() -> String {
+    numbers::<T>(0)
+}
+
+pub(super) fn allowed_or_none<T: Choice>() -> String {
+    format!("0 (none), {}", numbers::<T>(shift::<T>()))
+}
+
+/// A choice that has a number 0 itself is told by its number plus 1 where 0 is none.
+fn shift<T: Choice>() -> u32 {
+    T::ALL.iter().any(|value| value.number() == 0).into()
+}
+
+fn flag(field: &str, given: u32) -> Result<bool, Failure> {
+    match given {
+        0 => Ok(false),
+        1 => Ok(true),
+        _ => Err(unknown(field, given, "0 (no), 1 (yes)")),
+    }
+}
+
+fn unknown(field: &str, given: u32, allowed: &str) -> Failure {
+    Failure::argument(format!("{field} is {given}; allowed: {allowed}"))
+}
+
+fn eaw_weights(bits: u32) -> Result<EawWeights, Failure> {
+    let names = || (0..).zip(EawWeights::NAMES).map(|(bit, name)| format!("{} ({name})", 1 << bit)).collect::<Vec<_>>().join(", ");
+    EawWeights::from_bits(bits).ok_or_else(|| unknown("eaw_weights", bits, &format!("the sum of any of {}", names())))
 }
 
 impl AtrousConfig {
     pub(super) fn to_config(self) -> Result<Config, Failure> {
-        let flag = |name, given| pick(name, given, &[false, true]);
         let conventions = Conventions {
-            depth: pick("depth", self.depth, &[DepthEncoding::Linear, DepthEncoding::Device, DepthEncoding::RayLength])?,
+            depth: choice("depth", self.depth)?,
             background_depth: self.background_depth,
-            normal: pick(
-                "normal",
-                self.normal,
-                &[NormalEncoding::Xyz, NormalEncoding::XyzUnorm, NormalEncoding::Octahedral, NormalEncoding::OctahedralUnorm],
-            )?,
-            normal_space: pick("normal_space", self.normal_space, &[NormalSpace::World, NormalSpace::View])?,
-            motion_unit: pick("motion_unit", self.motion_unit, &[MotionUnit::Pixels, MotionUnit::Uv, MotionUnit::Ndc])?,
-            motion_direction: pick(
-                "motion_direction",
-                self.motion_direction,
-                &[MotionDirection::PreviousMinusCurrent, MotionDirection::CurrentMinusPrevious],
-            )?,
+            normal: choice("normal", self.normal)?,
+            normal_space: choice("normal_space", self.normal_space)?,
+            motion_unit: choice("motion_unit", self.motion_unit)?,
+            motion_direction: choice("motion_direction", self.motion_direction)?,
             motion_y_up: flag("motion_y_up", self.motion_y_up)?,
             motion_jittered: flag("motion_jittered", self.motion_jittered)?,
-            motion_depth: pick(
-                "motion_depth",
-                self.motion_depth,
-                &[MotionDepth::None, MotionDepth::Difference, MotionDepth::Absolute],
-            )?,
-            view_forward: pick("view_forward", self.view_forward, &[ViewForward::NegativeZ, ViewForward::PositiveZ])?,
+            motion_depth: choice("motion_depth", self.motion_depth)?,
+            view_forward: choice("view_forward", self.view_forward)?,
         };
-        let post_processes = [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa];
         let config = Config {
+            allocated_extent: [self.width, self.height],
             frames_in_flight: self.frames_in_flight,
-            preset: pick("preset", self.preset, PRESETS)?,
-            signals: pick("signals", self.signals, &[Signals::Together, Signals::Apart])?,
+            preset: choice("preset", self.preset)?,
+            signals: choice("signals", self.signals)?,
             levels: self.levels,
             volume: flag("volume", self.volume)?,
             firefly_filter: flag("firefly_filter", self.firefly_filter)?,
-            adaptive_rule: pick("adaptive_rule", self.adaptive_rule, ADAPTIVE_RULES)?,
-            block_sort: pick("block_sort", self.block_sort, BLOCK_SORTS)?,
+            adaptive_rule: choice("adaptive_rule", self.adaptive_rule)?,
+            block_sort: choice("block_sort", self.block_sort)?,
             eaw_weights: eaw_weights(self.eaw_weights)?,
-            sampling: pick("sampling", self.sampling, SAMPLINGS)?,
+            sampling: choice("sampling", self.sampling)?,
             stratum_size: self.stratum_size,
-            gradient_source: pick("gradient_source", self.gradient_source, GRADIENT_SOURCES)?,
+            gradient_source: choice("gradient_source", self.gradient_source)?,
             forward_motion: flag("forward_motion", self.forward_motion)?,
             surface_id: flag("surface_id", self.surface_id)?,
             object_normal: flag("object_normal", self.object_normal)?,
-            post_process: pick("post_process", self.post_process, &post_processes)?,
+            post_process: choice("post_process", self.post_process)?,
             debug_view: flag("debug_view", self.debug_view)?,
             conventions,
-            ..Config::new([self.width, self.height])
         };
         config.validate()?;
         Ok(config)
@@ -105,7 +106,7 @@ impl AtrousConfig {
             firefly_filter: config.firefly_filter.into(),
             adaptive_rule: config.adaptive_rule as u32,
             block_sort: config.block_sort as u32,
-            eaw_weights: 7,
+            eaw_weights: config.eaw_weights.bits(),
             sampling: config.sampling as u32,
             stratum_size: config.stratum_size,
             gradient_source: config.gradient_source as u32,
@@ -128,38 +129,21 @@ impl AtrousConfig {
     }
 }
 
-/// 0: none; else a view by its number plus 1.
-fn debug_view(given: u32) -> Result<Option<DebugView>, Failure> {
-    let mut views = vec![None];
-    views.extend(DebugView::ALL.map(Some));
-    pick("debug_view", given, &views)
-}
-
 fn matrix(m: [f32; 16]) -> [[f32; 4]; 4] {
     std::array::from_fn(|column| std::array::from_fn(|row| m[column * 4 + row]))
 }
 
 impl AtrousFrameParams {
     pub(super) fn to_params(self) -> Result<FrameParams, Failure> {
-        use ResetReason as R;
-        let reasons = [
-            None,
-            R::Created.into(),
-            R::CameraCut.into(),
-            R::Resize.into(),
-            R::SceneLoad.into(),
-            R::OriginShift.into(),
-            R::ExposureJump.into(),
-        ];
         Ok(FrameParams {
             frame_slot: self.frame_slot,
-            reset: pick("reset", self.reset, &reasons)?,
+            reset: choice_or_none("reset", self.reset)?,
             view_from_world: matrix(self.view_from_world),
             clip_from_view: matrix(self.clip_from_view),
             jitter: self.jitter,
             exposure_ratio: self.exposure_ratio,
-            reshaded: pick("reshaded", self.reshaded, &[false, true])?,
-            debug_view: debug_view(self.debug_view)?,
+            reshaded: flag("reshaded", self.reshaded)?,
+            debug_view: choice_or_none("debug_view", self.debug_view)?,
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -225,7 +209,7 @@ pub(super) fn resource(declaration: &Declaration, id: ResourceId) -> AtrousResou
         first_pass: first as u32,
         last_pass: last as u32,
         bytes: decl.bytes(allocated),
-        name: name(decl.name),
+        name: name(&decl.name),
     }
 }
 
@@ -265,7 +249,7 @@ pub(super) fn pass(declaration: &Declaration, index: usize) -> Option<AtrousPass
         phase: decl.phase as u32,
         use_count: decl.uses.len() as u32,
         uses: [NO_USE; super::ATROUS_MAX_USES],
-        name: name(decl.name),
+        name: name(&decl.name),
     };
     for (to, from) in pass.uses.iter_mut().zip(&decl.uses) {
         *to = one_use(from);

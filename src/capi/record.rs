@@ -75,7 +75,7 @@ fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
         return Err(Failure::argument(format!("pass {pass} does not exist; there are {}", passes.len())));
     };
     if decl.uses.len() != count {
-        return Err(crate::Error::Bindings { pass: decl.name.to_owned(), given: count, needed: decl.uses.len() }.into());
+        return Err(crate::Error::Bindings { pass: decl.name.clone(), given: count, needed: decl.uses.len() }.into());
     }
     Ok(&decl.uses)
 }

@@ -1,4 +1,5 @@
-//! What crosses the boundary: plain structs. `struct_size` stands first, so that a host that was compiled against another header is told so.
+//! What crosses the boundary: plain structs. `struct_size` stands first, so that a host that was compiled against another header is
+//! told so.
 
 use super::GetInstanceProcAddr;
 use ash::vk::{
@@ -15,7 +16,8 @@ pub const ATROUS_MAX_USES: usize = 32;
 /// A small buffer of bytes that a name is copied into.
 pub type AtrousName = [c_char; ATROUS_NAME_SIZE];
 
-/// What is decided once; `atrous_config_default` fills it. The numbers are those of the enums of `atrous::config`.
+/// What is decided once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
+/// parentheses.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousConfig {
@@ -27,9 +29,9 @@ pub struct AtrousConfig {
     pub height: u32,
     /// Frames that the host records before it waits for the oldest, 1 to 8.
     pub frames_in_flight: u32,
-    /// 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: EAW; 5: a volume alone.
+    /// Filter: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume).
     pub preset: u32,
-    /// 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
+    /// Signals: 0 (together), 1 (apart). Together one image, `noisy_radiance`; apart two, `noisy_direct` and `noisy_indirect`.
     pub signals: u32,
     /// À-trous levels, 1 to 10.
     pub levels: u32,
@@ -37,17 +39,17 @@ pub struct AtrousConfig {
     pub volume: u32,
     /// 1: fireflies are removed before accumulation; the percentile preset always does.
     pub firefly_filter: u32,
-    /// How the percentile preset sees changed light. 0: change test; 1: percentiles.
+    /// How the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
     pub adaptive_rule: u32,
-    /// How percentiles are found. 0: counting; 1: odd-even transposition.
+    /// How percentiles are found: 0 (counting), 1 (odd_even).
     pub block_sort: u32,
     /// Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
     pub eaw_weights: u32,
-    /// How many pixels of EAW's input have a sample. 0: all; 1: one of 2×2; 2: one of 4×4.
+    /// How many pixels of EAW's input have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
     pub sampling: u32,
     /// Side of the strata of temporal gradients, 2 to 4 pixels.
     pub stratum_size: u32,
-    /// Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
+    /// Where gradients come from: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
     pub gradient_source: u32,
     /// 1: the host has an image of forward motion.
     pub forward_motion: u32,
@@ -55,25 +57,26 @@ pub struct AtrousConfig {
     pub surface_id: u32,
     /// 1: the host has object-space normals.
     pub object_normal: u32,
-    /// 0: nothing; 1: tone map; 2: tone map and temporal anti-aliasing.
+    /// Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
     pub post_process: u32,
-    /// 0: linear; 1: what a depth buffer holds; 2: length of the ray.
+    /// What depth is: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
     pub depth: u32,
-    /// 0: xyz; 1: xyz·0.5 + 0.5; 2: octahedral; 3: octahedral·0.5 + 0.5.
+    /// How normals are encoded: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
     pub normal: u32,
-    /// 0: world space; 1: view space.
+    /// Space of the normals: 0 (world), 1 (view).
     pub normal_space: u32,
-    /// 0: pixels; 1: uv; 2: ndc.
+    /// Unit of the motion: 0 (pixels), 1 (uv), 2 (ndc).
     pub motion_unit: u32,
-    /// 0: previous − current; 1: current − previous.
+    /// Sign of the motion: 0 (previous_minus_current), 1 (current_minus_previous).
     pub motion_direction: u32,
     /// 1: y of the motion points up.
     pub motion_y_up: u32,
     /// 1: the motion includes the change of jitter.
     pub motion_jittered: u32,
-    /// z of the motion. 0: nothing; 1: previous depth − depth; 2: previous depth.
+    /// What z of the motion is: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
+    /// depth.
     pub motion_depth: u32,
-    /// 0: the camera looks along −z of view space; 1: along +z.
+    /// Which way the camera looks in view space: 0 (negative_z), 1 (positive_z).
     pub view_forward: u32,
     /// Linear depths from here on are background.
     pub background_depth: f32,
@@ -107,7 +110,8 @@ pub struct AtrousFrameParams {
     pub struct_size: u32,
     /// Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
     pub frame_slot: u32,
-    /// 0: keep the history. Else drop it: 2 camera cut, 3 resize, 4 scene load, 5 origin shift, 6 exposure jump.
+    /// Why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift), 6
+    /// (exposure_jump). A host need not say that it is created.
     pub reset: u32,
     /// Width rendered this frame, anchored top left.
     pub render_width: u32,
@@ -123,7 +127,10 @@ pub struct AtrousFrameParams {
     pub exposure_ratio: f32,
     /// 1: the host re-shades this frame's `gradient_samples`.
     pub reshaded: u32,
-    /// What the pass `debug_view` shows: a number of `atrous::DebugView` plus 1. 0: the host leaves the pass out.
+    /// What the pass `debug_view` shows; without one the host leaves the pass out.
+    ///
+    /// 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
+    /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values).
     pub debug_view: u32,
 }
 
@@ -223,8 +230,8 @@ pub struct AtrousPass {
     pub name: AtrousName,
 }
 
-/// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is
-/// absent.
+/// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
+/// input that is absent.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousBinding {

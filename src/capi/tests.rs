@@ -48,6 +48,57 @@ fn numbers_out_of_range_are_named() {
     }
 }
 
+/// The fields of the ABI that are choices, by what their documentation and their errors list.
+#[test]
+fn the_header_lists_every_choice_by_number_and_name() {
+    use super::convert::{allowed, allowed_or_none};
+    use crate::config::*;
+    use crate::{DebugView, ResetReason};
+    let header =
+        include_str!("structs.rs").split('\n').map(|line| line.trim().trim_start_matches("/// ")).collect::<Vec<_>>().join(" ");
+    let lists = [
+        ("preset", allowed::<Preset>()),
+        ("signals", allowed::<Signals>()),
+        ("adaptive_rule", allowed::<AdaptiveRule>()),
+        ("block_sort", allowed::<BlockSort>()),
+        ("sampling", allowed::<Sampling>()),
+        ("gradient_source", allowed::<GradientSource>()),
+        ("post_process", allowed::<PostProcess>()),
+        ("depth", allowed::<DepthEncoding>()),
+        ("normal", allowed::<NormalEncoding>()),
+        ("normal_space", allowed::<NormalSpace>()),
+        ("motion_unit", allowed::<MotionUnit>()),
+        ("motion_direction", allowed::<MotionDirection>()),
+        ("motion_depth", allowed::<MotionDepth>()),
+        ("view_forward", allowed::<ViewForward>()),
+        ("reset", allowed_or_none::<ResetReason>()),
+        ("debug_view", allowed_or_none::<DebugView>()),
+    ];
+    for (field, list) in lists {
+        let behind = header.split(&format!("{list}.")).nth(1).unwrap_or_else(|| panic!("{field}: no \"{list}.\""));
+        let next = behind.split("pub ").nth(1).unwrap_or_default();
+        assert!(next.starts_with(&format!("{field}: u32")), "the list of {field} stands before: {next:.20}");
+    }
+}
+
+#[test]
+fn choices_of_a_frame_are_those_of_the_crate() {
+    use crate::{DebugView, ResetReason};
+    let given = |reset, debug_view| AtrousFrameParams { reset, debug_view, ..AtrousFrameParams::default_for([4, 4]) }.to_params();
+    let params = given(6, 14).expect("valid");
+    assert_eq!((params.reset, params.debug_view), (Some(ResetReason::ExposureJump), Some(DebugView::BadValues)));
+    let params = given(1, 1).expect("valid");
+    assert_eq!((params.reset, params.debug_view), (Some(ResetReason::Created), Some(DebugView::HistoryLength)));
+    for (reset, debug_view, words) in
+        [(7, 0, ["reset is 7", "0 (none), 1 (created)"]), (0, 15, ["debug_view is 15", "14 (bad_values)"])]
+    {
+        let failure = given(reset, debug_view).expect_err("out of range");
+        assert!(words.iter().all(|word| failure.message.contains(word)), "{}", failure.message);
+    }
+    let failure = AtrousConfig { preset: 6, ..AtrousConfig::default_for([4, 4]) }.to_config().expect_err("out of range");
+    assert!(failure.message.contains("preset is 6; allowed: 0 (svgf), 1 (asvgf)"), "{}", failure.message);
+}
+
 #[test]
 fn every_choice_of_a_filter_is_reachable() {
     use crate::config::{AdaptiveRule, BlockSort, EawWeights, Preset, Sampling};
@@ -103,7 +154,8 @@ fn names_and_uses_fit() {
         let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
         assert_eq!(config.preset as u32, preset);
         let declaration = config.declare().expect("valid");
-        let names = declaration.resources().iter().map(|r| r.name).chain(declaration.passes().iter().map(|p| p.name));
+        let names =
+            declaration.resources().iter().map(|r| r.name.as_str()).chain(declaration.passes().iter().map(|p| p.name.as_str()));
         assert!(names.chain(Tuning::FIELDS.iter().map(|f| f.name)).all(|n| n.len() < ATROUS_NAME_SIZE));
     }
     const { assert!(crate::pipeline::MAX_BINDINGS <= ATROUS_MAX_USES) };

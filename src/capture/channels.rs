@@ -5,7 +5,7 @@ use exr::image::FlatSamples;
 
 /// A layer of a file: its name, and planes with theirs.
 pub(crate) struct Layer {
-    pub name: &'static str,
+    pub name: String,
     pub planes: Vec<(&'static str, FlatSamples)>,
 }
 
@@ -13,7 +13,7 @@ const RGB: &[&str] = &["R", "G", "B"];
 const XYZ: &[&str] = &["X", "Y", "Z"];
 
 /// Layer and components of an input.
-fn names(input: &'static str, motion_depth: MotionDepth) -> (&'static str, &'static [&'static str]) {
+fn names(input: &str, motion_depth: MotionDepth) -> (&str, &'static [&'static str]) {
     match input {
         "depth" => ("depth", &["Z"]),
         "normal" => ("normal", XYZ),
@@ -46,28 +46,28 @@ const OTHER_DENOISED: &str = "other_denoised";
 
 impl Layer {
     /// What a texture lacks in components a shader reads as 0, so that is what is written.
-    pub fn of_input(input: &'static str, motion_depth: MotionDepth, planes: Vec<FlatSamples>, pixels: usize) -> Self {
+    pub fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<FlatSamples>, pixels: usize) -> Self {
         let (name, components) = names(input, motion_depth);
         let mut planes = planes.into_iter();
         let mut plane = || planes.next().unwrap_or_else(|| FlatSamples::F32(vec![0.0; pixels]));
-        Self { name, planes: components.iter().map(|c| (*c, plane())).collect() }
+        Self { name: name.to_owned(), planes: components.iter().map(|c| (*c, plane())).collect() }
     }
 
     fn is_filtered(&self) -> bool {
-        matches!(self.name, LIGHTING | "direct" | "indirect")
+        matches!(self.name.as_str(), LIGHTING | "direct" | "indirect")
     }
 }
 
 /// Adds `noisy`, the light of all layers together: what the picture shows. One layer of light alone is it already.
 pub(crate) fn add_total(layers: &mut Vec<Layer>) {
-    let is_beside = |l: &Layer| matches!(l.name, EMISSION | VOLUME);
+    let is_beside = |l: &Layer| matches!(l.name.as_str(), EMISSION | VOLUME);
     let is_alone = !layers.iter().any(is_beside);
     let mut filtered = layers.iter_mut().filter(|l| l.is_filtered());
     let first = filtered.next();
     // Where a host's own confidence replaces all gradients, there is nothing but the picture of the other denoiser.
     let is_dark = first.is_none();
     if let (Some(only), None, true) = (first, filtered.next(), is_alone) {
-        only.name = "noisy";
+        only.name = "noisy".to_owned();
         return;
     }
     let counts = |l: &&Layer| l.is_filtered() || is_beside(l) || (is_dark && l.name == OTHER_DENOISED);
@@ -78,5 +78,5 @@ pub(crate) fn add_total(layers: &mut Vec<Layer>) {
         FlatSamples::F32(sum)
     };
     let planes = RGB.iter().enumerate().map(|(i, c)| (*c, total(i))).collect();
-    layers.push(Layer { name: "noisy", planes });
+    layers.push(Layer { name: "noisy".to_owned(), planes });
 }

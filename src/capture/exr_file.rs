@@ -57,7 +57,7 @@ pub(crate) fn write(path: &Path, extent: [u32; 2], layers: Vec<Layer>) -> Result
     for layer in layers {
         for (component, samples) in layer.planes {
             let name =
-                Text::new_or_none(format!("{}.{component}", layer.name)).ok_or_else(|| problem(path, "named", layer.name))?;
+                Text::new_or_none(format!("{}.{component}", layer.name)).ok_or_else(|| problem(path, "named", &layer.name))?;
             list.push(AnyChannel::new(name, samples));
         }
     }

@@ -35,6 +35,7 @@ use crate::reference::InstanceTransform;
 use crate::Config;
 use ash::vk;
 use channels::Layer;
+use sequence_json::Head;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -68,7 +69,7 @@ const TRANSFORMS_ENDING: &str = "_instance_transforms.f32";
 /// What holds for a sequence, known with its first frame.
 struct First {
     extent: [u32; 2],
-    images: Vec<&'static str>,
+    images: Vec<String>,
     tuning: Tuning,
 }
 
@@ -120,8 +121,8 @@ impl SequenceWriter {
         tuning.validate()?;
         let names = self.check_names(images)?;
         self.check_like_first(number, params, &names)?;
-        let named = |name: &&'static str| images.iter().find(|i| i.name == *name).map(|image| (*name, image));
-        let layers = names.iter().filter_map(named).map(|(name, image)| self.layer(name, image, params.render_extent));
+        let named = |name: &String| images.iter().find(|i| i.name == *name).map(|image| (name.clone(), image));
+        let layers = names.iter().filter_map(named).map(|(name, image)| self.layer(&name, image, params.render_extent));
         let mut layers = layers.collect::<Result<Vec<_>, _>>()?;
         channels::add_total(&mut layers);
         let file = |ending: &str| self.folder.join(format!("frame_{number:04}{ending}"));
@@ -132,16 +133,20 @@ impl SequenceWriter {
         }
         exr_file::write(&file(".exr"), params.render_extent, layers)?;
         let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
-        self.frames.insert(number, sequence_json::frame(number, params, tuning, &first.tuning));
-        let text = sequence_json::sequence(&self.config, &first.tuning, self.frames.values());
+        let text =
+            |error: serde_json::Error| Error::Capture { path: file(".exr"), problem: format!("cannot be described: {error}") };
+        let head = Head::new(&self.config, &first.tuning).map_err(text)?;
+        let entry = sequence_json::frame(number, params, tuning, &first.tuning).map_err(text)?;
+        self.frames.insert(number, entry);
+        let text = head.with_frames(self.frames.values());
         exr_file::write_atomically(&self.folder.join("sequence.json"), text.as_bytes())
     }
 
     /// The names as the declaration has them, in its order.
-    fn check_names(&self, images: &[InputImage<'_>]) -> Result<Vec<&'static str>, Error> {
+    fn check_names(&self, images: &[InputImage<'_>]) -> Result<Vec<String>, Error> {
         let inputs = || {
             self.declaration.resources().iter().filter_map(|r| match (r.lifetime, r.shape) {
-                (Lifetime::Input { optional }, Shape::Image { .. }) => Some((r.name, optional)),
+                (Lifetime::Input { optional }, Shape::Image { .. }) => Some((r.name.as_str(), optional)),
                 _ => None,
             })
         };
@@ -153,10 +158,10 @@ impl SequenceWriter {
         if let Some((missing, _)) = inputs().find(|(name, optional)| !optional && !given(name)) {
             return Err(Error::NotBound(missing.to_owned()));
         }
-        Ok(inputs().map(|r| r.0).filter(|name| given(name)).collect())
+        Ok(inputs().map(|r| r.0.to_owned()).filter(|name| given(name)).collect())
     }
 
-    fn check_like_first(&self, number: u64, params: &FrameParams, names: &[&'static str]) -> Result<(), Error> {
+    fn check_like_first(&self, number: u64, params: &FrameParams, names: &[String]) -> Result<(), Error> {
         let Some(first) = &self.first else { return Ok(()) };
         let given = params.render_extent;
         if given != first.extent {
@@ -177,7 +182,7 @@ impl SequenceWriter {
         Ok(())
     }
 
-    fn layer(&self, name: &'static str, image: &InputImage<'_>, extent: [u32; 2]) -> Result<Layer, Error> {
+    fn layer(&self, name: &str, image: &InputImage<'_>, extent: [u32; 2]) -> Result<Layer, Error> {
         let rule = self.declaration.find(name).map(|id| self.declaration.resource(id).shape);
         let (Some(bytes), Some(Shape::Image { format, divisor })) = (texel_bytes(image.format), rule) else {
             return Err(refused_format(name, image.format));

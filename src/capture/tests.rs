@@ -105,3 +105,63 @@ fn a_folder_that_cannot_be_made_is_named() {
     let message = SequenceWriter::new(file.join("below"), &config()).err().expect("refused").to_string();
     assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
 }
+
+/// Of a configuration without defaults, as `old_sequence.json` was written of by the first version that could.
+fn written_before(folder: &Path) -> String {
+    use crate::config::*;
+    let conventions = Conventions {
+        depth: DepthEncoding::RayLength,
+        background_depth: 0.1,
+        normal: NormalEncoding::OctahedralUnorm,
+        normal_space: NormalSpace::View,
+        motion_unit: MotionUnit::Ndc,
+        motion_direction: MotionDirection::CurrentMinusPrevious,
+        motion_y_up: true,
+        motion_jittered: true,
+        motion_depth: MotionDepth::Absolute,
+        view_forward: ViewForward::PositiveZ,
+    };
+    let config = Config {
+        preset: Preset::Percentile,
+        levels: 3,
+        stratum_size: 4,
+        gradient_source: GradientSource::Reshaded,
+        firefly_filter: true,
+        adaptive_rule: AdaptiveRule::Percentiles,
+        block_sort: BlockSort::OddEven,
+        eaw_weights: EawWeights { radiance: true, normal: false, position: true },
+        sampling: Sampling::OneOf2x2,
+        conventions,
+        ..config()
+    };
+    let mut writer = SequenceWriter::new(folder, &config).expect("a writer");
+    let bytes = texels();
+    let first = Tuning { alpha: 0.05, ..Tuning::default() };
+    let later = Tuning { sigma_l: 2.3, ..first };
+    for (reset, tuning) in [(Some(crate::ResetReason::OriginShift), first), (None, later)] {
+        let mut params = FrameParams { reset, jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new(EXTENT) };
+        params.view_from_world[3] = [0.3, -1e-7, 12345.678, 1.0];
+        let images = images(&NEEDED, &bytes);
+        let frame = InputFrame { params: &params, tuning: &tuning, images: &images, instance_transforms: None };
+        writer.write_frame(&frame).expect("written");
+    }
+    std::fs::read_to_string(folder.join("sequence.json")).expect("a file")
+}
+
+#[test]
+fn a_sequence_is_described_as_it_always_was() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let written = written_before(folder.path());
+    let json = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
+    // Whole numbers may be written with a point: what a reader gets is the same.
+    fn as_read(value: &serde_json::Value) -> serde_json::Value {
+        use serde_json::Value as V;
+        match value {
+            V::Number(n) => n.as_f64().into(),
+            V::Array(values) => values.iter().map(as_read).collect(),
+            V::Object(fields) => V::Object(fields.iter().map(|(key, value)| (key.clone(), as_read(value))).collect()),
+            other => other.clone(),
+        }
+    }
+    assert_eq!(as_read(&json(&written)), as_read(&json(include_str!("old_sequence.json"))), "{written}");
+}

@@ -1,111 +1,118 @@
 //! How a host encodes depth, normals and motion.
 
-/// How `depth` is encoded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum DepthEncoding {
-    /// View-space depth along the view axis, positive, in scene units.
-    #[default]
-    Linear = 0,
-    /// What a depth buffer holds. `FrameParams::clip_from_view` says how: reversed, infinite and orthographic projections all work.
-    Device = 1,
-    /// Distance from the camera to the surface along the ray.
-    RayLength = 2,
-}
+use crate::choice::choices;
 
-/// How `normal` is encoded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum NormalEncoding {
-    /// xyz in −1..1; need not be of unit length.
-    #[default]
-    Xyz = 0,
-    /// xyz stored as v·0.5 + 0.5.
-    XyzUnorm = 1,
-    /// Octahedral xy in −1..1.
-    Octahedral = 2,
-    /// Octahedral xy stored as v·0.5 + 0.5.
-    OctahedralUnorm = 3,
-}
+choices! {
+    /// How `depth` is encoded.
+    #[derive(Default)]
+    pub enum DepthEncoding {
+        /// View-space depth along the view axis, positive, in scene units.
+        #[default]
+        Linear = 0 => "linear",
+        /// What a depth buffer holds. `FrameParams::clip_from_view` says how: reversed, infinite and orthographic projections all
+        /// work.
+        Device = 1 => "device",
+        /// Distance from the camera to the surface along the ray.
+        RayLength = 2 => "ray_length",
+    }
 
-/// In which space normals are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum NormalSpace {
-    /// World space.
-    #[default]
-    World,
-    /// View space of the current frame.
-    View,
-}
+    /// How `normal` is encoded.
+    #[derive(Default)]
+    pub enum NormalEncoding {
+        /// xyz in −1..1; need not be of unit length.
+        #[default]
+        Xyz = 0 => "xyz",
+        /// xyz stored as v·0.5 + 0.5.
+        XyzUnorm = 1 => "xyz_unorm",
+        /// Octahedral xy in −1..1.
+        Octahedral = 2 => "octahedral",
+        /// Octahedral xy stored as v·0.5 + 0.5.
+        OctahedralUnorm = 3 => "octahedral_unorm",
+    }
 
-/// Unit of `motion`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum MotionUnit {
-    /// Pixels of the render extent.
-    Pixels = 0,
-    /// Fractions of the render extent.
-    #[default]
-    Uv = 1,
-    /// Normalised device coordinates: two across the image.
-    Ndc = 2,
-}
+    /// In which space normals are.
+    #[derive(Default)]
+    pub enum NormalSpace {
+        /// World space.
+        #[default]
+        World = 0 => "world",
+        /// View space of the current frame.
+        View = 1 => "view",
+    }
 
-/// Sign of `motion`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum MotionDirection {
-    /// Previous position minus current position.
-    #[default]
-    PreviousMinusCurrent,
-    /// Current position minus previous position.
-    CurrentMinusPrevious,
-}
+    /// Unit of `motion`.
+    #[derive(Default)]
+    pub enum MotionUnit {
+        /// Pixels of the render extent.
+        Pixels = 0 => "pixels",
+        /// Fractions of the render extent.
+        #[default]
+        Uv = 1 => "uv",
+        /// Normalised device coordinates: two across the image.
+        Ndc = 2 => "ndc",
+    }
 
-/// What the z component of `motion` is (2.5D motion).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum MotionDepth {
-    /// Nothing: the previous depth is computed from the matrices, which is right for what does not move along the view axis by itself.
-    #[default]
-    None = 0,
-    /// Previous linear depth minus current linear depth.
-    Difference = 1,
-    /// The previous linear depth itself.
-    Absolute = 2,
-}
+    /// Sign of `motion`.
+    #[derive(Default)]
+    pub enum MotionDirection {
+        /// Previous position minus current position.
+        #[default]
+        PreviousMinusCurrent = 0 => "previous_minus_current",
+        /// Current position minus previous position.
+        CurrentMinusPrevious = 1 => "current_minus_previous",
+    }
 
-/// Which way the camera looks in view space.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum ViewForward {
-    /// Along −z (right-handed; OpenGL, glTF).
-    #[default]
-    NegativeZ,
-    /// Along +z (left-handed; Direct3D).
-    PositiveZ,
+    /// What the z component of `motion` is (2.5D motion).
+    #[derive(Default)]
+    pub enum MotionDepth {
+        /// Nothing: the previous depth is computed from the matrices, which is right for what does not move along the view axis by
+        /// itself.
+        #[default]
+        None = 0 => "none",
+        /// Previous linear depth minus current linear depth.
+        Difference = 1 => "difference",
+        /// The previous linear depth itself.
+        Absolute = 2 => "absolute",
+    }
+
+    /// Which way the camera looks in view space.
+    #[derive(Default)]
+    pub enum ViewForward {
+        /// Along −z (right-handed; OpenGL, glTF).
+        #[default]
+        NegativeZ = 0 => "negative_z",
+        /// Along +z (left-handed; Direct3D).
+        PositiveZ = 1 => "positive_z",
+    }
 }
 
 /// How the host encodes its guides. Only the stage `import` knows them; behind it there is one encoding.
+///
+/// With the feature `serde`, what a file leaves out has its default.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Conventions {
-    /// Depth.
+    /// What depth is. Default: [`DepthEncoding::Linear`].
     pub depth: DepthEncoding,
-    /// Linear depths from here on are background. Default: infinity.
+    /// Linear depths from here on are background; above 0. Default: infinity, which a file has as `"inf"`.
+    #[cfg_attr(feature = "serde", serde(with = "super::serde_forms::distance"))]
     pub background_depth: f32,
-    /// Normal encoding.
+    /// How normals are encoded. Default: [`NormalEncoding::Xyz`].
     pub normal: NormalEncoding,
-    /// Normal space.
+    /// Space of the normals. Default: [`NormalSpace::World`].
     pub normal_space: NormalSpace,
-    /// Motion unit.
+    /// Unit of the motion. Default: [`MotionUnit::Uv`].
     pub motion_unit: MotionUnit,
-    /// Motion sign.
+    /// Sign of the motion. Default: [`MotionDirection::PreviousMinusCurrent`].
     pub motion_direction: MotionDirection,
-    /// Whether y of the motion points up. Default: false.
+    /// Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. Default: false.
+    #[cfg_attr(feature = "serde", serde(rename = "motion_y", alias = "motion_y_up", with = "super::serde_forms::up"))]
     pub motion_y_up: bool,
     /// Whether the motion includes the change of jitter. Default: false.
     pub motion_jittered: bool,
-    /// z of the motion.
+    /// What z of the motion is. Default: [`MotionDepth::None`].
     pub motion_depth: MotionDepth,
-    /// View direction.
+    /// Which way the camera looks. Default: [`ViewForward::NegativeZ`].
     pub view_forward: ViewForward,
 }
 

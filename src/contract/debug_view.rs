@@ -1,84 +1,50 @@
 //! What the stage `debug_view` can show.
 
 use super::{Declaration, Work};
+use crate::choice::choices;
 
-/// What `debug_view` shows, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the number behind
-/// the colour. Surfaces only: the background is black. A view that the preset has nothing for is a dark chequer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[repr(u32)]
-pub enum DebugView {
-    /// Frames accumulated, 0 to 32 in false colours.
-    #[default]
-    HistoryLength = 0,
-    /// Standard deviation of luminance that guides the filter (after its first level), x/(0.25 + x) in false colours.
-    Variance = 1,
-    /// Mean of luminance over the history in red, its standard deviation in green, both x/(1 + x). a: the mean.
-    Moments = 2,
-    /// Change of luminance of the re-shaded samples δ, against the larger luminance Δ: red is brighter than before, blue darker. a: δ.
-    Gradient = 3,
-    /// λ, how far light changed: 0 (history is kept) to 1 (dropped).
-    Lambda = 4,
-    /// Weight of the new sample in the accumulated irradiance, 0 to 1.
-    Alpha = 5,
-    /// Low percentile of the first signal's luminance in red, upper one in green, upper one of the second signal in blue; x/(1 + x). a: the upper one.
-    Percentiles = 6,
-    /// Share of the luminance that the firefly filter took away, 0 to 1.
-    Fireflies = 7,
-    /// Why there is no history. Grey: there is. Orange: off screen; light blue: background or another id; green: depth; yellow: normal; red: reset.
-    /// a: a [`crate::reference::Reason`] as a number.
-    Disocclusion = 8,
-    /// Motion: red to the right, green downwards, less blue the longer, logarithmic up to 64 pixels. a: its length, pixels.
-    Motion = 9,
-    /// World-space normal, n·0.5 + 0.5. a: 0.
-    Normal = 10,
-    /// Linear depth, x/(1 + x) in false colours. a: scene units.
-    Depth = 11,
-    /// A colour for every surface id as the filters see it (8 bits). a: the id.
-    SurfaceId = 12,
-    /// Values of this frame that were not finite: one bar each, from the top, for depth, normal, motion, radiance, albedo, emission, forward motion,
-    /// scattering depth;    /// the logarithm of their number against that of all pixels. a: the number.
-    BadValues = 13,
+choices! {
+    /// What `debug_view` shows, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the
+    /// number behind the colour. Surfaces only: the background is black. A view that the preset has nothing for is a dark chequer.
+    #[derive(Default)]
+    pub enum DebugView {
+        /// Frames accumulated, 0 to 32 in false colours.
+        #[default]
+        HistoryLength = 0 => "history_length",
+        /// Standard deviation of luminance that guides the filter (after its first level), x/(0.25 + x) in false colours.
+        Variance = 1 => "variance",
+        /// Mean of luminance over the history in red, its standard deviation in green, both x/(1 + x). a: the mean.
+        Moments = 2 => "moments",
+        /// Change of luminance of the re-shaded samples δ, against the larger luminance Δ: red is brighter than before, blue
+        /// darker. a: δ.
+        Gradient = 3 => "gradient",
+        /// λ, how far light changed: 0 (history is kept) to 1 (dropped).
+        Lambda = 4 => "lambda",
+        /// Weight of the new sample in the accumulated irradiance, 0 to 1.
+        Alpha = 5 => "alpha",
+        /// Low percentile of the first signal's luminance in red, upper one in green, upper one of the second signal in blue; x/(1
+        /// + x). a: the upper one.
+        Percentiles = 6 => "percentiles",
+        /// Share of the luminance that the firefly filter took away, 0 to 1.
+        Fireflies = 7 => "fireflies",
+        /// Why there is no history. Grey: there is. Orange: off screen; light blue: background or another id; green: depth; yellow:
+        /// normal; red: reset. a: a [`crate::reference::Reason`] as a number.
+        Disocclusion = 8 => "disocclusion",
+        /// Motion: red to the right, green downwards, less blue the longer, logarithmic up to 64 pixels. a: its length, pixels.
+        Motion = 9 => "motion",
+        /// World-space normal, n·0.5 + 0.5. a: 0.
+        Normal = 10 => "normal",
+        /// Linear depth, x/(1 + x) in false colours. a: scene units.
+        Depth = 11 => "depth",
+        /// A colour for every surface id as the filters see it (8 bits). a: the id.
+        SurfaceId = 12 => "surface_id",
+        /// Values of this frame that were not finite: one bar each, from the top, for depth, normal, motion, radiance, albedo,
+        /// emission, forward motion, scattering depth; the logarithm of their number against that of all pixels. a: the number.
+        BadValues = 13 => "bad_values",
+    }
 }
 
 impl DebugView {
-    /// Every view, in the order of its number.
-    pub const ALL: [Self; 14] = [
-        Self::HistoryLength,
-        Self::Variance,
-        Self::Moments,
-        Self::Gradient,
-        Self::Lambda,
-        Self::Alpha,
-        Self::Percentiles,
-        Self::Fireflies,
-        Self::Disocclusion,
-        Self::Motion,
-        Self::Normal,
-        Self::Depth,
-        Self::SurfaceId,
-        Self::BadValues,
-    ];
-
-    /// For menus and files, `snake_case`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::HistoryLength => "history_length",
-            Self::Variance => "variance",
-            Self::Moments => "moments",
-            Self::Gradient => "gradient",
-            Self::Lambda => "lambda",
-            Self::Alpha => "alpha",
-            Self::Percentiles => "percentiles",
-            Self::Fireflies => "fireflies",
-            Self::Disocclusion => "disocclusion",
-            Self::Motion => "motion",
-            Self::Normal => "normal",
-            Self::Depth => "depth",
-            Self::SurfaceId => "surface_id",
-            Self::BadValues => "bad_values",
-        }
-    }
-
     /// The binding of the shader without which there is nothing to show, as `NEEDED` in `glsl/debug_view.comp`; 0: none.
     pub(crate) const fn needs(self) -> u32 {
         match self {
@@ -108,14 +74,6 @@ impl Declaration {
 mod tests {
     use super::*;
     use crate::config::{Config, Preset};
-
-    #[test]
-    fn a_number_is_a_place_and_a_name_belongs_to_one_view() {
-        for (i, view) in DebugView::ALL.into_iter().enumerate() {
-            assert_eq!(view as usize, i);
-            assert_eq!(DebugView::ALL.iter().filter(|v| v.name() == view.name()).count(), 1);
-        }
-    }
 
     #[test]
     fn a_preset_shows_what_it_has() {

@@ -45,7 +45,7 @@ pub struct Use {
 #[derive(Clone, Debug)]
 pub struct PassDecl {
     /// Unique in a denoiser: for labels and profiles.
-    pub name: &'static str,
+    pub name: String,
     /// Where in the frame.
     pub phase: Phase,
     /// What it touches.

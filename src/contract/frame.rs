@@ -1,6 +1,7 @@
 //! What a host says once per frame, what is remembered of the frame before, and the block that every pass reads.
 
 use super::{DebugView, Tuning};
+use crate::choice::choices;
 use crate::config::{check_extent, Config};
 use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
@@ -8,30 +9,33 @@ use glam::Mat4;
 
 mod forward;
 
-/// Why all history is dropped for one frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u32)]
-pub enum ResetReason {
-    /// The first frame after creation or [`FrameState::invalidate`]; forced, a host need not say it.
-    Created = 1,
-    /// The camera jumped.
-    CameraCut = 2,
-    /// The images changed size.
-    Resize = 3,
-    /// Another scene.
-    SceneLoad = 4,
-    /// The origin of world space moved.
-    OriginShift = 5,
-    /// Exposure changed by more than `exposure_ratio` can carry.
-    ExposureJump = 6,
+choices! {
+    /// Why all history is dropped for one frame.
+    pub enum ResetReason {
+        /// The first frame after creation or [`FrameState::invalidate`]; forced, a host need not say it.
+        Created = 1 => "created",
+        /// The camera jumped.
+        CameraCut = 2 => "camera_cut",
+        /// The images changed size.
+        Resize = 3 => "resize",
+        /// Another scene.
+        SceneLoad = 4 => "scene_load",
+        /// The origin of world space moved.
+        OriginShift = 5 => "origin_shift",
+        /// Exposure changed by more than `exposure_ratio` can carry.
+        ExposureJump = 6 => "exposure_jump",
+    }
 }
 
-/// Once per frame, from the host.
+/// Once per frame, from the host. With the feature `serde`, a file may leave out what has a default.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct FrameParams {
-    /// Below `Config::frames_in_flight`; GPU work recorded earlier with the same slot is complete.
+    /// Below `Config::frames_in_flight`; GPU work recorded earlier with the same slot is complete. Default: 0.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub frame_slot: u32,
-    /// Drops all history for this frame.
+    /// Drops all history for this frame. Default: `None`.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub reset: Option<ResetReason>,
     /// Pixels rendered this frame, anchored top left; at most the allocated extent.
     pub render_extent: [u32; 2],
@@ -39,15 +43,27 @@ pub struct FrameParams {
     pub view_from_world: [[f32; 4]; 4],
     /// View to Vulkan clip space (y down, depth 0..1), unjittered, column-major.
     pub clip_from_view: [[f32; 4]; 4],
-    /// Offset of this frame's samples from the pixel centres, pixels, −1 to 1.
+    /// Offset of this frame's samples from the pixel centres, pixels, −1 to 1. Default: 0, 0.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub jitter: [f32; 2],
-    /// This frame's exposure divided by the previous frame's, where the host's radiance is pre-exposed. Scales the history. Default: 1.
+    /// This frame's exposure divided by the previous frame's, where the host's radiance is pre-exposed. Scales the history.
+    /// Default: 1.
+    #[cfg_attr(feature = "serde", serde(default = "unchanged"))]
     pub exposure_ratio: f32,
-    /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous frame.
-    /// Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
+    /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous
+    /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub reshaded: bool,
-    /// What the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame. Default: `None`.
+    /// What the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame. Default:
+    /// `None`.
+    #[cfg_attr(feature = "serde", serde(default))]
     pub debug_view: Option<DebugView>,
+}
+
+/// The exposure ratio of a file that has none.
+#[cfg(feature = "serde")]
+fn unchanged() -> f32 {
+    1.0
 }
 
 impl FrameParams {
@@ -108,7 +124,8 @@ pub struct FrameContext {
     pub render_extent: [u32; 2],
     /// Why history is dropped this frame, if it is.
     pub reset: Option<ResetReason>,
-    /// As in [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with another view.
+    /// As in [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with another
+    /// view.
     pub debug_view: Option<DebugView>,
     /// What the first pass uploads.
     pub constants: FrameConstants,

@@ -6,7 +6,7 @@ use super::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Span};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ResourceMemory {
     /// Name of the resource.
-    pub name: &'static str,
+    pub name: String,
     /// Life of its content.
     pub lifetime: Lifetime,
     /// Bytes of all its copies; 0 for an input, which is the host's.
@@ -42,7 +42,7 @@ impl Declaration {
             resources: self
                 .resources
                 .iter()
-                .map(|r| ResourceMemory { name: r.name, lifetime: r.lifetime, bytes: bytes(r) })
+                .map(|r| ResourceMemory { name: r.name.clone(), lifetime: r.lifetime, bytes: bytes(r) })
                 .collect(),
         }
     }

@@ -59,10 +59,10 @@ pub enum Shape {
 pub struct ResourceId(pub u32);
 
 /// One resource.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ResourceDecl {
     /// Stable key, `snake_case`.
-    pub name: &'static str,
+    pub name: String,
     /// Image or buffer.
     pub shape: Shape,
     /// Owner and life of the content.

@@ -1,5 +1,6 @@
 //! Per-frame numbers with ranges and defaults; changing one never drops the history.
 
+use crate::choice::choices;
 use crate::config::Preset;
 use crate::error::Error;
 
@@ -20,23 +21,27 @@ pub struct TuningField {
     pub default: f32,
 }
 
-/// The curve of the tone map.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[repr(u32)]
-pub enum ToneCurve {
-    /// Fit of the ACES reference curve (Narkowicz 2015).
-    #[default]
-    Aces = 0,
-    /// `x / (1 + luminance)`, which keeps hues.
-    Reinhard = 1,
-    /// Exposure and clamp alone.
-    Linear = 2,
+choices! {
+    /// The curve of the tone map.
+    #[derive(Default)]
+    pub enum ToneCurve {
+        /// Fit of the ACES reference curve (Narkowicz 2015).
+        #[default]
+        Aces = 0 => "aces",
+        /// `x / (1 + luminance)`, which keeps hues.
+        Reinhard = 1 => "reinhard",
+        /// Exposure and clamp alone.
+        Linear = 2 => "linear",
+    }
 }
 
 macro_rules! tuning {
     ($($(#[doc = $doc:literal])+ $name:ident: $unit:literal, $min:literal ..= $max:literal, $default:literal;)+) => {
         /// Per-frame numbers. Every field documents unit, range, default and what raising it does; see [`Tuning::FIELDS`] for the same as data.
+        ///
+        /// With the feature `serde`, what a file leaves out has its default; [`Tuning::validate`] checks what it has.
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
         pub struct Tuning {
             $($(#[doc = $doc])+ #[doc = concat!("\n\nUnit: ", $unit, ". Range: ", stringify!($min), " to ", stringify!($max), ". Default: ", stringify!($default), ".")] pub $name: f32,)+
             /// Curve of the tone map. Default: [`ToneCurve::Aces`].

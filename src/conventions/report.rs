@@ -5,17 +5,18 @@ use std::fmt;
 
 /// What became of one of the questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
 pub enum Verdict {
     /// The guides are as declared.
-    Agrees,
+    Agrees = 0,
     /// They are clearly otherwise: [`Finding::mistake`] and [`Finding::remedy`].
-    Mistake,
+    Mistake = 1,
     /// They are not as declared, and nothing that is known fits them.
-    Unexplained,
+    Unexplained = 2,
     /// The two frames cannot tell; [`Finding::mistake`] says why.
-    Inconclusive,
+    Inconclusive = 3,
     /// The host gives nothing of the kind.
-    Absent,
+    Absent = 4,
 }
 
 /// Which residual.

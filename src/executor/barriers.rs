@@ -1,49 +1,9 @@
 //! Barriers, derived from the declared uses and from what was last done to each image and buffer.
 
-use super::storage::{Storage, Storages};
+use super::scope::Scope;
+use super::storage::{Object, Storage, Storages, StoredImage};
 use crate::contract::{Access, Declaration, FrameContext, Lifetime, ResourceId, UseFrame};
 use ash::vk;
-
-/// What was last done to an image or buffer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Scope {
-    pub stage: vk::PipelineStageFlags2,
-    pub access: vk::AccessFlags2,
-    pub layout: vk::ImageLayout,
-}
-
-impl Scope {
-    /// Nothing yet.
-    pub const NONE: Self =
-        Self { stage: vk::PipelineStageFlags2::NONE, access: vk::AccessFlags2::NONE, layout: vk::ImageLayout::UNDEFINED };
-
-    pub fn of(access: Access) -> Self {
-        let image = access.image();
-        Self { stage: image.stage, access: image.access, layout: image.layout }
-    }
-
-    /// Copies out of it, for tools and tests.
-    pub const COPY_SOURCE: Self = Self {
-        stage: vk::PipelineStageFlags2::ALL_TRANSFER,
-        access: vk::AccessFlags2::TRANSFER_READ,
-        layout: vk::ImageLayout::TRANSFER_SRC_OPTIMAL,
-    };
-
-    fn writes(&self) -> bool {
-        let writes = vk::AccessFlags2::SHADER_STORAGE_WRITE
-            | vk::AccessFlags2::SHADER_WRITE
-            | vk::AccessFlags2::TRANSFER_WRITE
-            | vk::AccessFlags2::MEMORY_WRITE
-            | vk::AccessFlags2::COLOR_ATTACHMENT_WRITE
-            | vk::AccessFlags2::DEPTH_STENCIL_ATTACHMENT_WRITE;
-        self.access.intersects(writes)
-    }
-
-    fn merge(&mut self, other: &Self) {
-        self.stage |= other.stage;
-        self.access |= other.access;
-    }
-}
 
 /// Collects barriers; the vectors are kept from pass to pass, so that a steady state allocates nothing.
 #[derive(Default)]
@@ -136,15 +96,12 @@ impl Barriers {
                 };
                 let source = storages.scope_of_aliases(id);
                 let Some(storage) = storages.storage_mut(id, copy).filter(|_| undefined) else { continue };
-                if storage.image == vk::Image::null() {
-                    continue;
-                }
+                let Some(&StoredImage { image, .. }) = storage.image() else { continue };
                 if let Some(source) = source {
                     self.take_over(storage, &source, Scope::of(Access::Clear));
                 }
                 self.to(storage, Scope::of(Access::Clear), false);
-                let image = storage.image;
-                let colour = if storage.is_uint {
+                let colour = if storage.image().is_some_and(StoredImage::is_uint) {
                     vk::ClearColorValue { uint32: [u32::MAX; 4] }
                 } else {
                     vk::ClearColorValue { float32: [f32::NAN; 4] }
@@ -166,8 +123,7 @@ impl Barriers {
     }
 
     fn to(&mut self, storage: &mut Storage, next: Scope, keep: bool) {
-        let is_image = storage.image != vk::Image::null();
-        let relayout = is_image && storage.scope.layout != next.layout;
+        let relayout = storage.image().is_some() && storage.scope.layout != next.layout;
         if !storage.scope.writes() && !next.writes() && !relayout {
             storage.scope.merge(&next);
             storage.touched = true;
@@ -178,23 +134,24 @@ impl Barriers {
 
     fn push(&mut self, storage: &mut Storage, next: Scope, keep: bool) {
         let now = storage.scope;
-        if storage.image != vk::Image::null() {
-            let old = if keep { now.layout } else { vk::ImageLayout::UNDEFINED };
-            self.images.push(
-                vk::ImageMemoryBarrier2::default()
-                    .image(storage.image)
-                    .subresource_range(vk::ImageSubresourceRange { aspect_mask: storage.aspect(), ..WHOLE })
-                    .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-                    .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
-                    .src_stage_mask(now.stage)
-                    .src_access_mask(now.access)
-                    .old_layout(old)
-                    .dst_stage_mask(next.stage)
-                    .dst_access_mask(next.access)
-                    .new_layout(next.layout),
-            );
-        } else {
-            self.buffers.push(between(storage.buffer, &now, &next));
+        match &storage.object {
+            Object::Image(image) => {
+                let old = if keep { now.layout } else { vk::ImageLayout::UNDEFINED };
+                self.images.push(
+                    vk::ImageMemoryBarrier2::default()
+                        .image(image.image)
+                        .subresource_range(vk::ImageSubresourceRange { aspect_mask: image.aspect(), ..WHOLE })
+                        .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+                        .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
+                        .src_stage_mask(now.stage)
+                        .src_access_mask(now.access)
+                        .old_layout(old)
+                        .dst_stage_mask(next.stage)
+                        .dst_access_mask(next.access)
+                        .new_layout(next.layout),
+                );
+            }
+            Object::Buffer { buffer, .. } => self.buffers.push(between(*buffer, &now, &next)),
         }
         storage.scope = next;
         storage.touched = true;

@@ -1,6 +1,6 @@
 //! What a host binds: images and buffers of its own, for inputs and outputs.
 
-use super::barriers::Scope;
+use super::scope::Scope;
 use super::storage::Storage;
 use super::{find, Executor};
 use crate::contract::{Lifetime, Shape};
@@ -34,7 +34,7 @@ impl Executor {
     pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
         let declaration = self.denoiser.declaration();
         let id = find(declaration, name)?;
-        let resource = *declaration.resource(id);
+        let resource = declaration.resource(id);
         let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
             return Err(Error::NotBound(name.to_owned()));
         };

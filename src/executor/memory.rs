@@ -1,9 +1,9 @@
 //! Images, buffers and their memory: histories with memory of their own, transients aliased by lifetime.
 
 use super::barriers::WHOLE;
-use super::storage::{Storage, Storages};
+use super::storage::{Object, Storage, Storages, StoredImage};
 use super::{AllocatedMemory, ExecutorOptions};
-use crate::contract::{alias, component_of, Component, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
+use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
 use crate::denoiser::Device;
 use crate::error::Error;
 use ash::vk;
@@ -17,9 +17,16 @@ pub(crate) struct Memory {
     allocator: Option<Allocator>,
     allocations: Vec<Allocation>,
     pub storages: Storages,
-    owned: Vec<Storage>,
+    owned: Vec<Owned>,
     labels: Vec<CString>,
     pub allocated: AllocatedMemory,
+}
+
+/// A Vulkan object that is destroyed with the executor.
+enum Owned {
+    Image(vk::Image),
+    View(vk::ImageView),
+    Buffer(vk::Buffer),
 }
 
 impl Memory {
@@ -41,7 +48,7 @@ impl Memory {
             allocations: Vec::new(),
             storages: Storages::new(declaration),
             owned: Vec::new(),
-            labels: declaration.passes().iter().map(|p| CString::new(p.name).unwrap_or_default()).collect(),
+            labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
             allocated: AllocatedMemory::default(),
         };
         // SAFETY: the caller's. What was created before a failure is destroyed when `this` is dropped.
@@ -59,19 +66,18 @@ impl Memory {
     /// Histories, outputs, and every buffer.
     unsafe fn allocate_own(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
         for (index, resource) in declaration.resources().iter().enumerate() {
-            let is_image = matches!(resource.shape, Shape::Image { .. });
             for copy in 0..resource.lifetime.copies() {
-                if is_image && resource.lifetime == Lifetime::Transient {
+                if matches!(resource.shape, Shape::Image { .. }) && resource.lifetime == Lifetime::Transient {
                     continue;
                 }
-                // SAFETY: the caller's.
-                let (storage, bytes) = unsafe {
-                    if is_image {
-                        self.own_image(declaration, resource, options)?
-                    } else {
-                        self.own_buffer(resource)?
+                // SAFETY: the device is live, and formats, extents and limits were checked against it.
+                let (object, bytes) = unsafe {
+                    match resource.shape {
+                        Shape::Image { format, .. } => self.own_image(declaration, resource, format.preferred(), options)?,
+                        Shape::Buffer { size } => self.own_buffer(resource, size)?,
                     }
                 };
+                let storage = Storage::own(object);
                 self.storages.set(ResourceId(index as u32), copy, storage);
                 match resource.lifetime {
                     Lifetime::Output => self.allocated.output += bytes,
@@ -83,54 +89,57 @@ impl Memory {
         Ok(())
     }
 
-    unsafe fn own_image(&mut self, d: &Declaration, r: &ResourceDecl, options: &ExecutorOptions) -> Result<(Storage, u64), Error> {
-        // SAFETY: the caller's; memory fits the image's own requirements.
+    unsafe fn own_image(
+        &mut self,
+        declaration: &Declaration,
+        resource: &ResourceDecl,
+        format: vk::Format,
+        options: &ExecutorOptions,
+    ) -> Result<(Object, u64), Error> {
+        // SAFETY: the device is live; the memory fits the image's own requirements.
         unsafe {
-            let mut storage = self.create_image(d, r, options, vk::ImageCreateFlags::empty())?;
-            let requirements = self.device.get_image_memory_requirements(storage.image);
-            let (memory, offset) = self.allocate(r.name, requirements, false)?;
-            self.device.bind_image_memory(storage.image, memory, offset).map_err(Error::vulkan("vkBindImageMemory"))?;
-            self.create_view(&mut storage)?;
-            Ok((storage, requirements.size))
+            let mut image = self.create_image(declaration, resource, format, options, vk::ImageCreateFlags::empty())?;
+            let requirements = self.device.get_image_memory_requirements(image.image);
+            let (memory, offset) = self.allocate(&resource.name, requirements, false)?;
+            self.device.bind_image_memory(image.image, memory, offset).map_err(Error::vulkan("vkBindImageMemory"))?;
+            image.view = self.create_view(&image)?;
+            Ok((Object::Image(image), requirements.size))
         }
     }
 
-    unsafe fn own_buffer(&mut self, r: &ResourceDecl) -> Result<(Storage, u64), Error> {
-        let Shape::Buffer { size } = r.shape else { return Ok((Storage::EMPTY, 0)) };
-        let usage = r.buffer_usage | vk::BufferUsageFlags::TRANSFER_SRC;
+    unsafe fn own_buffer(&mut self, resource: &ResourceDecl, size: u64) -> Result<(Object, u64), Error> {
+        let usage = resource.buffer_usage | vk::BufferUsageFlags::TRANSFER_SRC;
         let info = vk::BufferCreateInfo::default().size(size).usage(usage).sharing_mode(vk::SharingMode::EXCLUSIVE);
-        // SAFETY: the caller's; memory fits the buffer's own requirements.
+        // SAFETY: the device is live; the memory fits the buffer's own requirements.
         unsafe {
             let buffer = self.device.create_buffer(&info, None).map_err(Error::vulkan("vkCreateBuffer"))?;
-            let storage = Storage { buffer, size, ..Storage::EMPTY };
-            self.owned.push(storage);
+            self.owned.push(Owned::Buffer(buffer));
             let requirements = self.device.get_buffer_memory_requirements(buffer);
-            let (memory, offset) = self.allocate(r.name, requirements, true)?;
+            let (memory, offset) = self.allocate(&resource.name, requirements, true)?;
             self.device.bind_buffer_memory(buffer, memory, offset).map_err(Error::vulkan("vkBindBufferMemory"))?;
-            Ok((storage, size))
+            Ok((Object::Buffer { buffer, size }, size))
         }
     }
 
     /// One block for all transient images, each at the offset that the planner gave it.
     unsafe fn allocate_transient_images(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
-        let (mut ids, mut spans, mut storages) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut ids, mut spans, mut images) = (Vec::new(), Vec::new(), Vec::new());
         let mut block = vk::MemoryRequirements { size: 0, alignment: 1, memory_type_bits: u32::MAX };
         for (id, first, last) in declaration.transients() {
             let resource = declaration.resource(id);
-            if matches!(resource.shape, Shape::Buffer { .. }) {
-                continue;
-            }
-            // SAFETY: the caller's.
-            let storage = unsafe { self.create_image(declaration, resource, options, vk::ImageCreateFlags::ALIAS)? };
+            let Shape::Image { format, .. } = resource.shape else { continue };
+            // SAFETY: the device is live, and the format and extent were checked against it.
+            let image =
+                unsafe { self.create_image(declaration, resource, format.preferred(), options, vk::ImageCreateFlags::ALIAS)? };
             // SAFETY: the image was just created.
-            let requirements = unsafe { self.device.get_image_memory_requirements(storage.image) };
+            let requirements = unsafe { self.device.get_image_memory_requirements(image.image) };
             let whole = (0, declaration.passes().len());
             let (first, last) = if options.no_aliasing { whole } else { (first, last) };
             spans.push(Span { first, last, size: requirements.size, alignment: requirements.alignment });
             block.alignment = block.alignment.max(requirements.alignment);
             block.memory_type_bits &= requirements.memory_type_bits;
             ids.push(id);
-            storages.push(storage);
+            images.push(image);
         }
         if ids.is_empty() {
             return Ok(());
@@ -141,31 +150,31 @@ impl Memory {
         // SAFETY: the block satisfies the requirements of every image at its offset.
         unsafe {
             let (memory, base) = self.allocate("transients", block, false)?;
-            for ((id, storage), offset) in ids.iter().zip(&mut storages).zip(&offsets) {
-                self.device.bind_image_memory(storage.image, memory, base + offset).map_err(Error::vulkan("vkBindImageMemory"))?;
-                self.create_view(storage)?;
-                self.storages.set(*id, 0, *storage);
+            for ((id, image), offset) in ids.iter().zip(images).zip(&offsets) {
+                self.device.bind_image_memory(image.image, memory, base + offset).map_err(Error::vulkan("vkBindImageMemory"))?;
+                let view = self.create_view(&image)?;
+                self.storages.set(*id, 0, Storage::own(Object::Image(StoredImage { view, ..image })));
             }
         }
         self.storages.share(&ids, &spans, &offsets);
         Ok(())
     }
 
+    /// An image without memory and without a view.
     unsafe fn create_image(
         &mut self,
         declaration: &Declaration,
         resource: &ResourceDecl,
+        format: vk::Format,
         options: &ExecutorOptions,
         flags: vk::ImageCreateFlags,
-    ) -> Result<Storage, Error> {
-        let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
-            return Ok(Storage::EMPTY);
-        };
+    ) -> Result<StoredImage, Error> {
+        let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
         let poison = if options.poison { vk::ImageUsageFlags::TRANSFER_DST } else { vk::ImageUsageFlags::empty() };
         let info = vk::ImageCreateInfo::default()
             .flags(flags)
             .image_type(vk::ImageType::TYPE_2D)
-            .format(format.preferred())
+            .format(format)
             .extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
             .mip_levels(1)
             .array_layers(1)
@@ -174,26 +183,22 @@ impl Memory {
             .usage(resource.image_usage | options.extra_image_usage | poison)
             .sharing_mode(vk::SharingMode::EXCLUSIVE)
             .initial_layout(vk::ImageLayout::UNDEFINED);
-        // SAFETY: the caller's; formats and extents were checked against the device.
+        // SAFETY: the device is live; formats and extents were checked against it.
         let image = unsafe { self.device.create_image(&info, None) }.map_err(Error::vulkan("vkCreateImage"))?;
-        let is_uint = component_of(format.preferred()) == Some(Component::Uint);
-        let storage = Storage { image, format: format.preferred(), extent, is_uint, ..Storage::EMPTY };
-        self.owned.push(storage);
-        Ok(storage)
+        self.owned.push(Owned::Image(image));
+        Ok(StoredImage { image, view: vk::ImageView::null(), format, extent })
     }
 
-    unsafe fn create_view(&mut self, storage: &mut Storage) -> Result<(), Error> {
+    unsafe fn create_view(&mut self, image: &StoredImage) -> Result<vk::ImageView, Error> {
         let info = vk::ImageViewCreateInfo::default()
-            .image(storage.image)
+            .image(image.image)
             .view_type(vk::ImageViewType::TYPE_2D)
-            .format(storage.format)
+            .format(image.format)
             .subresource_range(WHOLE);
         // SAFETY: the image is live and has memory.
-        storage.view = unsafe { self.device.create_image_view(&info, None) }.map_err(Error::vulkan("vkCreateImageView"))?;
-        if let Some(owned) = self.owned.iter_mut().find(|o| o.image == storage.image) {
-            owned.view = storage.view;
-        }
-        Ok(())
+        let view = unsafe { self.device.create_image_view(&info, None) }.map_err(Error::vulkan("vkCreateImageView"))?;
+        self.owned.push(Owned::View(view));
+        Ok(view)
     }
 
     unsafe fn allocate(
@@ -223,10 +228,13 @@ impl Drop for Memory {
     fn drop(&mut self) {
         // SAFETY: all of them are ours, and the executor's owner waits for the GPU before it drops it.
         unsafe {
-            for storage in &self.owned {
-                self.device.destroy_image_view(storage.view, None);
-                self.device.destroy_image(storage.image, None);
-                self.device.destroy_buffer(storage.buffer, None);
+            // Views were made after their images.
+            for owned in self.owned.drain(..).rev() {
+                match owned {
+                    Owned::Image(image) => self.device.destroy_image(image, None),
+                    Owned::View(view) => self.device.destroy_image_view(view, None),
+                    Owned::Buffer(buffer) => self.device.destroy_buffer(buffer, None),
+                }
             }
         }
         if let Some(allocator) = &mut self.allocator {

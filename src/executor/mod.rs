@@ -11,6 +11,7 @@ mod headless;
 mod memory;
 mod profiler;
 mod readback;
+mod scope;
 mod session;
 mod session_inputs;
 mod session_objects;
@@ -265,7 +266,7 @@ impl Executor {
 
     /// Times of the newest frame whose timestamps were collected; empty before that, and without [`ExecutorOptions::timestamps`].
     pub fn times(&self) -> Vec<PassTime> {
-        let names = self.denoiser.declaration().passes().iter().map(|p| p.name);
+        let names = self.denoiser.declaration().passes().iter().map(|p| p.name.as_str());
         self.profiler.as_ref().map_or(Vec::new(), |p| p.times(names))
     }
 }
@@ -273,6 +274,6 @@ impl Executor {
 fn find(declaration: &crate::Declaration, name: &str) -> Result<ResourceId, Error> {
     declaration.find(name).ok_or_else(|| Error::UnknownResource {
         given: name.to_owned(),
-        known: declaration.resources().iter().map(|r| r.name).collect::<Vec<_>>().join(", "),
+        known: declaration.resources().iter().map(|r| r.name.as_str()).collect::<Vec<_>>().join(", "),
     })
 }

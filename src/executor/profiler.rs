@@ -5,10 +5,10 @@ use crate::error::Error;
 use ash::vk;
 
 /// GPU time of one pass.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PassTime {
     /// Name of the pass.
-    pub name: &'static str,
+    pub name: String,
     /// Milliseconds.
     pub milliseconds: f64,
 }
@@ -103,8 +103,8 @@ impl Profiler {
         }
     }
 
-    pub fn times(&self, names: impl Iterator<Item = &'static str>) -> Vec<PassTime> {
-        names.zip(&self.newest).map(|(name, &milliseconds)| PassTime { name, milliseconds }).collect()
+    pub fn times<'a>(&self, names: impl Iterator<Item = &'a str>) -> Vec<PassTime> {
+        names.zip(&self.newest).map(|(name, &milliseconds)| PassTime { name: name.to_owned(), milliseconds }).collect()
     }
 }
 

@@ -1,7 +1,8 @@
 //! Copies of resources for tools, captures and tests.
 
-use super::barriers::{buffer_barrier, Scope};
-use super::storage::Storage;
+use super::barriers::buffer_barrier;
+use super::scope::Scope;
+use super::storage::{Object, Storage, StoredImage};
 use super::transfer::{to_floats, whole_image};
 use super::{find, Executor};
 use crate::contract::{bytes_per_texel, FrameContext, Lifetime, ResourceId, UseFrame};
@@ -32,11 +33,12 @@ impl Executor {
     pub fn readback(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<Readback, Error> {
         let (id, copy) = self.locate(name, frame, which)?;
         let storage = self.memory.storages.storage(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
-        let bytes = match storage.image == vk::Image::null() {
-            true => storage.size,
-            false => u64::from(storage.extent[0]) * u64::from(storage.extent[1]) * bytes_per_texel(storage.format),
-        };
-        Ok(Readback { format: storage.format, bytes })
+        Ok(match storage.object {
+            Object::Image(StoredImage { format, extent: [width, height], .. }) => {
+                Readback { format, bytes: u64::from(width) * u64::from(height) * bytes_per_texel(format) }
+            }
+            Object::Buffer { size, .. } => Readback { format: vk::Format::UNDEFINED, bytes: size },
+        })
     }
 
     /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has run. A transient holds what the last pass
@@ -88,12 +90,15 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Stora
     unsafe { buffer_barrier(device, cmd, buffer, copied, copied) };
     // SAFETY: the caller's.
     unsafe {
-        if storage.image != vk::Image::null() {
-            let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-            device.cmd_copy_image_to_buffer(cmd, storage.image, layout, buffer, &[whole_image(storage.extent)]);
-        } else {
-            let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size: storage.size };
-            device.cmd_copy_buffer(cmd, storage.buffer, buffer, &[region]);
+        match storage.object {
+            Object::Image(StoredImage { image, extent, .. }) => {
+                let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+                device.cmd_copy_image_to_buffer(cmd, image, layout, buffer, &[whole_image(extent)]);
+            }
+            Object::Buffer { buffer: from, size } => {
+                let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size };
+                device.cmd_copy_buffer(cmd, from, buffer, &[region]);
+            }
         }
     }
     // SAFETY: the caller's.

@@ -30,8 +30,8 @@ pub struct SessionOptions {
 pub struct Session {
     // Declared before `gpu`, so that it is dropped first.
     pub(super) executor: Executor,
-    pub(super) inputs: BTreeMap<&'static str, OwnedImage>,
-    pub(super) buffers: BTreeMap<&'static str, Staging>,
+    pub(super) inputs: BTreeMap<String, OwnedImage>,
+    pub(super) buffers: BTreeMap<String, Staging>,
     pub(super) staging: Option<Staging>,
     commands: Commands,
     pub(super) barriers: Barriers,

@@ -1,6 +1,7 @@
 //! What a session is given: images and buffers from slices.
 
-use super::barriers::{buffer_barrier, Scope};
+use super::barriers::buffer_barrier;
+use super::scope::Scope;
 use super::session::Session;
 use super::session_objects::OwnedImage;
 use super::storage::Storage;
@@ -33,14 +34,14 @@ impl Session {
     /// [`Error::UnknownResource`], [`Error::NotBound`] for an image, [`Error::Size`].
     pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
-        let key = declaration.resource(find(declaration, name)?).name;
+        find(declaration, name)?;
         let size = bytes.len() as u64;
         // SAFETY: the device outlives the session.
         let mut staging = unsafe { Staging::new(self.gpu.host(), size.max(4))? };
         staging.bytes()[..bytes.len()].copy_from_slice(bytes);
         let (stage, access) = (vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_WRITE);
         self.executor.bind_buffer(name, staging.buffer, size, stage, access)?;
-        self.buffers.insert(key, staging);
+        self.buffers.insert(name.to_owned(), staging);
         Ok(())
     }
 
@@ -54,7 +55,7 @@ impl Session {
 
     fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
-        let resource = *declaration.resource(find(declaration, name)?);
+        let resource = declaration.resource(find(declaration, name)?);
         let Shape::Image { format: rule, .. } = resource.shape else {
             return Err(Error::NotBound(name.to_owned()));
         };
@@ -67,12 +68,12 @@ impl Session {
             let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
             return Err(Error::Size { resource: name.to_owned(), given: format!("{count} texels"), needed });
         }
-        if !self.inputs.contains_key(resource.name) {
+        if !self.inputs.contains_key(name) {
             // SAFETY: the device outlives the session.
             let image = unsafe { OwnedImage::new(self.gpu.host(), format, extent)? };
-            self.inputs.insert(resource.name, image);
+            self.inputs.insert(name.to_owned(), image);
         }
-        let Some(owned) = self.inputs.get(resource.name) else { return Err(Error::NotBound(name.to_owned())) };
+        let Some(owned) = self.inputs.get(name) else { return Err(Error::NotBound(name.to_owned())) };
         let (image, view) = (owned.image, owned.view);
         let Scope { stage, access, layout } = UPLOADED;
         let host = HostImage { image, view, format, extent, layout, stage, access };

@@ -1,50 +1,27 @@
 //! Physical images and buffers: what was last done to each, and which share memory. Knows no device.
 
-use super::barriers::Scope;
+use super::scope::Scope;
 use super::HostImage;
 use crate::binding::Binding;
 use crate::contract::{component_of, Access, Component, Declaration, ResourceId, Span};
 use ash::vk;
 
-/// One physical image or buffer with what was last done to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Storage {
+/// A physical image with its view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct StoredImage {
     pub image: vk::Image,
     pub view: vk::ImageView,
-    pub buffer: vk::Buffer,
-    pub size: u64,
     pub format: vk::Format,
     pub extent: [u32; 2],
-    pub is_uint: bool,
-    pub scope: Scope,
-    /// State that a host's image or buffer is brought back to; `None` for our own.
-    pub home: Option<Scope>,
-    /// Whether a barrier changed its state since it was handed back.
-    pub touched: bool,
 }
 
-impl Storage {
-    pub const EMPTY: Self = Self {
-        image: vk::Image::null(),
-        view: vk::ImageView::null(),
-        buffer: vk::Buffer::null(),
-        size: 0,
-        format: vk::Format::UNDEFINED,
-        extent: [0; 2],
-        is_uint: false,
-        scope: Scope::NONE,
-        home: None,
-        touched: false,
-    };
-
-    pub fn of_host_image(host: &HostImage) -> Self {
-        let home = Scope { stage: host.stage, access: host.access, layout: host.layout };
-        let &HostImage { image, view, format, extent, .. } = host;
-        let is_uint = component_of(format) == Some(Component::Uint);
-        Self { image, view, format, extent, is_uint, scope: home, home: Some(home), ..Self::EMPTY }
+impl StoredImage {
+    /// Whether texels are unsigned integers.
+    pub fn is_uint(&self) -> bool {
+        component_of(self.format) == Some(Component::Uint)
     }
 
-    /// Barriers name every aspect of a depth image.
+    /// Every aspect: barriers name all of them.
     pub fn aspect(&self) -> vk::ImageAspectFlags {
         match self.format {
             vk::Format::D16_UNORM | vk::Format::D32_SFLOAT | vk::Format::X8_D24_UNORM_PACK32 => vk::ImageAspectFlags::DEPTH,
@@ -54,9 +31,51 @@ impl Storage {
             _ => vk::ImageAspectFlags::COLOR,
         }
     }
+}
+
+/// A physical image or buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Object {
+    Image(StoredImage),
+    Buffer { buffer: vk::Buffer, size: u64 },
+}
+
+/// A physical image or buffer with what was last done to it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Storage {
+    pub object: Object,
+    pub scope: Scope,
+    /// State that a host's image or buffer is brought back to; `None` for our own.
+    pub home: Option<Scope>,
+    /// Whether a barrier changed its state since it was handed back.
+    pub touched: bool,
+}
+
+impl Storage {
+    /// Of our own, with undefined content.
+    pub fn own(object: Object) -> Self {
+        Self { object, scope: Scope::NONE, home: None, touched: false }
+    }
+
+    pub fn of_host_image(host: &HostImage) -> Self {
+        let &HostImage { image, view, format, extent, stage, access, layout } = host;
+        Self::of_host(Object::Image(StoredImage { image, view, format, extent }), Scope { stage, access, layout })
+    }
 
     pub fn of_host_buffer(buffer: vk::Buffer, size: u64, home: Scope) -> Self {
-        Self { buffer, size, scope: home, home: Some(home), ..Self::EMPTY }
+        Self::of_host(Object::Buffer { buffer, size }, home)
+    }
+
+    fn of_host(object: Object, home: Scope) -> Self {
+        Self { object, scope: home, home: Some(home), touched: false }
+    }
+
+    /// The image, where it is one.
+    pub fn image(&self) -> Option<&StoredImage> {
+        match &self.object {
+            Object::Image(image) => Some(image),
+            Object::Buffer { .. } => None,
+        }
     }
 }
 
@@ -120,13 +139,12 @@ impl Storages {
     }
 
     pub fn binding(&self, id: ResourceId, copy: usize, access: Access) -> Binding {
-        match self.storage(id, copy) {
-            Some(s) if s.image != vk::Image::null() && access == Access::Clear => {
-                Binding::ClearedImage { image: s.image, layout: s.scope.layout }
-            }
-            Some(s) if s.image != vk::Image::null() => Binding::Image { view: s.view, layout: s.scope.layout },
-            Some(s) => Binding::Buffer { buffer: s.buffer, offset: 0, range: vk::WHOLE_SIZE },
-            None => Binding::Absent,
+        let Some(storage) = self.storage(id, copy) else { return Binding::Absent };
+        let layout = storage.scope.layout;
+        match storage.object {
+            Object::Image(StoredImage { image, .. }) if access == Access::Clear => Binding::ClearedImage { image, layout },
+            Object::Image(StoredImage { view, .. }) => Binding::Image { view, layout },
+            Object::Buffer { buffer, .. } => Binding::Buffer { buffer, offset: 0, range: vk::WHOLE_SIZE },
         }
     }
 

@@ -1,6 +1,7 @@
 //! Getting texels in and out through a staging buffer.
 
-use super::barriers::{Scope, WHOLE};
+use super::barriers::WHOLE;
+use super::scope::Scope;
 use crate::error::Error;
 use ash::vk;
 use half::f16;

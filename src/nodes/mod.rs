@@ -79,31 +79,31 @@ impl Builder {
     }
 
     /// An image with one texel per pixel.
-    pub fn image(&mut self, name: &'static str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
+    pub fn image(&mut self, name: &str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Image { format, divisor: 1 }, lifetime)
     }
 
     /// An image with one texel per block of pixels.
-    pub fn block_image(&mut self, name: &'static str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
+    pub fn block_image(&mut self, name: &str, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Image { format, divisor: BLOCK_SIZE }, lifetime)
     }
 
     /// An image with one texel a stratum.
-    pub fn stratum_image(&mut self, name: &'static str, strata: Strata, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
+    pub fn stratum_image(&mut self, name: &str, strata: Strata, format: ImageFormat, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Image { format, divisor: strata.size }, lifetime)
     }
 
-    pub fn buffer(&mut self, name: &'static str, size: u64, lifetime: Lifetime) -> ResourceId {
+    pub fn buffer(&mut self, name: &str, size: u64, lifetime: Lifetime) -> ResourceId {
         self.resource(name, Shape::Buffer { size }, lifetime)
     }
 
     /// An input image; the same name twice is the same input.
-    pub fn input(&mut self, name: &'static str, format: ImageFormat, optional: bool) -> ResourceId {
+    pub fn input(&mut self, name: &str, format: ImageFormat, optional: bool) -> ResourceId {
         self.declaration.find(name).unwrap_or_else(|| self.image(name, format, Lifetime::Input { optional }))
     }
 
     /// The same with one texel a stratum.
-    pub fn stratum_input(&mut self, name: &'static str, strata: Strata, format: ImageFormat, optional: bool) -> ResourceId {
+    pub fn stratum_input(&mut self, name: &str, strata: Strata, format: ImageFormat, optional: bool) -> ResourceId {
         self.stratum_image(name, strata, format, Lifetime::Input { optional })
     }
 
@@ -114,9 +114,9 @@ impl Builder {
         self.declaration.find(NAME).unwrap_or_else(|| self.buffer(NAME, BYTES_EACH, Lifetime::Input { optional: true }))
     }
 
-    fn resource(&mut self, name: &'static str, shape: Shape, lifetime: Lifetime) -> ResourceId {
+    fn resource(&mut self, name: &str, shape: Shape, lifetime: Lifetime) -> ResourceId {
         let resource = ResourceDecl {
-            name,
+            name: name.to_owned(),
             shape,
             lifetime,
             image_usage: vk::ImageUsageFlags::empty(),
@@ -167,7 +167,7 @@ impl Builder {
     }
 
     fn pass(&mut self, name: &'static str, phase: Phase, work: Work, uses: Vec<Use>) {
-        self.declaration.passes.push(PassDecl { name, phase, uses, work });
+        self.declaration.passes.push(PassDecl { name: name.to_owned(), phase, uses, work });
     }
 
     /// The declaration, with the usage flags of every resource.

@@ -6,7 +6,7 @@ use super::blocks::Blocks;
 use super::luminance::texel_luminance;
 use super::nearest_history::HistoryGuides;
 use super::Image;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -33,13 +33,13 @@ pub struct PercentileRuleInputs<'a> {
 }
 
 /// The published rule. 1, keep the history, to 0, drop it; the least of the signals.
-pub fn percentile_rule(frame: &FrameConstants, inputs: &PercentileRuleInputs) -> Image<f32> {
+pub fn percentile_rule(frame: &FrameConstants, tuning: &Tuning, inputs: &PercentileRuleInputs) -> Image<f32> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(inputs.guides.guide.extent(), frame.render_extent, |p| {
-        let Some(tap) = inputs.guides.nearest(frame, p) else { return 1.0 };
+        let Some(tap) = inputs.guides.nearest(frame, tuning, p) else { return 1.0 };
         let kept = |&(percentiles, history): &(&Image<u32>, &Image<[f32; 4]>)| {
             let l = texel_luminance(history.at(tap)) * frame.exposure_ratio;
-            weight_of_history(frame, &interpolated(blocks, percentiles, p), l)
+            weight_of_history(tuning, &interpolated(blocks, percentiles, p), l)
         };
         inputs.signals.iter().map(kept).fold(1.0, f32::min)
     })
@@ -53,27 +53,27 @@ fn interpolated(blocks: Blocks, percentiles: &Image<u32>, p: IVec2) -> Percentil
 }
 
 /// A \[PSVGF\].
-fn weight_of_history(frame: &FrameConstants, percentiles: &Percentiles, l: f32) -> f32 {
-    let range = percentiles.range(frame) + RANGE_EPSILON * percentiles.up + 1e-4;
+fn weight_of_history(tuning: &Tuning, percentiles: &Percentiles, l: f32) -> f32 {
+    let range = percentiles.range(tuning) + RANGE_EPSILON * percentiles.up + 1e-4;
     let too_bright = lin(percentiles.up, percentiles.up + range, l);
     let too_dark = 1.0 - lin(percentiles.low - range, percentiles.low, l);
-    (1.0 - frame.adaptivity * too_bright) * (1.0 - frame.adaptivity * too_dark)
+    (1.0 - tuning.adaptivity * too_bright) * (1.0 - tuning.adaptivity * too_dark)
 }
 
 /// The test in both directions, on `block_difference` of every signal. Values as those of [`percentile_rule`]; `extent` is the allocated one.
-pub fn change_test(frame: &FrameConstants, extent: [u32; 2], block_difference: &[&Image<[u16; 4]>]) -> Image<f32> {
+pub fn change_test(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2], block_difference: &[&Image<[u16; 4]>]) -> Image<f32> {
     let blocks = Blocks::new(frame.render_extent);
     let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
-        block_difference.iter().map(|differences| change_of(frame, blocks, differences, block)).fold(0.0, f32::max)
+        block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block)).fold(0.0, f32::max)
     });
     Image::compute(extent, frame.render_extent, |p| {
         let change: f32 = blocks.around(p).iter().map(|&(block, weight)| weight * changes.at(block)).sum();
-        1.0 - frame.adaptivity * change
+        1.0 - tuning.adaptivity * change
     })
 }
 
 /// 0 to 1: the mean difference over 3×3 blocks, in standard errors, against the threshold.
-fn change_of(frame: &FrameConstants, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> f32 {
+fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> f32 {
     let (mut sum, mut variance, mut brighter) = (0.0, 0.0, 0.0);
     for (_, q) in blocks.rect().window(block, 1, 1) {
         let difference = unpack_difference(differences.at(q));
@@ -83,5 +83,5 @@ fn change_of(frame: &FrameConstants, blocks: Blocks, differences: &Image<[u16; 4
     }
     let least = CHANGE_EPSILON * brighter;
     let errors = sum.abs() / (variance + least * least).sqrt().max(1e-6);
-    lin(frame.change_threshold, 2.0 * frame.change_threshold, errors)
+    lin(tuning.change_threshold, 2.0 * tuning.change_threshold, errors)
 }

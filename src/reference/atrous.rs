@@ -4,7 +4,7 @@ use super::binary16::store;
 use super::geometry_weights::Geometry;
 use super::luminance::texel_luminance;
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -33,18 +33,24 @@ pub struct AtrousInputs<'a> {
 }
 
 /// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the input.
-pub fn atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, &Geometry::new(frame, inputs.guide, inputs.depth_gradient), SPLINE, level, inputs.irradiance)
+pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), SPLINE, level, inputs.irradiance)
 }
 
 /// The same with a 3×3 box for the kernel \[ASVGF\].
-pub fn box_atrous(frame: &FrameConstants, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, &Geometry::new(frame, inputs.guide, inputs.depth_gradient), BOX, level, inputs.irradiance)
+pub fn box_atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), BOX, level, inputs.irradiance)
 }
 
 /// The same for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background \[PSVGF\].
-pub fn volume_atrous(frame: &FrameConstants, level: u32, guide: &Image<[u16; 4]>, radiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-    let mut filtered = filter(frame, &Geometry::of_volume(frame, guide), SPLINE, level, &[radiance]);
+pub fn volume_atrous(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    level: u32,
+    guide: &Image<[u16; 4]>,
+    radiance: &Image<[f32; 4]>,
+) -> Image<[f32; 4]> {
+    let mut filtered = filter(frame, &Geometry::of_volume(frame, tuning, guide), SPLINE, level, &[radiance]);
     filtered.pop().unwrap_or_else(|| radiance.clone())
 }
 

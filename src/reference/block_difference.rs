@@ -6,7 +6,7 @@ use super::luminance::texel_luminance;
 use super::moments::unpack_moments;
 use super::nearest_history::HistoryGuides;
 use super::{Image, SignalHistory};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 
 /// What a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,11 +45,11 @@ pub struct BlockDifferenceInputs<'a> {
 }
 
 /// One texel a block; see [`unpack_difference`].
-pub fn block_difference(frame: &FrameConstants, inputs: &BlockDifferenceInputs) -> Image<[u16; 4]> {
+pub fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockDifferenceInputs) -> Image<[u16; 4]> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.guides.guide), blocks.extent(), |block| {
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
-            let tap = inputs.guides.nearest(frame, p)?;
+            let tap = inputs.guides.nearest(frame, tuning, p)?;
             let before = (texel_luminance(inputs.history.irradiance.at(tap)) * frame.exposure_ratio).min(LARGEST_HALF);
             let history_length = unpack_moments(inputs.history.moments.at(tap)).history_length.max(1.0);
             Some((texel_luminance(inputs.irradiance.at(p)), before, 1.0 / history_length))

@@ -5,7 +5,7 @@ use super::blocks::{allocated_blocks, Blocks};
 use super::guide::unpack_guide;
 use super::luminance::texel_luminance;
 use super::Image;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::IVec2;
 
 /// What a block holds, of the luminance of the irradiance of its surface pixels; 0, 0 without any.
@@ -19,8 +19,8 @@ pub struct Percentiles {
 
 impl Percentiles {
     /// By how much a luminance may leave the percentiles and still be usual: IPR.
-    pub(crate) fn range(&self, frame: &FrameConstants) -> f32 {
-        (self.up - self.low) * frame.percentile_range
+    pub(crate) fn range(&self, tuning: &Tuning) -> f32 {
+        (self.up - self.low) * tuning.percentile_range
     }
 }
 
@@ -44,7 +44,7 @@ pub struct BlockPercentilesInputs<'a> {
 }
 
 /// One texel a block; see [`unpack_percentiles`].
-pub fn block_percentiles(frame: &FrameConstants, inputs: &BlockPercentilesInputs) -> Image<u32> {
+pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockPercentilesInputs) -> Image<u32> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.irradiance), blocks.extent(), |block| {
         let takes_part = |p: &IVec2| !inputs.guide.is_some_and(|guide| unpack_guide(guide.at(*p)).is_background());
@@ -55,7 +55,8 @@ pub fn block_percentiles(frame: &FrameConstants, inputs: &BlockPercentilesInputs
             0 => 0.0,
             n => luminances[((share * (n - 1) as f32 + 0.5) as usize).min(n - 1)],
         };
-        pack_percentiles(&Percentiles { low: at(frame.percentile_low), up: at(frame.percentile_up) })
+        let low = tuning.percentile_low.min(tuning.percentile_up);
+        pack_percentiles(&Percentiles { low: at(low), up: at(tuning.percentile_up) })
     })
 }
 
@@ -72,8 +73,8 @@ mod tests {
         // The right block has 3 columns: luminances 8 to 10, of which one pixel is background.
         let irradiance = paint(extent, |x, y| if x == 9 && y == 0 { [1000.0; 4] } else { [x as f32; 4] });
         let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
-        let frame = FrameConstants { percentile_low: 0.0, percentile_up: 1.0, ..frame(extent) };
-        let blocks = block_percentiles(&frame, &inputs);
+        let tuning = Tuning { percentile_low: 0.0, percentile_up: 1.0, ..Tuning::default() };
+        let blocks = block_percentiles(&frame(extent), &tuning, &inputs);
         assert_eq!(blocks.extent(), [2, 1]);
         let of = |x| unpack_percentiles(*blocks.get(x, 0).expect("inside"));
         assert_eq!((of(0).low, of(0).up.round()), (0.0, 7.0));
@@ -85,8 +86,8 @@ mod tests {
         let extent = [8, 8];
         let guides = guides(extent, |_, _| super::super::Surface::default());
         let irradiance = noise(extent, 1);
-        let blocks =
-            block_percentiles(&frame(extent), &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance });
+        let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
+        let blocks = block_percentiles(&frame(extent), &Tuning::default(), &inputs);
         assert_eq!(unpack_percentiles(blocks.texels()[0]), Percentiles::default());
     }
 }

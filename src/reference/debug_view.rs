@@ -10,7 +10,7 @@ use super::luminance::texel_luminance;
 use super::moments::unpack_moments;
 use super::surface_motion::unpack_surface_motion;
 use super::{Image, Moments, Statistics, LARGEST_HALF};
-use crate::{DebugView, FrameConstants};
+use crate::{DebugView, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
 /// History lengths from here on look alike, frames.
@@ -54,6 +54,8 @@ pub struct DebugViewInputs<'a> {
     pub history_confidence: Option<&'a Image<f32>>,
     /// x: δ, y: Δ, one texel a stratum.
     pub gradient: Option<&'a Image<[f32; 4]>>,
+    /// Pixels a side of a stratum.
+    pub stratum_size: u32,
     /// `block_percentiles*` of every signal, one texel a block.
     pub block_percentiles: &'a [&'a Image<u32>],
     /// Noisy radiance of every signal.
@@ -63,7 +65,7 @@ pub struct DebugViewInputs<'a> {
 }
 
 /// rgb: display-referred, linear 0 to 1; alpha: the number behind the colour. Half precision.
-pub fn debug_view(frame: &FrameConstants, inputs: &DebugViewInputs, view: DebugView) -> Image<[f32; 4]> {
+pub fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &DebugViewInputs, view: DebugView) -> Image<[f32; 4]> {
     let extent = inputs.guide.extent();
     let image = Image::compute(extent, frame.render_extent, |p| {
         let (rgb, value) = if !inputs.has(view) {
@@ -73,7 +75,7 @@ pub fn debug_view(frame: &FrameConstants, inputs: &DebugViewInputs, view: DebugV
         } else if unpack_guide(inputs.guide.at(p)).is_background() {
             ([0.0; 3], 0.0)
         } else {
-            inputs.shown(frame, view, p)
+            inputs.shown(frame, tuning, view, p)
         };
         let [r, g, b] = rgb.map(|c| c.clamp(0.0, 1.0));
         [r, g, b, value.clamp(-LARGEST_HALF, LARGEST_HALF)]
@@ -93,7 +95,7 @@ impl DebugViewInputs<'_> {
         }
     }
 
-    fn shown(&self, frame: &FrameConstants, view: DebugView, p: IVec2) -> ([f32; 3], f32) {
+    fn shown(&self, frame: &FrameConstants, tuning: &Tuning, view: DebugView, p: IVec2) -> ([f32; 3], f32) {
         let coloured = |t: f32, value: f32| (false_colour(t), value);
         let surface = unpack_guide(self.guide.at(p));
         let change = self.history_confidence.map_or(0.0, |c| 1.0 - c.at(p));
@@ -111,10 +113,10 @@ impl DebugViewInputs<'_> {
                 let (mean, deviation) = (each().map(|m| m.mean).sum(), root_of_squares(each().map(|m| m.deviation)));
                 ([compressed(mean), compressed(deviation), 0.0], mean)
             }
-            DebugView::Gradient => self.gradient_at(frame, p),
+            DebugView::Gradient => self.gradient_at(p),
             DebugView::Lambda => coloured(change, change),
             DebugView::Alpha => {
-                let alpha = (frame.alpha + change * (1.0 - frame.alpha)).max(1.0 / self.moments_at(0, p).history_length);
+                let alpha = (tuning.alpha + change * (1.0 - tuning.alpha)).max(1.0 / self.moments_at(0, p).history_length);
                 coloured(alpha, alpha)
             }
             DebugView::Percentiles => {
@@ -123,7 +125,7 @@ impl DebugViewInputs<'_> {
                 (([at(0).low, at(0).up, at(1).up]).map(compressed), at(0).up)
             }
             DebugView::Fireflies => {
-                let share = (0..self.block_percentiles.len()).map(|i| self.excess(frame, i, p)).fold(0.0, f32::max);
+                let share = (0..self.block_percentiles.len()).map(|i| self.excess(frame, tuning, i, p)).fold(0.0, f32::max);
                 coloured(share, share)
             }
             DebugView::Disocclusion => {
@@ -144,21 +146,21 @@ impl DebugViewInputs<'_> {
         unpack_moments(self.moments[signal].at(p))
     }
 
-    fn gradient_at(&self, frame: &FrameConstants, p: IVec2) -> ([f32; 3], f32) {
-        let [change, brightest, ..] = self.gradient.map_or([0.0; 4], |g| g.at(p / frame.stratum_size as i32));
+    fn gradient_at(&self, p: IVec2) -> ([f32; 3], f32) {
+        let [change, brightest, ..] = self.gradient.map_or([0.0; 4], |g| g.at(p / self.stratum_size as i32));
         let t = if brightest > 0.0 { (change / brightest).clamp(-1.0, 1.0) } else { 0.0 };
         ([t.max(0.0), 0.15 * t.abs(), (-t).max(0.0)], change)
     }
 
     /// The share of a signal's luminance that is above the firefly filter's limit.
-    fn excess(&self, frame: &FrameConstants, signal: usize, p: IVec2) -> f32 {
+    fn excess(&self, frame: &FrameConstants, tuning: &Tuning, signal: usize, p: IVec2) -> f32 {
         let texel = self.noisy[signal].at(p);
         if texel[..3].iter().any(|c| !c.is_finite()) {
             return 0.0;
         }
         let (divisor, _) = divisor(self.albedo.map(|a| a.at(p)));
         let l = texel_luminance([0, 1, 2, 3].map(|i| (texel[i] / divisor.get(i).unwrap_or(&1.0)).clamp(0.0, LARGEST_HALF)));
-        let limit = limit_around(frame, self.block_percentiles[signal], p);
+        let limit = limit_around(frame, tuning, self.block_percentiles[signal], p);
         if limit > 0.0 && l > limit {
             1.0 - limit / l
         } else {
@@ -227,11 +229,12 @@ mod tests {
             irradiance_history: &[],
             history_confidence: None,
             gradient: None,
+            stratum_size: 3,
             block_percentiles: &[],
             noisy: &[],
             albedo: None,
         };
-        debug_view(&FrameConstants { alpha: 0.2, ..frame(EXTENT) }, &inputs, view)
+        debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..Tuning::default() }, &inputs, view)
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::binary16::store;
 use super::guide::unpack_guide;
 use super::statistics::{count, Counter, Statistics};
 use super::{Image, HOLE};
-use crate::{Flags, FrameConstants};
+use crate::FrameConstants;
 
 #[cfg(test)]
 mod tests;
@@ -21,6 +21,8 @@ pub struct DemodulateInputs<'a> {
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// rgb: albedo at the primary hit.
     pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// Whether the input is sub-sampled: what is not finite is a pixel without a sample then, and no bad value.
+    pub has_holes: bool,
 }
 
 /// Outputs of [`demodulate`].
@@ -48,7 +50,6 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Albedo as usize] = count(divisors.texels().iter().map(|d| d.1));
-    let has_holes = frame.flags >> Flags::PAINTING_SHIFT & 3 != 0;
     let mut irradiance = Vec::with_capacity(inputs.noisy.len());
     for noisy in inputs.noisy {
         let texels = Image::compute(extent, frame.render_extent, |p| {
@@ -56,7 +57,7 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
             if [r, g, b].iter().all(|c| c.is_finite()) {
                 ([store(r / dr), store(g / dg), store(b / db), 0.0], false)
             } else {
-                ([0.0, 0.0, 0.0, if has_holes { HOLE } else { 0.0 }], !has_holes)
+                ([0.0, 0.0, 0.0, if inputs.has_holes { HOLE } else { 0.0 }], !inputs.has_holes)
             }
         });
         statistics[Counter::Radiance as usize] += count(texels.texels().iter().map(|t| t.1));

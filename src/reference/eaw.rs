@@ -4,7 +4,8 @@ use super::binary16::store;
 use super::conventions::forward;
 use super::guide::{unpack_guide, Surface};
 use super::{render_rect::RenderRect, Image};
-use crate::{Flags, FrameConstants};
+use crate::config::EawWeights;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -29,18 +30,31 @@ pub struct EawInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// For every signal rgb: irradiance, alpha: [`HOLE`] where there is none.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
+    /// Which edge functions are on.
+    pub weights: EawWeights,
+    /// Levels that paint in holes; 0 where the input has none.
+    pub painting_levels: u32,
 }
 
 /// Filters every signal with taps `2^level` pixels apart. Texels of the result are as those of the input; holes become fewer.
-pub fn eaw(frame: &FrameConstants, level: u32, inputs: &EawInputs) -> Vec<Image<[f32; 4]>> {
+pub fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &EawInputs) -> Vec<Image<[f32; 4]>> {
     let extent = inputs.guide.extent();
     let points = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
         (surface, view_position(frame, p, surface.linear_depth))
     });
+    let edges = Edges { tuning, weights: inputs.weights, painting_levels: inputs.painting_levels, level };
     let filter =
-        |image: &&Image<[f32; 4]>| Image::compute(extent, frame.render_extent, |p| filtered(frame, level, &points, image, p));
+        |image: &&Image<[f32; 4]>| Image::compute(extent, frame.render_extent, |p| filtered(frame, &edges, &points, image, p));
     inputs.irradiance.iter().map(filter).collect()
+}
+
+/// What the edge functions of a level depend on.
+struct Edges<'a> {
+    tuning: &'a Tuning,
+    weights: EawWeights,
+    painting_levels: u32,
+    level: u32,
 }
 
 /// 1/σ of each edge function, 0 where it is off.
@@ -51,27 +65,29 @@ struct Sharpness {
 }
 
 impl Sharpness {
-    fn new(frame: &FrameConstants, level: u32, linear_depth: f32) -> Self {
+    fn new(edges: &Edges, linear_depth: f32) -> Self {
+        let Edges { tuning, weights, painting_levels, level } = *edges;
         let step = (1_u64 << level) as f32;
-        let on = |flag: u32, sharpness: f32| if frame.flags & flag == 0 { 0.0 } else { sharpness };
-        let holes_left = level < frame.flags >> Flags::PAINTING_SHIFT & 3;
+        let on = |on: bool, sharpness: f32| if on { sharpness } else { 0.0 };
+        // While holes are left, radiance says nothing.
+        let by_radiance = weights.radiance && level >= painting_levels;
         Self {
-            radiance: if holes_left { 0.0 } else { on(Flags::EAW_RADIANCE, step / frame.sigma_rt) },
-            normal: on(Flags::EAW_NORMAL, 1.0 / (step * frame.sigma_rt_n)),
-            position: on(Flags::EAW_POSITION, 1.0 / (frame.sigma_rt_x * linear_depth.max(1e-15))),
+            radiance: on(by_radiance, step / tuning.sigma_rt),
+            normal: on(weights.normal, 1.0 / (step * tuning.sigma_rt_n)),
+            position: on(weights.position, 1.0 / (tuning.sigma_rt_x * linear_depth.max(1e-15))),
         }
     }
 }
 
-fn filtered(frame: &FrameConstants, level: u32, points: &Image<(Surface, Vec3)>, image: &Image<[f32; 4]>, p: IVec2) -> [f32; 4] {
+fn filtered(frame: &FrameConstants, edges: &Edges, points: &Image<(Surface, Vec3)>, image: &Image<[f32; 4]>, p: IVec2) -> [f32; 4] {
     let (centre, (surface, position)) = (image.at(p), points.at(p));
     let (is_hole, is_background) = (centre[3] < 0.0, surface.is_background());
     if is_background && !is_hole {
         return centre;
     }
-    let sharpness = Sharpness::new(frame, level, surface.linear_depth);
+    let sharpness = Sharpness::new(edges, surface.linear_depth);
     let (mut sum, mut plain) = ([0.0; 4], [0.0; 4]);
-    for (offset, q) in RenderRect::new(frame.render_extent).window(p, 2, 1 << level) {
+    for (offset, q) in RenderRect::new(frame.render_extent).window(p, 2, 1 << edges.level) {
         let (texel, (tap, tap_position)) = (image.at(q), points.at(q));
         if texel[3] < 0.0 || tap.is_background() != is_background {
             continue;

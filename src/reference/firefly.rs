@@ -6,7 +6,7 @@ use super::blocks::{block_of, Blocks};
 use super::guide::unpack_guide;
 use super::luminance::texel_luminance;
 use super::Image;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::IVec2;
 
 /// Inputs of [`firefly`].
@@ -21,13 +21,13 @@ pub struct FireflyInputs<'a> {
 }
 
 /// rgb: irradiance without outliers, half precision; alpha as it came.
-pub fn firefly(frame: &FrameConstants, inputs: &FireflyInputs) -> Image<[f32; 4]> {
+pub fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyInputs) -> Image<[f32; 4]> {
     Image::compute(inputs.irradiance.extent(), frame.render_extent, |p| {
         let texel = inputs.irradiance.at(p);
         if inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background()) {
             return texel;
         }
-        let limit = limit_around(frame, inputs.block_percentiles, p);
+        let limit = limit_around(frame, tuning, inputs.block_percentiles, p);
         let l = texel_luminance(texel);
         if limit == 0.0 || l <= limit {
             return texel;
@@ -38,11 +38,11 @@ pub fn firefly(frame: &FrameConstants, inputs: &FireflyInputs) -> Image<[f32; 4]
 }
 
 /// The largest limit of the 3×3 blocks around a pixel; 0: next to all samples are black, which does not say what is bright.
-pub(crate) fn limit_around(frame: &FrameConstants, block_percentiles: &Image<u32>, p: IVec2) -> f32 {
+pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percentiles: &Image<u32>, p: IVec2) -> f32 {
     let limit_of = |block| {
         let percentiles = unpack_percentiles(block_percentiles.at(block));
         if percentiles.up > 0.0 {
-            frame.firefly_bias + percentiles.up + percentiles.range(frame)
+            tuning.firefly_bias + percentiles.up + percentiles.range(tuning)
         } else {
             0.0
         }
@@ -59,9 +59,9 @@ mod tests {
     const EXTENT: [u32; 2] = [45, 30];
 
     fn filtered(irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-        let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
-        let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
-        firefly(&frame, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
+        let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
+        let percentiles = block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
+        firefly(&frame, &tuning, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
     }
 
     fn mean(image: &Image<[f32; 4]>) -> f64 {

@@ -9,7 +9,7 @@ use super::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
 use super::surface_motion::unpack_depth_gradient;
 use super::Image;
 use crate::config::MotionUnit;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec4};
 
 #[cfg(test)]
@@ -18,15 +18,13 @@ mod tests;
 /// Candidates and keys are drawn apart: what is picked in one frame must not rank it in the next.
 const CANDIDATE_SALT: u32 = 0x9e37_79b9;
 
-/// Inputs of [`forward_project`]; guides have the allocated extent, candidates one texel a stratum of it.
+/// Inputs of both passes; guides have the allocated extent, candidates one texel a stratum of it.
 #[derive(Clone, Copy, Debug)]
 pub struct ForwardProjectInputs<'a> {
     /// As written by `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// As written by `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// The host's ids, for the candidates of the next frame.
-    pub surface_id: Option<&'a Image<u32>>,
     /// Guide and candidates of the previous frame. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousCandidates<'a>>,
     /// As for `import`: indexed by surface id, previous from current.
@@ -34,6 +32,8 @@ pub struct ForwardProjectInputs<'a> {
     /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this frame, 0 or less
     /// where the matrices shall do.
     pub forward_motion: Option<&'a Image<[f32; 4]>>,
+    /// Pixels a side of a stratum.
+    pub stratum_size: u32,
 }
 
 /// What the previous frame left.
@@ -41,55 +41,83 @@ pub struct ForwardProjectInputs<'a> {
 pub struct PreviousCandidates<'a> {
     /// The guide of the previous frame.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by this stage.
+    /// As written by [`forward_project_resolve`].
     pub candidates: &'a Image<[u16; 4]>,
 }
 
-/// Outputs of [`forward_project`], one texel a stratum of the allocated extent.
+/// Outputs of [`forward_project_resolve`], one texel a stratum of the allocated extent.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ForwardProjectOutputs {
     /// See [`super::unpack_gradient_sample`].
     pub gradient_samples: Image<[u16; 4]>,
     /// x, y: the pixel that the next frame carries forward, 65535 for none; z, w: its surface id.
     pub gradient_candidates: Image<[u16; 4]>,
-    /// Forward motions that are not finite.
-    pub statistics: Statistics,
 }
 
-/// Projects the candidates of the previous frame, and picks those of the next.
-pub fn forward_project(frame: &FrameConstants, inputs: &ForwardProjectInputs) -> ForwardProjectOutputs {
-    let extent = inputs.guide.extent().map(|side| side.div_ceil(frame.stratum_size));
-    let strata = Strata::new(frame);
+/// Projects the candidates of the previous frame. Each claims the stratum that it lands in: the largest key stays, 0 is nobody's. Counts the
+/// forward motions that are not finite.
+pub fn forward_project_claim(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &ForwardProjectInputs,
+    claims: &mut Image<u32>,
+) -> Statistics {
     let mut statistics = Statistics::default();
-    let mut claims: Image<(u32, Option<GradientSample>)> = Image::new(extent, (0, None));
-    if let Some(previous) = inputs.previous.filter(|_| !is_reset(frame)) {
-        let projection = Projection { frame, inputs, previous };
-        let count = Strata::of_previous(frame).count();
-        for index in 0..count.x * count.y {
-            let Some(sample) = projection.sample(UVec2::new(index % count.x, index / count.x), &mut statistics) else { continue };
-            let [x, y] = sample.pixel.map(|v| (v / strata.size) as i32);
-            let key = key_of(frame, index, count.x * count.y);
-            if let Some(claim) = claims.get_mut(x, y).filter(|claim| key > claim.0) {
-                *claim = (key, Some(sample));
+    let Some(previous) = inputs.previous.filter(|_| !is_reset(frame)) else { return statistics };
+    let projection = Projection { frame, tuning, inputs, previous };
+    let count = Strata::of_previous(frame, inputs.stratum_size).count().element_product();
+    for index in 0..count {
+        match projection.sample(index) {
+            Ok(sample) => {
+                let [x, y] = sample.pixel.map(|v| (v / inputs.stratum_size) as i32);
+                if let Some(claim) = claims.get_mut(x, y) {
+                    *claim = key_of(frame, index, count).max(*claim);
+                }
             }
+            Err(Lost::BadMotion) => statistics[Counter::ForwardMotion as usize] += 1,
+            Err(Lost::Gone) => {}
         }
     }
-    let texels = Image::compute(extent, strata.count().into(), |s| {
-        let sample = claims.at(s).1;
-        (pack_gradient_sample(strata.size, sample), next_candidate(frame, inputs.surface_id, s, sample))
+    statistics
+}
+
+/// Writes down the sample whose key stayed in each stratum, and picks the candidates of the next frame; `surface_id` are the host's ids.
+pub fn forward_project_resolve(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &ForwardProjectInputs,
+    claims: &Image<u32>,
+    surface_id: Option<&Image<u32>>,
+) -> ForwardProjectOutputs {
+    let strata = Strata::new(frame, inputs.stratum_size);
+    let projection = inputs.previous.map(|previous| Projection { frame, tuning, inputs, previous });
+    let mask = key_mask(Strata::of_previous(frame, inputs.stratum_size).count().element_product());
+    let texels = Image::compute(claims.extent(), strata.count().into(), |s| {
+        let index = (claims.at(s) & mask).checked_sub(1);
+        let sample = index.and_then(|index| projection.as_ref()?.sample(index).ok());
+        (pack_gradient_sample(strata.size, sample), next_candidate(frame, strata, surface_id, s, sample))
     });
-    ForwardProjectOutputs { gradient_samples: texels.map(|t| t.0), gradient_candidates: texels.map(|t| t.1), statistics }
+    ForwardProjectOutputs { gradient_samples: texels.map(|t| t.0), gradient_candidates: texels.map(|t| t.1) }
+}
+
+/// The bits of a key that hold the number of a stratum.
+fn key_mask(count: u32) -> u32 {
+    (2 << count.max(1).ilog2()) - 1
 }
 
 /// By which the samples of a stratum are ranked: a hash above, the number of the stratum in the previous frame plus 1 below.
 fn key_of(frame: &FrameConstants, index: u32, count: u32) -> u32 {
-    let mask = (2 << count.ilog2()) - 1;
-    (pcg(index.wrapping_add(pcg(frame.frame_index))) & !mask) | (index + 1)
+    (pcg(index.wrapping_add(pcg(frame.frame_index))) & !key_mask(count)) | (index + 1)
 }
 
 /// Any pixel of the stratum but the one that is a gradient sample in this frame.
-fn next_candidate(frame: &FrameConstants, ids: Option<&Image<u32>>, s: IVec2, sample: Option<GradientSample>) -> [u16; 4] {
-    let strata = Strata::new(frame);
+fn next_candidate(
+    frame: &FrameConstants,
+    strata: Strata,
+    ids: Option<&Image<u32>>,
+    s: IVec2,
+    sample: Option<GradientSample>,
+) -> [u16; 4] {
     let others: Vec<IVec2> =
         strata.pixels(s).map(|(_, p)| p).filter(|p| sample.is_none_or(|taken| p.as_uvec2() != UVec2::from(taken.pixel))).collect();
     if others.is_empty() {
@@ -102,42 +130,51 @@ fn next_candidate(frame: &FrameConstants, ids: Option<&Image<u32>>, s: IVec2, sa
     [pixel.x as u16, pixel.y as u16, id as u16, (id >> 16) as u16]
 }
 
+/// Why a candidate is no sample.
+enum Lost {
+    /// It is not visible in this frame, or there was none.
+    Gone,
+    /// The host's forward motion is not finite.
+    BadMotion,
+}
+
 struct Projection<'a> {
     frame: &'a FrameConstants,
+    tuning: &'a Tuning,
     inputs: &'a ForwardProjectInputs<'a>,
     previous: PreviousCandidates<'a>,
 }
 
 impl Projection<'_> {
     /// The candidate of a stratum of the previous frame in this one, where it is visible.
-    fn sample(&self, stratum: UVec2, statistics: &mut Statistics) -> Option<GradientSample> {
+    fn sample(&self, index: u32) -> Result<GradientSample, Lost> {
+        let width = Strata::of_previous(self.frame, self.inputs.stratum_size).count().x;
+        let stratum = UVec2::new(index % width, index / width);
         let [x, y, id_low, id_high] = self.previous.candidates.at(stratum.as_ivec2());
         if x == NO_PIXEL {
-            return None;
+            return Err(Lost::Gone);
         }
         let previous_pixel = IVec2::new(x.into(), y.into());
         let surface = unpack_guide(self.previous.guide.at(previous_pixel));
         if surface.is_background() {
-            return None;
+            return Err(Lost::Gone);
         }
         let position = match self.host_position(previous_pixel) {
             Host::Position(position) => position,
-            Host::Bad => {
-                statistics[Counter::ForwardMotion as usize] += 1;
-                return None;
-            }
+            Host::Bad => return Err(Lost::BadMotion),
             Host::Nothing => {
                 let id = u32::from(id_low) | u32::from(id_high) << 16;
                 let world = previous_world_position(self.frame, previous_pixel, surface.linear_depth);
-                project(self.frame, self.carried(world, id)?)
+                project(self.frame, self.carried(world, id).ok_or(Lost::Gone)?)
             }
         };
-        let pixel = covering_pixel(self.frame, &position)?;
+        let pixel = covering_pixel(self.frame, &position).ok_or(Lost::Gone)?;
         let now = unpack_guide(self.inputs.guide.at(pixel));
         let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(pixel));
         let is_same = !now.is_background() && now.id == surface.id;
-        (is_same && is_visible(self.frame, &position, now.linear_depth, gradient))
+        (is_same && is_visible(self.tuning, &position, now.linear_depth, gradient))
             .then(|| GradientSample { pixel: pixel.as_uvec2().into(), previous_pixel: previous_pixel.as_uvec2().into() })
+            .ok_or(Lost::Gone)
     }
 
     /// The world position in this frame. An instance beyond the end, or with an entry that is not finite, did not move; `None` where its

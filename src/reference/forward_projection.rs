@@ -2,7 +2,7 @@
 //! device may choose, nor on the order of a sum.
 
 use super::reprojection::InstanceTransform;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec3, Vec4, Vec4Swizzles};
 
 /// A transform with a smaller determinant has no inverse.
@@ -74,10 +74,10 @@ pub(crate) fn covering_pixel(frame: &FrameConstants, position: &ForwardPosition)
 }
 
 /// Whether a surface of this frame at `linear_depth` is the one at the position.
-pub(crate) fn is_visible(frame: &FrameConstants, position: &ForwardPosition, linear_depth: f32, depth_gradient: [f32; 2]) -> bool {
+pub(crate) fn is_visible(tuning: &Tuning, position: &ForwardPosition, linear_depth: f32, depth_gradient: [f32; 2]) -> bool {
     let difference = linear_depth * position.depth_denominator - position.depth;
     let slope = depth_gradient[0].abs() + depth_gradient[1].abs();
-    let tolerance = frame.depth_tolerance * linear_depth + slope;
+    let tolerance = tuning.depth_tolerance * linear_depth + slope;
     difference.abs() <= tolerance * position.depth_denominator
 }
 

@@ -4,7 +4,7 @@ use super::guide::{unpack_guide, Surface};
 use super::surface_motion::unpack_depth_gradient;
 use super::volume::{relative_difference, volume_depth};
 use super::Image;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
 /// Tolerated relative departure from the local plane, by which a plane that faces the camera has a tolerance as well.
@@ -34,23 +34,23 @@ enum Edges {
 }
 
 impl Geometry {
-    pub fn new(frame: &FrameConstants, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
+    pub fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
-            edges: Edges::Surface { sigma_z: frame.sigma_z, sigma_n: frame.sigma_n, edge_falloff: frame.edge_falloff },
-            sigma_l: frame.sigma_l,
+            edges: Edges::Surface { sigma_z: tuning.sigma_z, sigma_n: tuning.sigma_n, edge_falloff: tuning.edge_falloff },
+            sigma_l: tuning.sigma_l,
         }
     }
 
     /// For a volume before the surfaces of the guide.
-    pub fn of_volume(frame: &FrameConstants, guide: &Image<[u16; 4]>) -> Self {
+    pub fn of_volume(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>) -> Self {
         let seen = |p| Surface { linear_depth: volume_depth(guide.at(p)), ..Surface::default() };
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, seen),
             gradients: Image::new([0; 2], Vec2::ZERO),
-            edges: Edges::Volume { sigma_z: frame.volume_sigma_z },
-            sigma_l: frame.volume_sigma_l,
+            edges: Edges::Volume { sigma_z: tuning.volume_sigma_z },
+            sigma_l: tuning.sigma_l,
         }
     }
 
@@ -81,7 +81,7 @@ impl Geometry {
     }
 }
 
-/// The same for two surfaces that lie `offset` pixels apart. With `edge_falloff` the influence of both falls with the depth of the centre \[PSVGF\].
+/// `w_z·w_n` of two surfaces that lie `offset` pixels apart. With `edge_falloff` the influence of both falls with the depth of the centre \[PSVGF\].
 pub(crate) fn depth_and_normal_weight(
     [sigma_z, sigma_n]: [f32; 2],
     edge_falloff: f32,

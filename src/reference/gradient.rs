@@ -9,7 +9,7 @@ use super::projection::extent_ratio;
 use super::strata::{unpack_gradient_sample, Strata};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec2};
 
 #[cfg(test)]
@@ -65,17 +65,17 @@ pub struct GradientOutputs {
 }
 
 /// Takes the differences.
-pub fn gradient(frame: &FrameConstants, inputs: &GradientInputs) -> GradientOutputs {
+pub fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u32, inputs: &GradientInputs) -> GradientOutputs {
     let extent = inputs.guide.extent();
-    let strata = Strata::new(frame);
+    let strata = Strata::new(frame, stratum_size);
     let luminances = Image::compute(extent, frame.render_extent, |p| {
         let is_background = unpack_guide(inputs.guide.at(p)).is_background();
         let l = inputs.noisy.iter().map(|noisy| radiance_luminance(noisy.at(p))).sum::<f32>().min(LARGEST_HALF);
         let (a, _) = divisor(inputs.albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
         (l, luminance(a.map(|a| a.min(LARGEST_HALF))))
     });
-    let changes = Changes { frame, inputs, luminances: &luminances };
-    let stratum_extent = extent.map(|side| side.div_ceil(frame.stratum_size));
+    let changes = Changes { frame, tuning, stratum_size, inputs, luminances: &luminances };
+    let stratum_extent = extent.map(|side| side.div_ceil(stratum_size));
     let texels = Image::compute(stratum_extent, strata.count().into(), |s| changes.stratum(strata, s));
     GradientOutputs {
         gradient: texels.map(|t| t.0),
@@ -95,6 +95,8 @@ fn radiance_luminance([r, g, b, _]: [f32; 4]) -> f32 {
 
 struct Changes<'a> {
     frame: &'a FrameConstants,
+    tuning: &'a Tuning,
+    stratum_size: u32,
     inputs: &'a GradientInputs<'a>,
     luminances: &'a Image<(f32, f32)>,
 }
@@ -130,7 +132,7 @@ impl Changes<'_> {
         if is_reset(self.frame) || !is_reshaded(self.frame) {
             return None;
         }
-        let sample = unpack_gradient_sample(self.frame.stratum_size, s.as_uvec2().into(), gradient_samples.at(s))?;
+        let sample = unpack_gradient_sample(self.stratum_size, s.as_uvec2().into(), gradient_samples.at(s))?;
         let pixel = |p: [u32; 2]| UVec2::from(p).as_ivec2();
         Some((pixel(sample.pixel), pixel(sample.previous_pixel)))
     }
@@ -162,7 +164,7 @@ impl Changes<'_> {
         let (now, before) = (unpack_guide(self.inputs.guide.at(p)), unpack_guide(previous_guide?.at(j)));
         let expected = now.linear_depth * (1.0 + motion.depth_ratio);
         let slope: f32 = unpack_depth_gradient(depth_gradient.at(p)).iter().map(|g| g.abs()).sum();
-        let tolerance = self.frame.depth_tolerance * expected + slope;
+        let tolerance = self.tuning.depth_tolerance * expected + slope;
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
         let is_usable = is_same && radiance[..3].iter().all(|c| c.is_finite());

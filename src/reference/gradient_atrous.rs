@@ -7,7 +7,7 @@ use super::guide::unpack_guide;
 use super::strata::Strata;
 use super::surface_motion::unpack_depth_gradient;
 use super::Image;
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
 #[cfg(test)]
@@ -28,8 +28,14 @@ pub struct GradientAtrousInputs<'a> {
 }
 
 /// Filters δ, Δ and mean with taps `2^level` strata apart, and the deviation of the mean along with them.
-pub fn gradient_atrous(frame: &FrameConstants, level: u32, inputs: &GradientAtrousInputs) -> Image<[f32; 4]> {
-    let strata = Strata::new(frame);
+pub fn gradient_atrous(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    stratum_size: u32,
+    level: u32,
+    inputs: &GradientAtrousInputs,
+) -> Image<[f32; 4]> {
+    let strata = Strata::new(frame, stratum_size);
     Image::compute(inputs.gradient.extent(), strata.count().into(), |s| {
         let centre = inputs.gradient.at(s);
         let surface = unpack_guide(inputs.gradient_guide.at(s));
@@ -38,7 +44,7 @@ pub fn gradient_atrous(frame: &FrameConstants, level: u32, inputs: &GradientAtro
         }
         let p = pixel_of(strata, inputs.gradient_guide, s);
         let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));
-        let tolerance = frame.sigma_l * centre[3] + LUMINANCE_EPSILON;
+        let tolerance = tuning.sigma_l * centre[3] + LUMINANCE_EPSILON;
         let (mut sum, mut variance, mut weights) = ([0.0; 3], 0.0, 0.0);
         for i in 0..9 {
             let t = s + IVec2::new(i % 3 - 1, i / 3 - 1) * (1 << level);
@@ -55,7 +61,7 @@ pub fn gradient_atrous(frame: &FrameConstants, level: u32, inputs: &GradientAtro
             } else {
                 let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
                 let weight_l = (-(value[2] - centre[2]).abs() / tolerance).exp();
-                depth_and_normal_weight([frame.sigma_z, frame.sigma_n], frame.edge_falloff, &surface, &tap, slope, offset)
+                depth_and_normal_weight([tuning.sigma_z, tuning.sigma_n], tuning.edge_falloff, &surface, &tap, slope, offset)
                     * weight_l
             };
             (0..3).for_each(|i| sum[i] += weight * value[i]);

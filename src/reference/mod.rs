@@ -68,7 +68,9 @@ pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPS
 pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources, VolumeInputs};
 pub use eaw::{eaw, EawInputs, HOLE};
 pub use firefly::{firefly, FireflyInputs};
-pub use forward_project::{forward_project, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates};
+pub use forward_project::{
+    forward_project_claim, forward_project_resolve, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates,
+};
 pub use geometry_weights::DEPTH_EPSILON;
 pub use gradient::{gradient, GradientInput, GradientInputs, GradientOutputs};
 pub use gradient_atrous::{gradient_atrous, GradientAtrousInputs, GRADIENT_ITERATIONS};
@@ -98,7 +100,8 @@ pub use temporal_accumulation::{
 };
 pub use tone_map::tone_map;
 pub use variance::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
-pub use volume_motion::{pack_volume_motion, unpack_volume_motion, volume_motion, VolumeMotionInputs};
+pub use volume::volume_tuning;
+pub use volume_motion::{pack_volume_motion, unpack_volume_motion, volume_motion_claim, volume_motion_resolve};
 pub use volume_points::{
     pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,
 };

@@ -5,7 +5,7 @@ use super::guide::unpack_guide;
 use super::projection::extent_ratio;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
 /// Guides of two frames; images have the allocated extent.
@@ -23,7 +23,7 @@ pub struct HistoryGuides<'a> {
 
 impl HistoryGuides<'_> {
     /// The pixel of the previous frame, where it still shows the surface of `p`: same id, expected depth.
-    pub(crate) fn nearest(&self, frame: &FrameConstants, p: IVec2) -> Option<IVec2> {
+    pub(crate) fn nearest(&self, frame: &FrameConstants, tuning: &Tuning, p: IVec2) -> Option<IVec2> {
         let surface = unpack_guide(self.guide.at(p));
         if surface.is_background() || is_reset(frame) {
             return None;
@@ -36,7 +36,7 @@ impl HistoryGuides<'_> {
         let previous = unpack_guide(self.previous_guide.at(tap));
         let expected = surface.linear_depth * (1.0 + motion.depth_ratio);
         let [dx, dy] = unpack_depth_gradient(self.depth_gradient.at(p));
-        let tolerance = frame.depth_tolerance * expected + dx.abs() + dy.abs();
+        let tolerance = tuning.depth_tolerance * expected + dx.abs() + dy.abs();
         let is_same =
             !previous.is_background() && previous.id == surface.id && (previous.linear_depth - expected).abs() <= tolerance;
         is_same.then_some(tap)

@@ -38,12 +38,12 @@ pub(crate) struct Strata {
 }
 
 impl Strata {
-    pub fn new(frame: &FrameConstants) -> Self {
-        Self { size: frame.stratum_size, render_extent: frame.render_extent.into() }
+    pub fn new(frame: &FrameConstants, size: u32) -> Self {
+        Self { size, render_extent: frame.render_extent.into() }
     }
 
-    pub fn of_previous(frame: &FrameConstants) -> Self {
-        Self { size: frame.stratum_size, render_extent: frame.previous_render_extent.into() }
+    pub fn of_previous(frame: &FrameConstants, size: u32) -> Self {
+        Self { size, render_extent: frame.previous_render_extent.into() }
     }
 
     /// How many there are a side.

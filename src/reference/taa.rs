@@ -7,7 +7,7 @@ use super::luminance::luminance;
 use super::projection::{extent_ratio, sample_offset};
 use super::surface_motion::unpack_surface_motion;
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -30,7 +30,7 @@ pub struct TaaInputs<'a> {
 }
 
 /// What is displayed and, as the next frame's history, blended again; half precision, alpha 1.
-pub fn taa(frame: &FrameConstants, inputs: &TaaInputs) -> Image<[f32; 4]> {
+pub fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -> Image<[f32; 4]> {
     let rect = RenderRect::new(frame.render_extent);
     let extent = inputs.tone_mapped.extent();
     let previous = inputs.previous.filter(|_| !is_reset(frame));
@@ -42,8 +42,8 @@ pub fn taa(frame: &FrameConstants, inputs: &TaaInputs) -> Image<[f32; 4]> {
         let [r, g, b] = match previous {
             Some(previous) if before.contains_position(s) => {
                 let history = catmull_rom(before, previous, s);
-                let clipped = clip(frame.taa_gamma, rect, inputs.tone_mapped, p, history);
-                blend(frame.taa_alpha, current, clipped)
+                let clipped = clip(tuning.taa_gamma, rect, inputs.tone_mapped, p, history);
+                blend(tuning.taa_alpha, current, clipped)
             }
             _ => current,
         }

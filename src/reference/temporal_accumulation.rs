@@ -9,7 +9,7 @@ use super::octahedral::octahedral10_to_normal;
 use super::projection::extent_ratio;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -94,7 +94,11 @@ enum History {
 const REPAIRED_HISTORY_LENGTH: f32 = 4.0;
 
 /// Accumulates every signal; they share taps and history length.
-pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulationInputs) -> TemporalAccumulationOutputs {
+pub fn temporal_accumulation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &TemporalAccumulationInputs,
+) -> TemporalAccumulationOutputs {
     let extent = inputs.guide.extent();
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let surfaces = previous.map(|previous| {
@@ -107,7 +111,7 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
         let surface = unpack_guide(inputs.guide.at(p));
         match &surfaces {
             _ if surface.is_background() => History::Background,
-            Some(surfaces) => Reprojected::new(frame, inputs, surface, p).history(surfaces, inputs.repair),
+            Some(surfaces) => Reprojected::new(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair),
             None => History::Disoccluded(Reason::Reset),
         }
     });
@@ -116,7 +120,7 @@ pub fn temporal_accumulation(frame: &FrameConstants, inputs: &TemporalAccumulati
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-            let bounds = AlphaBounds::new(frame, inputs.history_confidence.is_some(), inputs.repair, change);
+            let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
             let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal);
             (c, pack_moments(&moments))
         });
@@ -143,7 +147,7 @@ struct Reprojected {
 }
 
 impl Reprojected {
-    fn new(frame: &FrameConstants, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
+    fn new(frame: &FrameConstants, tuning: &Tuning, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
         let motion = unpack_surface_motion(inputs.surface_motion.at(p));
         let [dx, dy] = unpack_depth_gradient(inputs.depth_gradient.at(p));
         let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
@@ -152,10 +156,10 @@ impl Reprojected {
             s: (p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion) - 0.5,
             start,
             linear_depth,
-            depth_tolerance: frame.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
+            depth_tolerance: tuning.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
             depth_gradient: Vec2::new(dx, dy),
             normal: inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p))).into(),
-            normal_tolerance: frame.normal_tolerance,
+            normal_tolerance: tuning.normal_tolerance,
             id: surface.id,
             rect: RenderRect::new(frame.previous_render_extent),
         }
@@ -227,16 +231,16 @@ struct AlphaBounds {
 
 impl AlphaBounds {
     /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
-    fn new(frame: &FrameConstants, is_adaptive: bool, repair: bool, change: f32) -> Self {
+    fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
         let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
-        let alpha = adapted(frame.alpha);
+        let alpha = adapted(tuning.alpha);
         // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
         let longest = match (is_adaptive, repair) {
             (_, true) => 1.0 / change.max(1e-6),
             (true, false) => 1.0 / alpha.max(1e-6),
             (false, false) => f32::INFINITY,
         };
-        Self { alpha, alpha_moments: adapted(frame.alpha_moments), history_length: longest.min(frame.max_history_length) }
+        Self { alpha, alpha_moments: adapted(tuning.alpha_moments), history_length: longest.min(tuning.max_history_length) }
     }
 }
 

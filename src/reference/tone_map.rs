@@ -3,28 +3,28 @@
 use super::binary16::round_to_half;
 use super::luminance::luminance;
 use super::Image;
-use crate::{FrameConstants, ToneCurve};
+use crate::{FrameConstants, ToneCurve, Tuning};
 
-/// Applies exposure and the tone curve of the frame to the sum of radiances, of surfaces and of a volume. rgb of the result is 0..1 in half
+/// Applies exposure and tone curve to the sum of radiances, of surfaces and of a volume. rgb of the result is 0..1 in half
 /// precision, alpha 1. Without any radiance an empty image.
-pub fn tone_map(frame: &FrameConstants, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
+pub fn tone_map(frame: &FrameConstants, tuning: &Tuning, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
     let extent = denoised.first().map_or([0; 2], |image| image.extent());
     Image::compute(extent, frame.render_extent, |p| {
         let [r, g, b] = [0, 1, 2].map(|i| denoised.iter().map(|image| image.at(p)[i]).sum::<f32>());
-        let [r, g, b] = curve(frame.tone_curve, [r, g, b].map(|c| c * frame.exposure)).map(|c| round_to_half(c.clamp(0.0, 1.0)));
+        let [r, g, b] = curve(tuning.tone_curve, [r, g, b].map(|c| c * tuning.exposure)).map(|c| round_to_half(c.clamp(0.0, 1.0)));
         [r, g, b, 1.0]
     })
 }
 
-fn curve(tone_curve: u32, x: [f32; 3]) -> [f32; 3] {
-    if tone_curve == ToneCurve::Aces as u32 {
+fn curve(tone_curve: ToneCurve, x: [f32; 3]) -> [f32; 3] {
+    match tone_curve {
         // [Narkowicz 2015]
-        x.map(|x| (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14))
-    } else if tone_curve == ToneCurve::Reinhard as u32 {
-        let scale = 1.0 / (1.0 + luminance(x));
-        x.map(|x| x * scale)
-    } else {
-        x
+        ToneCurve::Aces => x.map(|x| (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)),
+        ToneCurve::Reinhard => {
+            let scale = 1.0 / (1.0 + luminance(x));
+            x.map(|x| x * scale)
+        }
+        ToneCurve::Linear => x,
     }
 }
 
@@ -34,8 +34,8 @@ mod tests {
     use super::*;
 
     fn mapped(tone_curve: ToneCurve, exposure: f32, c: [f32; 3]) -> [f32; 4] {
-        let frame = FrameConstants { tone_curve: tone_curve as u32, exposure, ..frame([1, 1]) };
-        tone_map(&frame, &[&Image::new([1, 1], [c[0], c[1], c[2], 0.5])]).texels()[0]
+        let tuning = Tuning { tone_curve, exposure, ..Tuning::default() };
+        tone_map(&frame([1, 1]), &tuning, &[&Image::new([1, 1], [c[0], c[1], c[2], 0.5])]).texels()[0]
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::binary16::store;
 use super::geometry_weights::Geometry;
 use super::moments::{unpack_moments, Moments};
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -31,25 +31,25 @@ pub struct VarianceInputs<'a> {
 }
 
 /// For every signal rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
-pub fn variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    estimate(frame, inputs, |geometry, moments, p| {
+pub fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+    estimate(frame, tuning, inputs, |geometry, moments, p| {
         let centre = moments.at(p);
-        if centre.history_length >= frame.spatial_variance_frames {
+        if centre.history_length >= tuning.spatial_variance_frames {
             return centre.deviation;
         }
-        spatial_variance(frame, geometry, moments, p, RADIUS).sqrt()
+        spatial_variance(frame, tuning, geometry, moments, p, RADIUS).sqrt()
     })
 }
 
-/// The same with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
-pub fn fading_variance(frame: &FrameConstants, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    estimate(frame, inputs, |geometry, moments, p| faded_deviation(frame, geometry, moments, p))
+/// [`variance`] with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
+pub fn fading_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+    estimate(frame, tuning, inputs, |geometry, moments, p| faded_deviation(frame, tuning, geometry, moments, p))
 }
 
-fn faded_deviation(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
     let centre = moments.at(p);
-    let share = (frame.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
-    let spatial = spatial_variance(frame, geometry, moments, p, FADING_RADIUS);
+    let share = (tuning.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
+    let spatial = spatial_variance(frame, tuning, geometry, moments, p, FADING_RADIUS);
     (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
 }
 
@@ -65,17 +65,20 @@ pub struct VolumeVarianceInputs<'a> {
 }
 
 /// [`fading_variance`] of a volume: weights by the depth of the surface behind alone, and no background.
-pub fn volume_variance(frame: &FrameConstants, inputs: &VolumeVarianceInputs) -> Image<[f32; 4]> {
-    let geometry = Geometry::of_volume(frame, inputs.guide);
-    estimate_signal(frame, &geometry, inputs.radiance, inputs.moments, |moments, p| faded_deviation(frame, &geometry, moments, p))
+pub fn volume_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VolumeVarianceInputs) -> Image<[f32; 4]> {
+    let geometry = Geometry::of_volume(frame, tuning, inputs.guide);
+    estimate_signal(frame, &geometry, inputs.radiance, inputs.moments, |moments, p| {
+        faded_deviation(frame, tuning, &geometry, moments, p)
+    })
 }
 
 fn estimate(
     frame: &FrameConstants,
+    tuning: &Tuning,
     inputs: &VarianceInputs,
     deviation: impl Fn(&Geometry, &Image<Moments>, IVec2) -> f32 + Sync,
 ) -> Vec<Image<[f32; 4]>> {
-    let geometry = Geometry::new(frame, inputs.guide, inputs.depth_gradient);
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let signals = inputs.irradiance.iter().zip(inputs.moments);
     signals
         .map(|(irradiance, moments)| {
@@ -100,7 +103,14 @@ fn estimate_signal(
 }
 
 /// Of the window, scaled by how short the history is.
-fn spatial_variance(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2, radius: i32) -> f32 {
+fn spatial_variance(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    moments: &Image<Moments>,
+    p: IVec2,
+    radius: i32,
+) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
     let mut window = [(0.0, Moments::default()); SIDE * SIDE];
     for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, radius, 1)) {
@@ -112,5 +122,5 @@ fn spatial_variance(frame: &FrameConstants, geometry: &Geometry, moments: &Image
     let second = |m: &Moments| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
     let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
     // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
-    variance / sum * frame.spatial_variance_frames / moments.at(p).history_length.max(1.0)
+    variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
 }

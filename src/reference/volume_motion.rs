@@ -4,7 +4,7 @@ use super::binary16::{from_half_bits, half_bits};
 use super::conventions::is_reset;
 use super::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
 use super::guide::unpack_guide;
-use super::volume_points::unpack_volume_point;
+use super::volume_points::{unpack_volume_point, VolumePoint};
 use super::{render_rect::RenderRect, Image};
 use crate::FrameConstants;
 use glam::IVec2;
@@ -25,24 +25,12 @@ pub fn unpack_volume_motion(texel: u32) -> [f32; 2] {
     [from_half_bits(texel as u16), from_half_bits((texel >> 16) as u16)]
 }
 
-/// Inputs of [`volume_motion`]; images have the allocated extent.
-#[derive(Clone, Copy, Debug)]
-pub struct VolumeMotionInputs<'a> {
-    /// As written by `import`.
-    pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`, for pixels in which no point lands.
-    pub surface_motion: &'a Image<[u16; 4]>,
-    /// As written by `volume_points` in the previous frame. Not read in a reset frame; `None` is treated as one.
-    pub previous_points: Option<&'a Image<[u16; 4]>>,
-}
-
 /// The point that contributes most in a pixel.
 #[derive(Clone, Copy, Default)]
 struct Winner {
-    /// 0: there is none.
-    key: u32,
     /// In steps.
     motion: [f32; 2],
+    /// 0: there is no point.
     weight: f32,
 }
 
@@ -50,39 +38,78 @@ struct Winner {
 const SMALLEST_LUMINANCE: f32 = 1.0 / 1_048_576.0;
 const LARGEST_DEPTH: f32 = 1e6;
 
-/// For every pixel the mean motion of the points that contribute most in the 3×3 pixels around, else that of its surface; see
-/// [`unpack_volume_motion`].
-pub fn volume_motion(frame: &FrameConstants, inputs: &VolumeMotionInputs) -> Image<u32> {
-    let mut winners = Image::new(inputs.guide.extent(), Winner::default());
-    if let Some(points) = inputs.previous_points.filter(|_| !is_reset(frame)) {
-        let [width, height] = frame.previous_render_extent;
-        for index in 0..width * height {
-            let q = IVec2::new((index % width) as i32, (index / width) as i32);
-            let point = unpack_volume_point(points.at(q));
-            if point.linear_depth == 0.0 {
-                continue;
-            }
-            let position = project(frame, previous_world_position(frame, q, point.linear_depth));
-            let Some(p) = covering_pixel(frame, &position) else { continue };
-            let surface = unpack_guide(inputs.guide.at(p));
-            if !surface.is_background() && position.depth > surface.linear_depth * position.depth_denominator {
-                continue;
-            }
-            let key = key_of(index, width * height, point.contribution);
-            if let Some(winner) = winners.get_mut(p.x, p.y).filter(|winner| key > winner.key) {
-                let luminance = f32::from_bits(u32::from(point.contribution) << 16).max(SMALLEST_LUMINANCE);
-                let motion = [0, 1].map(|axis| motion_steps(frame, q, &position, axis) as f32);
-                *winner = Winner { key, motion, weight: luminance * point.linear_depth.min(LARGEST_DEPTH) };
-            }
+/// Carries `previous_points`, as written by `volume_points` in the previous frame, to this one. Each claims the pixel that it lands in, where no
+/// surface of `guide` hides it: the largest key stays, 0 is nobody's. Points are not read in a reset frame.
+pub fn volume_motion_claim(
+    frame: &FrameConstants,
+    guide: &Image<[u16; 4]>,
+    previous_points: &Image<[u16; 4]>,
+    claims: &mut Image<u32>,
+) {
+    if is_reset(frame) {
+        return;
+    }
+    let [width, height] = frame.previous_render_extent;
+    for index in 0..width * height {
+        let q = pixel_of(frame, index);
+        let point = unpack_volume_point(previous_points.at(q));
+        if point.linear_depth == 0.0 {
+            continue;
+        }
+        let position = carried(frame, q, &point);
+        let Some(p) = covering_pixel(frame, &position) else { continue };
+        let surface = unpack_guide(guide.at(p));
+        if !surface.is_background() && position.depth > surface.linear_depth * position.depth_denominator {
+            continue;
+        }
+        if let Some(claim) = claims.get_mut(p.x, p.y) {
+            *claim = key_of(index, width * height, point.contribution).max(*claim);
         }
     }
-    Image::compute(inputs.guide.extent(), frame.render_extent, |p| match mean_motion(frame, &winners, p) {
+}
+
+/// For every pixel the mean motion of the points whose keys stayed in the 3×3 pixels around, else that of its surface; see
+/// [`unpack_volume_motion`]. `surface_motion` is as written by `import`.
+pub fn volume_motion_resolve(
+    frame: &FrameConstants,
+    previous_points: &Image<[u16; 4]>,
+    surface_motion: &Image<[u16; 4]>,
+    claims: &Image<u32>,
+) -> Image<u32> {
+    let [width, height] = frame.previous_render_extent;
+    let mask = key_mask(width * height);
+    let winners = Image::compute(claims.extent(), frame.render_extent, |p| match (claims.at(p) & mask).checked_sub(1) {
+        Some(index) => winner(frame, previous_points, pixel_of(frame, index)),
+        None => Winner::default(),
+    });
+    Image::compute(surface_motion.extent(), frame.render_extent, |p| match mean_motion(frame, &winners, p) {
         Some(motion) => pack_volume_motion(motion),
         None => {
-            let [x, y, ..] = inputs.surface_motion.at(p);
+            let [x, y, ..] = surface_motion.at(p);
             u32::from(x) | u32::from(y) << 16
         }
     })
+}
+
+/// A pixel of the previous frame by its number.
+fn pixel_of(frame: &FrameConstants, index: u32) -> IVec2 {
+    let [width, _] = frame.previous_render_extent;
+    IVec2::new((index % width) as i32, (index / width) as i32)
+}
+
+/// The position in this frame of a point that was in pixel `q` of the previous one.
+fn carried(frame: &FrameConstants, q: IVec2, point: &VolumePoint) -> ForwardPosition {
+    project(frame, previous_world_position(frame, q, point.linear_depth))
+}
+
+fn winner(frame: &FrameConstants, previous_points: &Image<[u16; 4]>, q: IVec2) -> Winner {
+    let point = unpack_volume_point(previous_points.at(q));
+    let position = carried(frame, q, &point);
+    let luminance = f32::from_bits(u32::from(point.contribution) << 16).max(SMALLEST_LUMINANCE);
+    Winner {
+        motion: [0, 1].map(|axis| motion_steps(frame, q, &position, axis) as f32),
+        weight: luminance * point.linear_depth.min(LARGEST_DEPTH),
+    }
 }
 
 /// Since a single point is anywhere along its ray. Motion falls with depth, so its mean with the weight luminance·depth is the motion at the
@@ -91,7 +118,7 @@ fn mean_motion(frame: &FrameConstants, winners: &Image<Winner>, p: IVec2) -> Opt
     let (mut sum, mut weight) = ([0.0_f32; 2], 0.0_f32);
     for (_, at) in RenderRect::new(frame.render_extent).window(p, 1, 1) {
         let winner = winners.at(at);
-        if winner.key != 0 {
+        if winner.weight > 0.0 {
             sum = [0, 1].map(|axis| sum[axis] + winner.motion[axis] * winner.weight);
             weight += winner.weight;
         }
@@ -103,10 +130,14 @@ fn nearest_quotient(numerator: f32, denominator: f32) -> i32 {
     floor_quotient(numerator + 0.5 * denominator, denominator)
 }
 
+/// The bits of a key that hold the number of a pixel.
+fn key_mask(count: u32) -> u32 {
+    (2 << count.max(1).ilog2()) - 1
+}
+
 /// By which the points in a pixel are ranked: as much of the contribution as there is room for, and the number of the pixel plus 1 below.
 fn key_of(index: u32, count: u32, contribution: u16) -> u32 {
-    let mask = (2 << count.ilog2()) - 1;
-    u32::from(contribution) << 17 & !mask | (index + 1)
+    u32::from(contribution) << 17 & !key_mask(count) | (index + 1)
 }
 
 /// Motion of a point from pixel `q` of the previous frame to its position in this one, unjittered: the nearest step on one axis.

@@ -11,7 +11,7 @@ pub fn check(c: &Captured) {
         AdaptiveRule::Percentiles => published(c),
         AdaptiveRule::ChangeTest => {
             let differences: Vec<_> = c.suffixes().iter().map(|s| c.block_packed(&format!("block_difference{s}"))).collect();
-            change_test(&c.frame.constants, c.config.allocated_extent, &each(&differences))
+            change_test(&c.frame.constants, c.tuning, c.config.allocated_extent, &each(&differences))
         }
     };
     // Slopes are steep: a step of a half float in a percentile or a deviation moves the result by more than one.
@@ -29,5 +29,5 @@ fn published(c: &Captured) -> atrous::reference::Image<f32> {
         depth_gradient: &c.uints("depth_gradient", UseFrame::Current),
         previous_guide: &c.packed("guide", UseFrame::Previous),
     };
-    percentile_rule(&c.frame.constants, &PercentileRuleInputs { guides, signals: &signals })
+    percentile_rule(&c.frame.constants, c.tuning, &PercentileRuleInputs { guides, signals: &signals })
 }

@@ -20,8 +20,8 @@ pub fn check(c: &Captured, level: u32) {
         irradiance: &each(&irradiance),
     };
     let twin = match c.config.preset {
-        Preset::Asvgf | Preset::Percentile => box_atrous(&c.frame.constants, level, &inputs),
-        _ => atrous(&c.frame.constants, level, &inputs),
+        Preset::Asvgf | Preset::Percentile => box_atrous(&c.frame.constants, c.tuning, level, &inputs),
+        _ => atrous(&c.frame.constants, c.tuning, level, &inputs),
     };
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {
         let name = format!("{to}{suffix}");

@@ -19,7 +19,7 @@ pub fn check(c: &Captured, suffix: &str) {
             moments: &c.packed(&format!("moments{suffix}"), UseFrame::Previous),
         },
     };
-    let twin = block_difference(&c.frame.constants, &inputs);
+    let twin = block_difference(&c.frame.constants, c.tuning, &inputs);
     let name = format!("block_difference{suffix}");
     // A pixel whose position or depth lies on its threshold may count on one side alone.
     let tolerance = Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF };

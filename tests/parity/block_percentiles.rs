@@ -10,7 +10,8 @@ pub fn check(c: &Captured, suffix: &str) {
     let guide = c.has("guide").then(|| c.packed("guide", UseFrame::Current));
     assert_eq!(guide.is_none(), suffix == "_volume");
     let irradiance = c.halves(&format!("{}{suffix}", c.accumulated()), UseFrame::Current);
-    let twin = block_percentiles(&c.frame.constants, &BlockPercentilesInputs { guide: guide.as_ref(), irradiance: &irradiance });
+    let twin =
+        block_percentiles(&c.frame.constants, c.tuning, &BlockPercentilesInputs { guide: guide.as_ref(), irradiance: &irradiance });
     let name = format!("block_percentiles{suffix}");
     blocks(&name, c, &c.written_blocks(&name), &twin, HALF, |t| {
         let p = unpack_percentiles(t);

@@ -3,7 +3,7 @@
 use ::atrous::config::{Preset, Signals};
 use ::atrous::executor::Session;
 use ::atrous::reference::{Image, BLOCK_SIZE};
-use ::atrous::{Access, Config, Error, FrameContext, Shape, UseFrame};
+use ::atrous::{Access, Config, Error, FrameContext, Shape, Tuning, UseFrame};
 use half::f16;
 use std::collections::BTreeMap;
 
@@ -14,6 +14,7 @@ pub type Resources = BTreeMap<(String, UseFrame), Vec<u8>>;
 pub struct Captured<'a> {
     pub frame: &'a FrameContext,
     pub config: &'a Config,
+    pub tuning: &'a Tuning,
     pub inputs: Resources,
     pub outputs: BTreeMap<String, Vec<u8>>,
 }
@@ -113,10 +114,11 @@ pub fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result
     let mut captured = BTreeMap::new();
     for u in declaration.passes()[pass].uses.iter().filter(|u| want(u.access)) {
         let resource = declaration.resource(u.resource);
-        if matches!(resource.shape, Shape::Image { .. }) || ["instance_transforms", "statistics"].contains(&resource.name) {
+        if matches!(resource.shape, Shape::Image { .. }) || ["instance_transforms", "statistics"].contains(&resource.name.as_str())
+        {
             // An optional input that nothing is bound to has no bytes.
-            if let Ok(bytes) = s.download_bytes(resource.name, u.frame) {
-                captured.insert((resource.name.to_owned(), u.frame), bytes);
+            if let Ok(bytes) = s.download_bytes(&resource.name, u.frame) {
+                captured.insert((resource.name.clone(), u.frame), bytes);
             }
         }
     }

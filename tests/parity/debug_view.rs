@@ -72,12 +72,13 @@ pub fn check(c: &Captured) {
         irradiance_history: &each(&history),
         history_confidence: confidence.as_ref(),
         gradient: gradient.as_ref(),
+        stratum_size: c.config.stratum_size,
         block_percentiles: &each(&percentiles),
         noisy: &each(&noisy),
         albedo: albedo.as_ref(),
     };
     let view = c.frame.debug_view.unwrap_or_default();
-    let twin = debug_view(&c.frame.constants, &inputs, view);
+    let twin = debug_view(&c.frame.constants, c.tuning, &inputs, view);
     let what = format!("debug_view {view:?} of {:?}", c.config.preset);
     // Colours go through a power, which devices round each in its own way.
     halves(&what, c, &c.written_halves("debug_view"), &twin, Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF });

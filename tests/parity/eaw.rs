@@ -8,8 +8,13 @@ use atrous::UseFrame;
 pub fn check(c: &Captured, level: u32) {
     let (from, to) = if level.is_multiple_of(2) { ("filter_ping", "filter_pong") } else { ("filter_pong", "filter_ping") };
     let irradiance = c.signals(from, UseFrame::Current);
-    let inputs = EawInputs { guide: &c.packed("guide", UseFrame::Current), irradiance: &each(&irradiance) };
-    let twin = eaw(&c.frame.constants, level, &inputs);
+    let inputs = EawInputs {
+        guide: &c.packed("guide", UseFrame::Current),
+        irradiance: &each(&irradiance),
+        weights: c.config.eaw_weights,
+        painting_levels: c.config.sampling as u32,
+    };
+    let twin = eaw(&c.frame.constants, c.tuning, level, &inputs);
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {
         let name = format!("{to}{suffix}");
         let tolerance = Tolerance { relative: 3e-3, absolute: 5e-4, ..HALF };

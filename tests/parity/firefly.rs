@@ -15,5 +15,5 @@ pub fn check(c: &Captured, suffix: &str) {
         block_percentiles: &c.block_uints(&format!("block_percentiles{suffix}")),
         irradiance: &c.halves(&name, UseFrame::Current),
     };
-    halves(&name, c, &c.written_halves(&name), &firefly(&c.frame.constants, &inputs), HALF);
+    halves(&name, c, &c.written_halves(&name), &firefly(&c.frame.constants, c.tuning, &inputs), HALF);
 }

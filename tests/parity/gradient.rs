@@ -40,7 +40,7 @@ pub fn check(c: &Captured) {
         previous_luminance: previous_luminance.as_ref(),
         source,
     };
-    let twin = gradient(&c.frame.constants, &inputs);
+    let twin = gradient(&c.frame.constants, c.tuning, c.config.stratum_size, &inputs);
     // A half of the luminance may be rounded either way, and a gradient is the difference of two.
     let tolerance = Tolerance { relative: 3e-3, absolute: 3e-3, outliers: if is_reshaded { 2e-3 } else { 0.0 } };
     c.compare_strata("gradient_ping", &c.written_halves_of("gradient_ping", strata), &twin.gradient, tolerance);
@@ -59,7 +59,7 @@ pub fn check_atrous(c: &Captured, level: u32) {
         depth_gradient: &c.uints("depth_gradient", UseFrame::Current),
         gradient: &c.halves_of(from, UseFrame::Current, strata),
     };
-    let twin = gradient_atrous(&c.frame.constants, level, &inputs);
+    let twin = gradient_atrous(&c.frame.constants, c.tuning, c.config.stratum_size, level, &inputs);
     let tolerance = Tolerance { relative: 3e-3, absolute: 5e-4, ..HALF };
     c.compare_strata(&format!("{to} of level {level}"), &c.written_halves_of(to, strata), &twin, tolerance);
 }
@@ -69,10 +69,10 @@ pub fn check_alpha(c: &Captured) {
     let gradient = c.has("gradient_pong").then(|| c.halves_of("gradient_pong", UseFrame::Current, strata));
     let confidence = c.optional_host("confidence");
     let input = match (&gradient, &confidence) {
-        (Some(gradient), _) => AdaptiveAlphaInput::Gradient(gradient),
+        (Some(gradient), _) => AdaptiveAlphaInput::Gradient { gradient, stratum_size: c.config.stratum_size },
         (_, Some(confidence)) => AdaptiveAlphaInput::Confidence(confidence),
         _ => panic!("neither a gradient nor a confidence"),
     };
-    let twin = adaptive_alpha(&c.frame.constants, c.config.allocated_extent, input);
+    let twin = adaptive_alpha(&c.frame.constants, c.tuning, c.config.allocated_extent, input);
     super::compare::texels("history_confidence", c, &c.written_floats("history_confidence"), &twin, HALF, |v| [v]);
 }

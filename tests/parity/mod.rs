@@ -29,7 +29,7 @@ use super::support::{
 use super::GpuTest;
 use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
-use ::atrous::reference::Image;
+use ::atrous::reference::volume_tuning;
 use ::atrous::{Config, FrameContext, FrameParams, ResetReason, Tuning};
 use captured::capture;
 pub use captured::Captured;
@@ -122,13 +122,6 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
     assert_valid();
 }
 
-/// What is kept from a pass that claims to the one that resolves: how many texels were claimed, and the guide that was looked at.
-#[derive(Clone, Default)]
-pub struct Claims {
-    claimed: usize,
-    guide: Option<Image<[u16; 4]>>,
-}
-
 /// Where the input is sub-sampled, the pixels without a sample.
 fn leave_holes(config: &Config, guides: &mut Guides) {
     let side = 1 << config.sampling as u32;
@@ -145,32 +138,33 @@ fn leave_holes(config: &Config, guides: &mut Guides) {
 /// One frame, every pass against its twin.
 pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuning) {
     let mut inputs = BTreeMap::new();
-    let mut claims = Claims::default();
     let trace = &mut |s: &mut Session, frame: &FrameContext, pass: usize, done: bool| {
         if !done {
             inputs = capture(s, pass, |access| access.reads())?;
             return Ok(());
         }
         let outputs = capture(s, pass, |access| access.writes())?.into_iter().map(|((name, _), b)| (name, b)).collect();
-        check(s, pass, &Captured { frame, config, inputs: std::mem::take(&mut inputs), outputs }, &mut claims);
+        let of_volume = s.executor().denoiser().declaration().passes()[pass].name.contains("volume");
+        let tuning = &if of_volume { volume_tuning(tuning) } else { *tuning };
+        check(s, pass, &Captured { frame, config, tuning, inputs: std::mem::take(&mut inputs), outputs });
         Ok(())
     };
     s.run_traced(params, tuning, trace).expect("frame");
 }
 
-fn check(s: &Session, pass: usize, captured: &Captured, claims: &mut Claims) {
+fn check(s: &Session, pass: usize, captured: &Captured) {
     let pass = &s.executor().denoiser().declaration().passes()[pass];
-    match pass.name {
+    match pass.name.as_str() {
         "start_frame" => {}
         "import" => import::check(captured),
         "forward_project_clear" => {}
-        "forward_project_claim" => *claims = forward_project::keep_claims(captured),
-        "forward_project_resolve" => forward_project::check(captured, claims),
+        "forward_project_claim" => forward_project::check_claims(captured),
+        "forward_project_resolve" => forward_project::check(captured),
         "gradient" => gradient::check(captured),
         "adaptive_alpha" => gradient::check_alpha(captured),
         "volume_motion_clear" => {}
-        "volume_motion_claim" => *claims = volume::keep_guide(captured),
-        "volume_motion_resolve" => volume::check_motion(captured, claims),
+        "volume_motion_claim" => volume::check_claims(captured),
+        "volume_motion_resolve" => volume::check_motion(captured),
         "volume_points" => volume::check_points(captured),
         "temporal_accumulation_volume" => volume::check_accumulation(captured),
         "variance_volume" => volume::check_variance(captured),

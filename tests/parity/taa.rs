@@ -14,7 +14,7 @@ pub fn check(c: &Captured) {
         surface_motion: &c.packed("surface_motion", UseFrame::Current),
         previous: Some(&previous),
     };
-    let twin = taa(&c.frame.constants, &inputs);
+    let twin = taa(&c.frame.constants, c.tuning, &inputs);
     // The clip divides by a deviation that is the root of a difference.
     let tolerance = Tolerance { absolute: 1e-3, ..HALF };
     for name in ["taa_history", "display"] {

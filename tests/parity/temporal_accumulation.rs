@@ -34,7 +34,7 @@ pub fn check(c: &Captured) {
         repair: c.config.preset == Preset::Percentile,
         previous: Some(PreviousFrame { guide: &previous_guide, signals: &signals }),
     };
-    let twin = temporal_accumulation(&c.frame.constants, &inputs);
+    let twin = temporal_accumulation(&c.frame.constants, c.tuning, &inputs);
     for (i, suffix) in c.suffixes().iter().enumerate() {
         let name = format!("{}{suffix}", c.accumulated());
         halves(&name, c, &c.written_halves(&name), &twin.irradiance[i], TESTED);

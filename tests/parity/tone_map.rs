@@ -12,7 +12,7 @@ pub fn check(c: &Captured) {
     let names = ["denoised_radiance", "denoised_volume"].into_iter().filter(|name| c.has(name));
     let radiances: Vec<_> = names.map(|name| c.halves(name, UseFrame::Current)).collect();
     assert_eq!(radiances.len(), 1 + usize::from(c.config.volume));
-    let twin = tone_map(&c.frame.constants, &each(&radiances));
+    let twin = tone_map(&c.frame.constants, c.tuning, &each(&radiances));
     let name = if c.config.post_process == PostProcess::ToneMapTaa { "tone_mapped" } else { "display" };
     halves(name, c, &c.written_halves(name), &twin, HALF);
 }

@@ -15,7 +15,7 @@ pub fn check(c: &Captured) {
         moments: &each(&moments),
     };
     let estimate = if c.config.preset == Preset::Percentile { fading_variance } else { variance };
-    let twin = estimate(&c.frame.constants, &inputs);
+    let twin = estimate(&c.frame.constants, c.tuning, &inputs);
     for (suffix, twin) in c.suffixes().iter().zip(&twin) {
         let name = format!("filter_pong{suffix}");
         // The root of a difference of moments: where the variance is next to 0, rounding decides it.

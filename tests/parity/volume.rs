@@ -1,30 +1,32 @@
 //! The stages of a volume: `volume_motion`, equal to the bit, `volume_points`, and the variants of the filters.
 
 use super::compare::{halves, texels, Tolerance, HALF};
-use super::{run, Captured, Claims};
+use super::{run, Captured};
 use crate::support::{assert_valid, scene::Scene, session_with, upload};
 use atrous::config::Preset;
 use atrous::executor::SessionOptions;
 use atrous::reference::{
-    unpack_moments, unpack_volume_motion, volume_accumulation, volume_atrous, volume_motion, volume_points, volume_variance,
-    PreviousFrame, SignalHistory, VolumeAccumulationInputs, VolumeMotionInputs, VolumePointsInputs, VolumeVarianceInputs,
+    unpack_moments, unpack_volume_motion, volume_accumulation, volume_atrous, volume_motion_claim, volume_motion_resolve,
+    volume_points, volume_variance, Image, PreviousFrame, SignalHistory, VolumeAccumulationInputs, VolumePointsInputs,
+    VolumeVarianceInputs,
 };
 use atrous::{Config, FrameParams, Tuning, UseFrame};
 
-/// The guide hides points in the pass that claims; the result is compared when it was resolved.
-pub fn keep_guide(c: &Captured) -> Claims {
-    let claimed = c.written_uints("volume_claims").texels().iter().filter(|key| **key != 0).count();
-    Claims { claimed, guide: Some(c.packed("guide", UseFrame::Current)) }
+pub fn check_claims(c: &Captured) {
+    let (guide, points) = (c.packed("guide", UseFrame::Current), c.packed("volume_points", UseFrame::Previous));
+    let mut twin = Image::new(c.config.allocated_extent, 0);
+    volume_motion_claim(&c.frame.constants, &guide, &points, &mut twin);
+    let claims = c.written_uints("volume_claims");
+    assert_eq!(claims, twin);
+    assert!(c.frame.reset.is_none() || claims.texels().iter().all(|key| *key == 0), "a point of before the reset");
 }
 
-pub fn check_motion(c: &Captured, claims: &Claims) {
+pub fn check_motion(c: &Captured) {
     let (surface_motion, points) = (c.packed("surface_motion", UseFrame::Current), c.packed("volume_points", UseFrame::Previous));
-    let guide = claims.guide.as_ref().expect("the pass before");
-    let inputs = VolumeMotionInputs { guide, surface_motion: &surface_motion, previous_points: Some(&points) };
-    let twin = volume_motion(&c.frame.constants, &inputs);
+    let claims = c.uints("volume_claims", UseFrame::Current);
+    let twin = volume_motion_resolve(&c.frame.constants, &points, &surface_motion, &claims);
     let exact = Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.0 };
     texels("volume_motion", c, &c.written_uints("volume_motion"), &twin, exact, unpack_volume_motion);
-    assert!(c.frame.reset.is_none() || claims.claimed == 0, "a point of before the reset");
 }
 
 pub fn check_points(c: &Captured) {
@@ -47,7 +49,7 @@ pub fn check_accumulation(c: &Captured) {
         radiance: &c.halves("filter_ping_volume", UseFrame::Current),
         previous: Some(PreviousFrame { guide: &previous_guide, signals: &signals }),
     };
-    let (radiance, moments) = volume_accumulation(&c.frame.constants, &inputs);
+    let (radiance, moments) = volume_accumulation(&c.frame.constants, c.tuning, &inputs);
     let tested = Tolerance { outliers: 2e-3, ..HALF };
     halves("filter_ping_volume", c, &c.written_halves("filter_ping_volume"), &radiance, tested);
     // A deviation near 0 is the root of a difference that rounding decides.
@@ -64,7 +66,7 @@ pub fn check_variance(c: &Captured) {
         radiance: &c.halves("filter_ping_volume", UseFrame::Current),
         moments: &c.packed("moments_volume", UseFrame::Current),
     };
-    let twin = volume_variance(&c.frame.constants, &inputs);
+    let twin = volume_variance(&c.frame.constants, c.tuning, &inputs);
     let tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
     halves("filter_pong_volume", c, &c.written_halves("filter_pong_volume"), &twin, tolerance);
 }
@@ -84,7 +86,7 @@ pub fn check_atrous(c: &Captured, level: u32) {
         _ => "filter_pong_volume",
     };
     let guide = c.packed("guide", UseFrame::Current);
-    let twin = volume_atrous(&c.frame.constants, level, &guide, &c.halves(from, UseFrame::Current));
+    let twin = volume_atrous(&c.frame.constants, c.tuning, level, &guide, &c.halves(from, UseFrame::Current));
     let tolerance = Tolerance { relative: 3e-3, absolute: 5e-4, ..HALF };
     halves(&format!("{to} of level {level}"), c, &c.written_halves(to), &twin, tolerance);
 }

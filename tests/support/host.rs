@@ -61,8 +61,8 @@ impl Host {
         let (mut noisy, mut gradient) = (Vec::new(), Vec::new());
         let config = self.config;
         let trace = &mut |s: &mut Session, _: &FrameContext, pass: usize, done: bool| {
-            let name = s.executor().denoiser().declaration().passes()[pass].name;
-            match (name, done) {
+            let name = s.executor().denoiser().declaration().passes()[pass].name.clone();
+            match (name.as_str(), done) {
                 ("gradient" | "demodulate", false) if noisy.is_empty() => {
                     if params.reshaded {
                         take_over(&config, &samples(s), scene.allocated, &previous, &mut records);

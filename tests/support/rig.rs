@@ -15,7 +15,7 @@ pub struct Rig {
     pub executor: Executor,
     pub commands: Vec<vk::CommandBuffer>,
     /// Inputs by name.
-    pub images: BTreeMap<&'static str, vk::Image>,
+    pub images: BTreeMap<String, vk::Image>,
     pub gpu: Arc<HeadlessDevice>,
     pool: vk::CommandPool,
     views: Vec<vk::ImageView>,
@@ -52,12 +52,12 @@ impl Rig {
             let extent = decl.extent(declaration.allocated_extent()).expect("an image");
             let wide = vk::Format::R32G32B32A32_SFLOAT;
             let format = if format.accepts(wide) { wide } else { format.preferred() };
-            let image = self.image(decl.name, format, extent, decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST);
-            self.executor.bind_image(decl.name, image).expect(decl.name);
+            let image = self.image(&decl.name, format, extent, decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST);
+            self.executor.bind_image(&decl.name, image).expect(&decl.name);
         }
     }
 
-    fn image(&mut self, name: &'static str, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags) -> HostImage {
+    fn image(&mut self, name: &str, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags) -> HostImage {
         let gpu = self.gpu.clone();
         let info = vk::ImageCreateInfo::default()
             .image_type(vk::ImageType::TYPE_2D)
@@ -75,7 +75,7 @@ impl Rig {
             let info = vk::ImageViewCreateInfo::default().image(image).view_type(vk::ImageViewType::TYPE_2D).format(format);
             (image, gpu.device().create_image_view(&info.subresource_range(whole()), None).expect("view"))
         };
-        self.images.insert(name, image);
+        self.images.insert(name.to_owned(), image);
         self.views.push(view);
         let (stage, access, layout) = UPLOADED;
         HostImage { image, view, format, extent, layout, stage, access }

@@ -29,7 +29,7 @@ pub struct GpuBackend {
     session: Session,
     name: String,
     /// Input images, and whether they are optional.
-    inputs: Vec<(&'static str, bool)>,
+    inputs: Vec<(String, bool)>,
     has_transforms: bool,
     /// Surfaces and volume, which together are the picture.
     results: Vec<&'static str>,
@@ -46,7 +46,7 @@ impl GpuBackend {
         let declaration = config.declare()?;
         let image = |shape: &Shape| matches!(shape, Shape::Image { .. });
         let inputs = declaration.resources().iter().filter(|r| image(&r.shape)).filter_map(|r| match r.lifetime {
-            Lifetime::Input { optional } => Some((r.name, optional)),
+            Lifetime::Input { optional } => Some((r.name.clone(), optional)),
             _ => None,
         });
         let results =
@@ -61,12 +61,12 @@ impl Backend for GpuBackend {
     }
 
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs> {
-        for &(name, optional) in &self.inputs {
-            match (name, &frame.surface_id, frame.images.get(name)) {
+        for (name, optional) in &self.inputs {
+            match (name.as_str(), &frame.surface_id, frame.images.get(name.as_str())) {
                 ("surface_id", Some(ids), _) => self.session.upload_ids(name, ids)?,
                 (_, _, Some(texels)) => self.session.upload(name, texels)?,
                 // A required one that is absent is named by the executor.
-                _ if optional => self.session.unbind(name)?,
+                _ if *optional => self.session.unbind(name)?,
                 _ => {}
             }
         }

@@ -109,11 +109,11 @@ pub fn frame_table(names: &[&str], frames: &[(u32, Vec<Scores>)]) -> std::result
 ///
 /// # Errors
 /// None in practice.
-pub fn time_table(times: &[(&'static str, f64)]) -> std::result::Result<TextTable, PictureError> {
+pub fn time_table(times: &[(String, f64)]) -> std::result::Result<TextTable, PictureError> {
     let total: f64 = times.iter().map(|t| t.1).sum();
     let mut table = TextTable::new("pass", [Column::new("ms", 3), Column::new("%", 1)]);
     for (name, milliseconds) in times {
-        table.row(*name, &[*milliseconds, 100.0 * milliseconds / total])?;
+        table.row(name.clone(), &[*milliseconds, 100.0 * milliseconds / total])?;
     }
     table.row("all passes", &[total, 100.0])?;
     Ok(table)

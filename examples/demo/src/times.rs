@@ -5,7 +5,7 @@ use atrous_demo::FrameDenoiser;
 /// Sums over frames.
 #[derive(Default)]
 pub struct Times {
-    passes: Vec<(&'static str, f64)>,
+    passes: Vec<(String, f64)>,
     frames: u32,
 }
 
@@ -18,16 +18,16 @@ impl Times {
         if times.is_empty() {
             return;
         }
-        self.passes.resize(times.len(), ("", 0.0));
-        for (sum, time) in self.passes.iter_mut().zip(&times) {
+        self.passes.resize(times.len(), (String::new(), 0.0));
+        for (sum, time) in self.passes.iter_mut().zip(times) {
             *sum = (time.name, sum.1 + time.milliseconds);
         }
         self.frames += 1;
     }
 
     /// Milliseconds of each pass; nothing where the device has no timestamps.
-    pub fn means(&self) -> Option<Vec<(&'static str, f64)>> {
-        let mean = |(name, sum): &(&'static str, f64)| (*name, sum / f64::from(self.frames));
+    pub fn means(&self) -> Option<Vec<(String, f64)>> {
+        let mean = |(name, sum): &(String, f64)| (name.clone(), sum / f64::from(self.frames));
         (self.frames > 0).then(|| self.passes.iter().map(mean).collect())
     }
 

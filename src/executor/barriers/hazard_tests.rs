@@ -9,7 +9,7 @@ use ash::vk::Handle;
 /// One access in the past.
 #[derive(Clone)]
 struct Event {
-    what: &'static str,
+    what: String,
     access: Access,
     /// What barriers have ordered after it so far.
     before: Vec<Ordered>,
@@ -80,11 +80,11 @@ impl Tracker {
         let decl = self.declaration.passes()[pass].clone();
         let mut hazards = Vec::new();
         for u in &decl.uses {
-            hazards.extend(self.conflicts(decl.name, u, self.declaration.copy(u, frame)));
+            hazards.extend(self.conflicts(&decl.name, u, self.declaration.copy(u, frame)));
         }
         for u in &decl.uses {
             let copy = self.declaration.copy(u, frame);
-            self.remember(decl.name, u, copy);
+            self.remember(&decl.name, u, copy);
         }
         self.barriers.globals.clear();
         self.barriers.images.clear();
@@ -102,10 +102,11 @@ impl Tracker {
                     for b in globals {
                         e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), true);
                     }
-                    for b in images.iter().filter(|b| b.image == storage.image) {
+                    for b in images.iter().filter(|b| storage.image().is_some_and(|image| image.image == b.image)) {
                         e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), false);
                     }
-                    for b in buffers.iter().filter(|b| b.buffer == storage.buffer) {
+                    let is_of = |b: &&vk::BufferMemoryBarrier2| matches!(storage.object, Object::Buffer { buffer, .. } if buffer == b.buffer);
+                    for b in buffers.iter().filter(is_of) {
                         e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), false);
                     }
                 }
@@ -113,16 +114,16 @@ impl Tracker {
         }
     }
 
-    fn conflicts(&self, pass: &'static str, u: &Use, copy: usize) -> Vec<String> {
+    fn conflicts(&self, pass: &str, u: &Use, copy: usize) -> Vec<String> {
         let index = u.resource.0 as usize;
-        let name = self.declaration.resource(u.resource).name;
+        let name = &self.declaration.resource(u.resource).name;
         let own = self.events[index][copy].iter().filter(|e| e.access.writes() || u.access.writes());
         let missing = own.filter(|e| !e.is_before(u.access, false)).map(|e| format!("{pass}: {name} after {}", e.what));
         let alias = self.shared[index].iter().flat_map(|&other| self.events[other][0].iter().map(move |e| (other, e)));
-        let image = self.storages.storage(u.resource, copy).map_or(vk::Image::null(), |s| s.image);
+        let image = self.storages.storage(u.resource, copy).and_then(|s| s.image()).map(|image| image.image);
         // The layout transition writes memory: it too must come after what was done through the other image.
         let transition = |e: &Event| {
-            let waits = |b: &vk::ImageMemoryBarrier2| b.image == image && b.src_stage_mask.contains(e.access.scope().stage);
+            let waits = |b: &vk::ImageMemoryBarrier2| Some(b.image) == image && b.src_stage_mask.contains(e.access.scope().stage);
             self.barriers.images.iter().any(waits)
         };
         let through = alias
@@ -132,7 +133,7 @@ impl Tracker {
     }
 
     /// A write is ordered after all that came before, so that nothing before it can conflict any more; aliases of a resource that starts are dead.
-    fn remember(&mut self, pass: &'static str, u: &Use, copy: usize) {
+    fn remember(&mut self, pass: &str, u: &Use, copy: usize) {
         let index = u.resource.0 as usize;
         if u.access.writes() {
             self.events[index][copy].clear();
@@ -140,20 +141,20 @@ impl Tracker {
                 self.events[other][0].clear();
             }
         }
-        self.events[index][copy].push(Event { what: pass, access: u.access, before: Vec::new() });
+        self.events[index][copy].push(Event { what: pass.to_owned(), access: u.access, before: Vec::new() });
     }
 }
 
 fn fake(declaration: &Declaration, id: ResourceId, handle: u64) -> Storage {
-    let mut storage = Storage::EMPTY;
-    match declaration.resource(id).shape {
-        Shape::Image { format, .. } => {
-            storage.image = vk::Image::from_raw(handle);
-            storage.format = format.preferred();
-        }
-        Shape::Buffer { .. } => storage.buffer = vk::Buffer::from_raw(handle),
-    }
-    storage
+    Storage::own(match declaration.resource(id).shape {
+        Shape::Image { format, .. } => Object::Image(StoredImage {
+            image: vk::Image::from_raw(handle),
+            view: vk::ImageView::null(),
+            format: format.preferred(),
+            extent: [1, 1],
+        }),
+        Shape::Buffer { size } => Object::Buffer { buffer: vk::Buffer::from_raw(handle), size },
+    })
 }
 
 /// Places the transient images as the executor does, and gives who shares memory with whom.

@@ -46,13 +46,13 @@ struct Slot {
     last_index: u64,
     /// Whether every phase with inputs was recorded.
     complete: bool,
-    buffers: BTreeMap<&'static str, Staging>,
+    buffers: BTreeMap<String, Staging>,
     copies: Vec<Copied>,
 }
 
 /// An input that was copied into the buffer of its name.
 struct Copied {
-    name: &'static str,
+    name: String,
     /// Of a buffer undefined.
     format: vk::Format,
     bytes: usize,
@@ -204,8 +204,8 @@ impl Executor {
         }
         let declaration = self.denoiser.declaration();
         for (id, name) in inputs(declaration) {
-            if let Some(storage) = self.memory.storages.storage(id, 0).filter(|s| s.image != vk::Image::null()) {
-                check_format(name, storage.format)?;
+            if let Some(image) = self.memory.storages.storage(id, 0).and_then(|storage| storage.image()) {
+                check_format(name, image.format)?;
             }
         }
         let writer = SequenceWriter::new(folder, self.denoiser.config())?;
@@ -233,11 +233,11 @@ impl Executor {
 }
 
 /// Every input.
-fn inputs(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &'static str)> + '_ {
+fn inputs(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &str)> + '_ {
     (0..)
         .map(ResourceId)
         .zip(declaration.resources())
-        .filter_map(|(id, r)| matches!(r.lifetime, Lifetime::Input { .. }).then_some((id, r.name)))
+        .filter_map(|(id, r)| matches!(r.lifetime, Lifetime::Input { .. }).then_some((id, r.name.as_str())))
 }
 
 /// Bytes of a texel.

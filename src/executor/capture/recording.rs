@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::contract::{Phase, Shape};
-use crate::executor::barriers::{buffer_barrier, Scope};
-use crate::executor::storage::Storage;
+use crate::executor::barriers::buffer_barrier;
+use crate::executor::scope::Scope;
+use crate::executor::storage::{Object, Storage, StoredImage};
 
 impl Executor {
     /// Copies the inputs that no later phase reads.
@@ -17,12 +18,12 @@ impl Executor {
         }
         let declaration = self.denoiser.declaration();
         let last_phase = |id| declaration.life(id).map(|(_, last)| declaration.passes()[last].phase);
-        let inputs: Vec<_> = inputs(declaration).collect();
-        let here: Vec<_> = inputs.iter().copied().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
+        let inputs: Vec<_> = inputs(declaration).map(|(id, name)| (id, name.to_owned())).collect();
         let is_last = inputs.iter().filter_map(|(id, _)| last_phase(*id)).max() == Some(phase);
+        let here: Vec<_> = inputs.iter().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
         for (id, name) in here {
             // SAFETY: the caller's.
-            if let Err(error) = unsafe { self.copy_input(cmd, frame, id, name) } {
+            if let Err(error) = unsafe { self.copy_input(cmd, frame, *id, name) } {
                 return self.capture.fail(error);
             }
         }
@@ -31,31 +32,26 @@ impl Executor {
         }
     }
 
-    unsafe fn copy_input(
-        &mut self,
-        cmd: vk::CommandBuffer,
-        frame: &FrameContext,
-        id: ResourceId,
-        name: &'static str,
-    ) -> Result<(), Error> {
+    unsafe fn copy_input(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, id: ResourceId, name: &str) -> Result<(), Error> {
         let shape = self.denoiser.declaration().resource(id).shape;
         let Some(storage) = self.memory.storages.storage_mut(id, 0) else { return Ok(()) };
-        let (extent, bytes) = match shape {
-            Shape::Image { divisor, .. } => {
-                let extent = frame.render_extent.map(|side| side.div_ceil(divisor));
-                (extent, extent[0] as usize * extent[1] as usize * check_format(name, storage.format)?)
+        let divisor = if let Shape::Image { divisor, .. } = shape { divisor } else { 1 };
+        let extent = frame.render_extent.map(|side| side.div_ceil(divisor));
+        let (format, bytes) = match storage.object {
+            Object::Image(StoredImage { format, .. }) => {
+                (format, extent[0] as usize * extent[1] as usize * check_format(name, format)?)
             }
-            Shape::Buffer { .. } => ([0; 2], storage.size as usize / TRANSFORM_BYTES * TRANSFORM_BYTES),
+            Object::Buffer { size, .. } => (vk::Format::UNDEFINED, size as usize / TRANSFORM_BYTES * TRANSFORM_BYTES),
         };
         let capture = &mut self.capture;
         let slot = capture.slots.entry(frame.slot).or_default();
         if slot.buffers.get(name).is_none_or(|b| b.size < bytes as u64) {
             // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is complete.
             let staging = unsafe { Staging::of_types(&capture.device, &capture.memory_types, bytes.max(TRANSFORM_BYTES) as u64)? };
-            slot.buffers.insert(name, staging);
+            slot.buffers.insert(name.to_owned(), staging);
         }
         let Some(buffer) = slot.buffers.get(name).map(|b| b.buffer) else { return Ok(()) };
-        slot.copies.push(Copied { name, format: storage.format, bytes });
+        slot.copies.push(Copied { name: name.to_owned(), format, bytes });
         let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
         let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
         // SAFETY: the caller's; image and buffer are live and large enough, and the input is handed back at the end of the phase.
@@ -71,18 +67,21 @@ impl Executor {
 /// # Safety
 /// `cmd` is recording; the input is live, in the state of a copy's source, and `buffer` has room for it.
 unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Storage, extent: [u32; 2], buffer: vk::Buffer, bytes: u64) {
-    if from.image == vk::Image::null() {
-        if bytes > 0 {
-            // SAFETY: the caller's.
-            unsafe { device.cmd_copy_buffer(cmd, from.buffer, buffer, &[vk::BufferCopy::default().size(bytes)]) };
+    let image = match &from.object {
+        Object::Image(image) => image,
+        Object::Buffer { buffer: from, .. } => {
+            if bytes > 0 {
+                // SAFETY: `cmd` is recording, and both buffers are live with room for `bytes`.
+                unsafe { device.cmd_copy_buffer(cmd, *from, buffer, &[vk::BufferCopy::default().size(bytes)]) };
+            }
+            return;
         }
-        return;
-    }
+    };
     let [width, height] = extent;
     // Of a depth-stencil image the depth.
-    let aspect_mask = from.aspect() & !vk::ImageAspectFlags::STENCIL;
+    let aspect_mask = image.aspect() & !vk::ImageAspectFlags::STENCIL;
     let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
     let region = vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 });
-    // SAFETY: the caller's.
-    unsafe { device.cmd_copy_image_to_buffer(cmd, from.image, Scope::COPY_SOURCE.layout, buffer, &[region]) };
+    // SAFETY: `cmd` is recording; the image is live and in the layout of a copy's source, and the buffer has room for its texels.
+    unsafe { device.cmd_copy_image_to_buffer(cmd, image.image, Scope::COPY_SOURCE.layout, buffer, &[region]) };
 }

@@ -13,7 +13,7 @@ fn one_sample(seed: u32) -> Image<[f32; 4]> {
 
 /// Mean confidence of both rules (published, test) where the light goes from `before` to `now`.
 fn confidence(before: f32, now: f32) -> (f32, f32) {
-    let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+    let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
     let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
     let history = Image::new(EXTENT, [before; 4]);
     let moments = Image::new(EXTENT, pack_moments(&Moments { mean: before, deviation: before, history_length: 8.0, reason: 0 }));
@@ -23,11 +23,12 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
         depth_gradient: &guides.depth_gradient,
         previous_guide: &guides.guide,
     };
-    let percentiles = block_percentiles(&frame, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
-    let published = percentile_rule(&frame, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
+    let percentiles =
+        block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
+    let published = percentile_rule(&frame, &tuning, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
     let history = SignalHistory { irradiance: &history, moments: &moments };
-    let difference = block_difference(&frame, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-    let test = change_test(&frame, EXTENT, &[&difference]);
+    let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
+    let test = change_test(&frame, &tuning, EXTENT, &[&difference]);
     let mean = |image: &Image<f32>| image.texels().iter().sum::<f32>() / image.texels().len() as f32;
     (mean(&published), mean(&test))
 }
@@ -54,7 +55,7 @@ fn only_the_test_sees_a_light_that_comes_on() {
 
 #[test]
 fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
-    let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+    let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
     let moments = Image::new(EXTENT, pack_moments(&Moments { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 }));
     let history = Image::new(EXTENT, [1.0; 4]);
     let guides = HistoryGuides {
@@ -66,8 +67,8 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
     let confidence = |now: f32| {
         let history = SignalHistory { irradiance: &history, moments: &moments };
         let irradiance = Image::new(EXTENT, [now; 4]);
-        let difference = block_difference(&frame, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-        change_test(&frame, EXTENT, &[&difference]).texels()[700]
+        let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
+        change_test(&frame, &tuning, EXTENT, &[&difference]).texels()[700]
     };
     assert_eq!(confidence(1.02), 1.0);
     assert!(confidence(1.1) < 0.01);
@@ -75,9 +76,9 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
 
 #[test]
 fn without_adaptivity_every_history_is_kept() {
-    let frame = FrameConstants { adaptivity: 0.0, ..frame(EXTENT) };
+    let (frame, tuning) = (frame(EXTENT), Tuning { adaptivity: 0.0, ..Tuning::default() });
     let difference = Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0 }));
-    assert!(change_test(&frame, EXTENT, &[&difference]).texels().iter().all(|c| *c == 1.0));
+    assert!(change_test(&frame, &tuning, EXTENT, &[&difference]).texels().iter().all(|c| *c == 1.0));
     let percentiles = Percentiles { low: 0.0, up: 0.1 };
-    assert_eq!(weight_of_history(&frame, &percentiles, 9.0), 1.0);
+    assert_eq!(weight_of_history(&tuning, &percentiles, 9.0), 1.0);
 }

@@ -6,8 +6,12 @@ use super::*;
 const EXTENT: [u32; 2] = [21, 17];
 
 fn run(frame: &FrameConstants, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+    tuned(frame, &Tuning::default(), level, guides, image)
+}
+
+fn tuned(frame: &FrameConstants, tuning: &Tuning, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     let inputs = AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance: &[image] };
-    atrous(frame, level, &inputs).remove(0)
+    atrous(frame, tuning, level, &inputs).remove(0)
 }
 
 fn flat(extent: [u32; 2]) -> Guides {
@@ -32,14 +36,14 @@ fn a_constant_image_is_a_fixed_point() {
 
 #[test]
 fn one_bright_pixel_becomes_the_kernel() {
-    let frame = FrameConstants { sigma_l: 128.0, ..frame(EXTENT) };
+    let (frame, tuning) = (frame(EXTENT), Tuning { sigma_l: 128.0, ..Tuning::default() });
     for level in 0..3 {
         let step = 1 << level;
         let impulse = paint(EXTENT, |x, y| {
             let l = if (x, y) == (10, 8) { 1.0 } else { 0.0 };
             [l, l, l, 1000.0]
         });
-        let output = run(&frame, level, &flat(EXTENT), &impulse);
+        let output = tuned(&frame, &tuning, level, &flat(EXTENT), &impulse);
         for (j, ky) in SPLINE.iter().enumerate() {
             for (i, kx) in SPLINE.iter().enumerate() {
                 let (x, y) = (10 + (i as i32 - 2) * step, 8 + (j as i32 - 2) * step);
@@ -61,7 +65,7 @@ fn the_variance_is_that_of_filtered_white_noise() {
     let extent = [96, 96];
     // The deviation of uniform noise. Weights must not depend on the noise: then eq. 1 is linear and the prediction is exact.
     let deviation = 1.0 / 12.0_f32.sqrt();
-    let frame = FrameConstants { sigma_l: 128.0, ..frame(extent) };
+    let (frame, tuning) = (frame(extent), Tuning { sigma_l: 128.0, ..Tuning::default() });
     let guides = flat(extent);
     let mut squares = 0.0;
     let mut number = 0.0;
@@ -69,7 +73,7 @@ fn the_variance_is_that_of_filtered_white_noise() {
     for seed in 0..4 {
         // Far enough from luminance edge stopping: a large deviation in the alpha would widen it, so the image is scaled down.
         let image = with_deviation(&noise(extent, seed), deviation);
-        let output = run(&frame, 0, &guides, &image);
+        let output = tuned(&frame, &tuning, 0, &guides, &image);
         for y in 8..88 {
             for x in 8..88 {
                 let [l, .., sigma] = *output.get(x, y).expect("inside");
@@ -91,9 +95,9 @@ fn the_second_level_predicts_as_well() {
     // Level 1 reads every other pixel, and those are correlated after level 0: the prediction is that of independent taps,
     // so white noise is given to level 1 itself.
     let extent = [96, 96];
-    let frame = FrameConstants { sigma_l: 128.0, ..frame(extent) };
+    let (frame, tuning) = (frame(extent), Tuning { sigma_l: 128.0, ..Tuning::default() });
     let deviation = 1.0 / 12.0_f32.sqrt();
-    let output = run(&frame, 1, &flat(extent), &with_deviation(&noise(extent, 77), deviation));
+    let output = tuned(&frame, &tuning, 1, &flat(extent), &with_deviation(&noise(extent, 77), deviation));
     let inner = || (8..88).flat_map(|y| (8..88).map(move |x| (x, y))).map(|(x, y)| *output.get(x, y).expect("inside"));
     let measured = inner().map(|t| (t[0] - 0.5) * (t[0] - 0.5)).sum::<f32>() / 6400.0;
     let predicted = inner().map(|t| t[3] * t[3]).sum::<f32>() / 6400.0;
@@ -106,7 +110,7 @@ fn signals_share_nothing_but_geometry() {
         (with_deviation(&noise(EXTENT, 1), 0.2), with_deviation(&noise(EXTENT, 2), 0.4), with_deviation(&noise(EXTENT, 3), 0.1));
     let guides = guides(EXTENT, |x, y| surface(4.0 + 0.01 * (x * y) as f32));
     let inputs = AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance: &[&a, &b, &c] };
-    let together = atrous(&frame(EXTENT), 1, &inputs);
+    let together = atrous(&frame(EXTENT), &Tuning::default(), 1, &inputs);
     assert_eq!(together.len(), 3);
     for (output, image) in together.iter().zip([&a, &b, &c]) {
         assert_eq!(*output, run(&frame(EXTENT), 1, &guides, image));

@@ -7,7 +7,7 @@ use super::*;
 const EXTENT: [u32; 2] = [6, 4];
 
 fn run(guides: &Guides, noisy: &[&Image<[f32; 4]>], albedo: Option<&Image<[f32; 4]>>) -> DemodulateOutputs {
-    demodulate(&frame(EXTENT), &DemodulateInputs { guide: &guides.guide, noisy, albedo })
+    demodulate(&frame(EXTENT), &DemodulateInputs { guide: &guides.guide, noisy, albedo, has_holes: false })
 }
 
 fn flat() -> Guides {
@@ -81,7 +81,8 @@ fn outside_the_render_extent_nothing_is_read() {
     let expected = run(&flat(), &[&noisy], Some(&noisy));
     let loose = embed(&noisy, large, [f32::NAN; 4]);
     let guides = guides(large, |_, _| surface(4.0));
-    let output = demodulate(&in_large, &DemodulateInputs { guide: &guides.guide, noisy: &[&loose], albedo: Some(&loose) });
+    let inputs = DemodulateInputs { guide: &guides.guide, noisy: &[&loose], albedo: Some(&loose), has_holes: false };
+    let output = demodulate(&in_large, &inputs);
     assert_eq!(output.irradiance[0], embed(&expected.irradiance[0], large, [0.0; 4]));
     assert_eq!(output.statistics, [0; 8]);
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::config::{PostProcess, Preset, Signals};
-use crate::{Config, Error, FrameConstants, FrameContext};
+use crate::{Config, Error, FrameConstants, FrameContext, ToneCurve, Tuning};
 
 mod adaptation;
 mod check;
@@ -83,6 +83,7 @@ impl Denoiser {
     pub fn frame(&mut self, frame: &FrameContext, inputs: &DenoiserInputs, with_views: bool) -> Result<DenoiserOutputs, Error> {
         check::check(&self.config, frame, inputs)?;
         let constants = &frame.constants;
+        let tuning = &tuning_of(constants);
         let guides = if matches!(self.config.preset, Preset::Eaw | Preset::Volume) {
             // Object-space normals serve the history alone.
             ImportInputs { object_normal: None, ..inputs.guides }
@@ -90,22 +91,22 @@ impl Denoiser {
             inputs.guides
         };
         let imported = import(constants, &guides);
-        let gradients = self.gradients(constants, &imported, inputs);
+        let gradients = self.gradients(constants, tuning, &imported, inputs);
         let stabilized = inputs.gradients.other_denoised_radiance.filter(|_| self.config.preset == Preset::Stabilize);
         let noisy = stabilized.as_ref().map_or(inputs.noisy, std::slice::from_ref);
-        let demodulated = demodulate(constants, &DemodulateInputs { guide: &imported.guide, noisy, albedo: inputs.albedo });
-        let outliers = self.outliers(constants, &imported, demodulated.irradiance);
-        let confidence = gradients.confidence.or_else(|| self.confidence(constants, &imported, &outliers));
-        let filtered = self.filter(constants, &imported, &outliers.irradiance, confidence.as_ref());
+        let demodulated = demodulate(constants, &self.demodulation(&imported, noisy, inputs.albedo));
+        let outliers = self.outliers(constants, tuning, &imported, demodulated.irradiance);
+        let confidence = gradients.confidence.or_else(|| self.confidence(constants, tuning, &imported, &outliers));
+        let filtered = self.filter(constants, tuning, &imported, &outliers.irradiance, confidence.as_ref());
         let irradiance = each(filtered.result());
         let modulated = modulate(
             constants,
             &ModulateInputs { guide: &imported.guide, irradiance: &irradiance, albedo: inputs.albedo, emission: inputs.emission },
         );
-        let volume = self.volume(constants, &imported, inputs);
+        let volume = self.volume(constants, tuning, &imported, inputs);
         let surfaces = Some(&modulated.denoised_radiance).filter(|_| self.config.preset != Preset::Volume);
         let radiances: Vec<_> = surfaces.into_iter().chain(volume.as_ref().map(|volume| &volume.denoised)).collect();
-        let display = self.post_process(constants, &imported, &radiances);
+        let display = self.post_process(constants, tuning, &imported, &radiances);
         let of_volume = volume.as_ref().map_or(Statistics::default(), |volume| volume.statistics);
         let stages = [imported.statistics, gradients.statistics, demodulated.statistics, modulated.statistics, of_volume];
         let views =
@@ -130,9 +131,20 @@ impl Denoiser {
         })
     }
 
+    fn demodulation<'a>(
+        &self,
+        imported: &'a ImportOutputs,
+        noisy: &'a [&'a Image<[f32; 4]>],
+        albedo: Option<&'a Image<[f32; 4]>>,
+    ) -> DemodulateInputs<'a> {
+        let has_holes = self.config.preset == Preset::Eaw && self.config.sampling as u32 != 0;
+        DemodulateInputs { guide: &imported.guide, noisy, albedo, has_holes }
+    }
+
     fn filter(
         &self,
         frame: &FrameConstants,
+        tuning: &Tuning,
         imported: &ImportOutputs,
         irradiance: &[Image<[f32; 4]>],
         confidence: Option<&Image<f32>>,
@@ -141,10 +153,13 @@ impl Denoiser {
             return Filtered::default();
         }
         if self.config.preset == Preset::Eaw {
-            let level = |level, irradiance: &[&_]| eaw(frame, level, &EawInputs { guide: &imported.guide, irradiance });
+            let (weights, painting_levels) = (self.config.eaw_weights, self.config.sampling as u32);
+            let level = |level, irradiance: &[&_]| {
+                eaw(frame, tuning, level, &EawInputs { guide: &imported.guide, irradiance, weights, painting_levels })
+            };
             return Filtered { levels: self.levels(irradiance, level), ..Filtered::default() };
         }
-        let accumulated = self.accumulate(frame, imported, irradiance, confidence);
+        let accumulated = self.accumulate(frame, tuning, imported, irradiance, confidence);
         if self.config.preset == Preset::Stabilize {
             return Filtered { accumulated: accumulated.irradiance, moments: accumulated.moments, ..Filtered::default() };
         }
@@ -152,9 +167,9 @@ impl Denoiser {
         let estimate = if self.config.preset == Preset::Percentile { fading_variance } else { variance };
         let (irradiance, moments) = (each(&accumulated.irradiance), each(&accumulated.moments));
         let inputs = VarianceInputs { guide, depth_gradient, irradiance: &irradiance, moments: &moments };
-        let with_deviation = estimate(frame, &inputs);
+        let with_deviation = estimate(frame, tuning, &inputs);
         let kernel = if self.config.preset == Preset::Svgf { atrous } else { box_atrous };
-        let level = |level, irradiance: &[&_]| kernel(frame, level, &AtrousInputs { guide, depth_gradient, irradiance });
+        let level = |level, irradiance: &[&_]| kernel(frame, tuning, level, &AtrousInputs { guide, depth_gradient, irradiance });
         let levels = self.levels(&with_deviation, level);
         Filtered { accumulated: accumulated.irradiance, moments: accumulated.moments, with_deviation, levels }
     }
@@ -175,6 +190,7 @@ impl Denoiser {
     fn accumulate(
         &self,
         frame: &FrameConstants,
+        tuning: &Tuning,
         imported: &ImportOutputs,
         irradiance: &[Image<[f32; 4]>],
         history_confidence: Option<&Image<f32>>,
@@ -195,19 +211,20 @@ impl Denoiser {
                 .map(|(current, previous)| ObjectNormals { current, previous }),
             previous: self.history.as_ref().map(|history| PreviousFrame { guide: &history.guide, signals: &signals }),
         };
-        temporal_accumulation(frame, &inputs)
+        temporal_accumulation(frame, tuning, &inputs)
     }
 
     fn post_process(
         &self,
         frame: &FrameConstants,
+        tuning: &Tuning,
         imported: &ImportOutputs,
         radiances: &[&Image<[f32; 4]>],
     ) -> Option<Image<[f32; 4]>> {
         if self.config.post_process == PostProcess::None {
             return None;
         }
-        let tone_mapped = tone_map(frame, radiances);
+        let tone_mapped = tone_map(frame, tuning, radiances);
         if self.config.post_process == PostProcess::ToneMap {
             return Some(tone_mapped);
         }
@@ -217,7 +234,41 @@ impl Denoiser {
             surface_motion: &imported.surface_motion,
             previous: self.history.as_ref().and_then(|history| history.display.as_ref()),
         };
-        Some(taa(frame, &inputs))
+        Some(taa(frame, tuning, &inputs))
+    }
+}
+
+/// The tunables that a frame's constants hold.
+fn tuning_of(frame: &FrameConstants) -> Tuning {
+    Tuning {
+        alpha: frame.alpha,
+        alpha_moments: frame.alpha_moments,
+        max_history_length: frame.max_history_length,
+        spatial_variance_frames: frame.spatial_variance_frames,
+        sigma_l: frame.sigma_l,
+        sigma_n: frame.sigma_n,
+        sigma_z: frame.sigma_z,
+        depth_tolerance: frame.depth_tolerance,
+        normal_tolerance: frame.normal_tolerance,
+        edge_falloff: frame.edge_falloff,
+        percentile_low: frame.percentile_low,
+        percentile_up: frame.percentile_up,
+        percentile_range: frame.percentile_range,
+        adaptivity: frame.adaptivity,
+        change_threshold: frame.change_threshold,
+        firefly_bias: frame.firefly_bias,
+        sigma_rt: frame.sigma_rt,
+        sigma_rt_n: frame.sigma_rt_n,
+        sigma_rt_x: frame.sigma_rt_x,
+        volume_alpha: frame.volume_alpha,
+        volume_sigma_l: frame.volume_sigma_l,
+        volume_sigma_z: frame.volume_sigma_z,
+        volume_depth_tolerance: frame.volume_depth_tolerance,
+        gradient_scale: frame.gradient_scale,
+        exposure: frame.exposure,
+        taa_alpha: frame.taa_alpha,
+        taa_gamma: frame.taa_gamma,
+        tone_curve: [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear][frame.tone_curve.min(2) as usize],
     }
 }
 

@@ -144,7 +144,7 @@ fn views_and_post_process_come_when_asked_for() {
     assert!(output.display.is_none());
     let mapped = first_frame(&Config { post_process: PostProcess::ToneMap, ..config }, &inputs);
     let context = frame_with(&config, &FrameParams::new(EXTENT), &FrameParams::new(EXTENT));
-    assert_eq!(mapped.display, Some(tone_map(&context, &[&mapped.denoised_radiance])));
+    assert_eq!(mapped.display, Some(tone_map(&context, &Tuning::default(), &[&mapped.denoised_radiance])));
 }
 
 #[test]

@@ -91,11 +91,12 @@ impl Denoiser {
             irradiance_history: &each(&views.irradiance_history),
             history_confidence: views.history_confidence.as_ref(),
             gradient: views.gradient.as_ref(),
+            stratum_size: self.config.stratum_size,
             block_percentiles: &each(&views.block_percentiles),
             noisy: other.as_ref().map_or(inputs.noisy, std::slice::from_ref),
             // No albedo divides the light of a volume.
             albedo: inputs.albedo.filter(|_| self.config.preset != Preset::Volume),
         };
-        Some(debug_view(&frame.constants, &inputs, view))
+        Some(debug_view(&frame.constants, &tuning_of(&frame.constants), &inputs, view))
     }
 }

@@ -34,20 +34,21 @@ impl Denoiser {
     pub(super) fn volume(
         &self,
         frame: &FrameConstants,
+        tuning: &Tuning,
         imported: &ImportOutputs,
         inputs: &DenoiserInputs,
     ) -> Option<FilteredVolume> {
         let inputs = inputs.volume.filter(|_| self.config.has_volume())?;
         let VolumeInputs { noisy_volume, scattering_depth } = inputs;
         let previous = self.history.as_ref().and_then(|history| Some((&history.guide, history.volume.as_ref()?)));
-        let motion = VolumeMotionInputs {
-            guide: &imported.guide,
-            surface_motion: &imported.surface_motion,
-            previous_points: previous.map(|(_, volume)| &volume.points),
-        };
-        let volume_motion = volume_motion(frame, &motion);
+        let tuning = &volume_tuning(tuning);
+        let extent = imported.guide.extent();
+        let (none, mut claims) = (Image::new(extent, [0; 4]), Image::new(extent, 0));
+        let points = previous.map_or(&none, |(_, volume)| &volume.points);
+        volume_motion_claim(frame, &imported.guide, points, &mut claims);
+        let volume_motion = volume_motion_resolve(frame, points, &imported.surface_motion, &claims);
         let taken_in = volume_points(frame, &VolumePointsInputs { noisy_volume, scattering_depth });
-        let (radiance, block_percentiles) = self.volume_without_outliers(frame, taken_in.radiance);
+        let (radiance, block_percentiles) = self.volume_without_outliers(frame, tuning, taken_in.radiance);
         let signals = previous.map(|(_, volume)| SignalHistory { irradiance: &volume.radiance, moments: &volume.moments });
         let accumulation = VolumeAccumulationInputs {
             guide: &imported.guide,
@@ -55,10 +56,10 @@ impl Denoiser {
             radiance: &radiance,
             previous: previous.map(|(guide, _)| PreviousFrame { guide, signals: signals.as_slice() }),
         };
-        let (accumulated, moments) = volume_accumulation(frame, &accumulation);
+        let (accumulated, moments) = volume_accumulation(frame, tuning, &accumulation);
         let variance = VolumeVarianceInputs { guide: &imported.guide, radiance: &accumulated, moments: &moments };
-        let level = |level, radiance: &_| volume_atrous(frame, level, &imported.guide, radiance);
-        let first = level(0, &volume_variance(frame, &variance));
+        let level = |level, radiance: &_| volume_atrous(frame, tuning, level, &imported.guide, radiance);
+        let first = level(0, &volume_variance(frame, tuning, &variance));
         // At least two: the first is the history.
         let denoised = (2..self.config.levels).fold(level(1, &first), |radiance, i| level(i, &radiance));
         let history = VolumeHistory { radiance: first, moments, points: taken_in.volume_points };
@@ -69,13 +70,14 @@ impl Denoiser {
     fn volume_without_outliers(
         &self,
         frame: &FrameConstants,
+        tuning: &Tuning,
         irradiance: Image<[f32; 4]>,
     ) -> (Image<[f32; 4]>, Option<Image<u32>>) {
         if !self.config.firefly_filter {
             return (irradiance, None);
         }
-        let block_percentiles = block_percentiles(frame, &BlockPercentilesInputs { guide: None, irradiance: &irradiance });
+        let block_percentiles = block_percentiles(frame, tuning, &BlockPercentilesInputs { guide: None, irradiance: &irradiance });
         let inputs = FireflyInputs { guide: None, block_percentiles: &block_percentiles, irradiance: &irradiance };
-        (firefly(frame, &inputs), Some(block_percentiles))
+        (firefly(frame, tuning, &inputs), Some(block_percentiles))
     }
 }

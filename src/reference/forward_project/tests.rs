@@ -9,6 +9,8 @@ use glam::Vec3;
 /// A pixel at depth 4 is half a unit wide.
 const EXTENT: [u32; 2] = [24, 16];
 
+const STRATUM_SIZE: u32 = 3;
+
 /// A wall at depth 4, seen by a camera that moved by whole pixels.
 struct Wall {
     frame: FrameConstants,
@@ -28,28 +30,42 @@ impl Wall {
         ForwardProjectInputs {
             guide: &self.guides.guide,
             depth_gradient: &self.guides.depth_gradient,
-            surface_id: Some(&self.ids),
             previous: None,
             instance_transforms: None,
             forward_motion: None,
+            stratum_size: STRATUM_SIZE,
         }
+    }
+
+    /// Both passes of a frame.
+    fn run(&self, frame: &FrameConstants, inputs: &ForwardProjectInputs) -> (ForwardProjectOutputs, Statistics) {
+        let tuning = Tuning::default();
+        let mut claims = Image::new(inputs.guide.extent().map(|side| side.div_ceil(STRATUM_SIZE)), 0);
+        let statistics = forward_project_claim(frame, &tuning, inputs, &mut claims);
+        let outputs = forward_project_resolve(frame, &tuning, inputs, &claims, Some(&self.ids));
+        let samples = outputs.gradient_samples.texels().iter().filter(|t| t[2] != 0).count();
+        assert_eq!(samples, claims.texels().iter().filter(|key| **key != 0).count(), "a claim without a sample");
+        (outputs, statistics)
     }
 
     /// The first frame, and the second after it with other inputs.
     fn second(&self, inputs: ForwardProjectInputs) -> (ForwardProjectOutputs, ForwardProjectOutputs) {
-        let first = forward_project(&self.frame, &self.inputs());
-        let previous = PreviousCandidates { guide: &self.guides.guide, candidates: &first.gradient_candidates };
-        let second = forward_project(&self.frame, &ForwardProjectInputs { previous: Some(previous), ..inputs });
+        let (first, second, _) = self.second_with_statistics(inputs);
         (first, second)
     }
 
+    fn second_with_statistics(&self, inputs: ForwardProjectInputs) -> (ForwardProjectOutputs, ForwardProjectOutputs, Statistics) {
+        let first = self.run(&self.frame, &self.inputs()).0;
+        let previous = PreviousCandidates { guide: &self.guides.guide, candidates: &first.gradient_candidates };
+        let (second, statistics) = self.run(&self.frame, &ForwardProjectInputs { previous: Some(previous), ..inputs });
+        (first, second, statistics)
+    }
+
     fn samples(&self, outputs: &ForwardProjectOutputs) -> Vec<GradientSample> {
-        let count = Strata::new(&self.frame).count();
+        let count = Strata::new(&self.frame, STRATUM_SIZE).count();
         let all = (0..count.y).flat_map(|y| (0..count.x).map(move |x| [x, y]));
-        all.filter_map(|s| {
-            unpack_gradient_sample(self.frame.stratum_size, s, outputs.gradient_samples.at(UVec2::from(s).as_ivec2()))
-        })
-        .collect()
+        all.filter_map(|s| unpack_gradient_sample(STRATUM_SIZE, s, outputs.gradient_samples.at(UVec2::from(s).as_ivec2())))
+            .collect()
     }
 }
 
@@ -60,7 +76,7 @@ fn what_stands_still_lands_on_itself() {
         let (first, second) = wall.second(wall.inputs());
         assert!(wall.samples(&first).is_empty());
         let samples = wall.samples(&second);
-        assert_eq!(samples.len() as u32, Strata::new(&wall.frame).count().element_product());
+        assert_eq!(samples.len() as u32, Strata::new(&wall.frame, STRATUM_SIZE).count().element_product());
         assert!(samples.iter().all(|s| s.pixel == s.previous_pixel));
     }
 }
@@ -111,8 +127,9 @@ fn forward_motion_leads_and_bad_values_are_counted() {
     let wall = Wall::new(EXTENT, 0.0);
     let with = |texel: [f32; 4]| {
         let motion = Image::new(EXTENT, texel);
-        let outputs = wall.second(ForwardProjectInputs { forward_motion: Some(&motion), ..wall.inputs() }).1;
-        (wall.samples(&outputs), outputs.statistics[Counter::ForwardMotion as usize])
+        let (_, outputs, statistics) =
+            wall.second_with_statistics(ForwardProjectInputs { forward_motion: Some(&motion), ..wall.inputs() });
+        (wall.samples(&outputs), statistics[Counter::ForwardMotion as usize])
     };
     let (samples, bad) = with([3.0 / 24.0, -2.0 / 16.0, 4.0, 0.0]);
     assert!(!samples.is_empty() && bad == 0);
@@ -131,9 +148,9 @@ fn the_next_candidate_is_any_pixel_but_the_sample() {
     for frame_index in 0..64 {
         let frame = FrameConstants { frame_index, ..wall.frame };
         let before = FrameConstants { frame_index: frame_index + 1000, ..wall.frame };
-        let first = forward_project(&before, &wall.inputs());
+        let (first, _) = wall.run(&before, &wall.inputs());
         let previous = PreviousCandidates { guide: &wall.guides.guide, candidates: &first.gradient_candidates };
-        let second = forward_project(&frame, &ForwardProjectInputs { previous: Some(previous), ..wall.inputs() });
+        let (second, _) = wall.run(&frame, &ForwardProjectInputs { previous: Some(previous), ..wall.inputs() });
         for (sample, next) in wall.samples(&second).iter().zip(second.gradient_candidates.texels()) {
             let next_pixel = [next[0], next[1]].map(u32::from);
             assert_ne!(sample.pixel, next_pixel);
@@ -157,9 +174,9 @@ fn a_reset_has_no_samples_and_one_pixel_alternates() {
     assert_eq!(wall.samples(&second).len(), 1);
     assert_eq!(second.gradient_candidates.texels(), [[NO_PIXEL, NO_PIXEL, 0, 0]]);
     let previous = PreviousCandidates { guide: &wall.guides.guide, candidates: &second.gradient_candidates };
-    let third = forward_project(&wall.frame, &ForwardProjectInputs { previous: Some(previous), ..wall.inputs() });
+    let (third, _) = wall.run(&wall.frame, &ForwardProjectInputs { previous: Some(previous), ..wall.inputs() });
     assert!(wall.samples(&third).is_empty());
     let previous = PreviousCandidates { guide: &wall.guides.guide, candidates: &first.gradient_candidates };
     let inputs = ForwardProjectInputs { previous: Some(previous), ..wall.inputs() };
-    assert!(wall.samples(&forward_project(&reset(wall.frame), &inputs)).is_empty());
+    assert!(wall.samples(&wall.run(&reset(wall.frame), &inputs).0).is_empty());
 }

@@ -32,7 +32,7 @@ fn luminance_of(l: f32, albedo: f32) -> Image<u32> {
         previous_luminance: None,
         source: GradientInput::Sparse(None),
     };
-    gradient(&frame(EXTENT), &inputs).noisy_luminance
+    gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs).noisy_luminance
 }
 
 fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) -> [f32; 4] {
@@ -44,7 +44,7 @@ fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) ->
         previous_luminance: Some(previous),
         source: GradientInput::ForwardProjected { gradient_samples: &samples() },
     };
-    let outputs = gradient(frame, &inputs);
+    let outputs = gradient(frame, &Tuning::default(), 3, &inputs);
     let [_, without] = outputs.gradient.texels() else { panic!("two strata") };
     assert_eq!(without[..2], [0.0, 0.0], "a stratum without a sample");
     // The sample stands for the left stratum, the middle pixel for the right one.
@@ -98,7 +98,7 @@ fn a_dense_image_counts_where_the_surface_was() {
             depth_gradient: &guides.depth_gradient,
         },
     };
-    let outputs = gradient(&frame(EXTENT), &inputs);
+    let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs);
     let [left, right] = outputs.gradient.texels() else { panic!("two strata") };
     assert!((left[0] - 2.0).abs() < 5e-3 && (left[1] - 4.0).abs() < 5e-3, "{left:?}");
     assert_eq!((right[0], (right[1] - 2.0).abs() < 5e-3), (0.0, true), "{right:?}");
@@ -109,7 +109,7 @@ fn a_dense_image_counts_where_the_surface_was() {
         surface_motion: &guides.surface_motion,
         depth_gradient: &guides.depth_gradient,
     };
-    let outputs = gradient(&frame(EXTENT), &GradientInputs { source, ..inputs });
+    let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &GradientInputs { source, ..inputs });
     assert!(outputs.gradient.texels().iter().all(|g| g[..2] == [0.0, 0.0]), "another surface was there");
 }
 
@@ -128,7 +128,7 @@ fn a_host_s_own_differences_are_bounded() {
         previous_luminance: None,
         source: GradientInput::Sparse(Some(&host)),
     };
-    let outputs = gradient(&frame(EXTENT), &inputs);
+    let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs);
     let changes: Vec<_> = outputs.gradient.texels().iter().map(|g| [g[0], g[1]]).collect();
     assert_eq!(changes, [[-0.5, 1.0], [0.0, 0.0]]);
 }

@@ -13,7 +13,7 @@ fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surf
     let depth_gradient = Image::new(EXTENT, 0);
     (0..GRADIENT_ITERATIONS).fold(gradient.clone(), |gradient, level| {
         let inputs = GradientAtrousInputs { gradient_guide: &gradient_guide, depth_gradient: &depth_gradient, gradient: &gradient };
-        gradient_atrous(&frame(EXTENT), level, &inputs)
+        gradient_atrous(&frame(EXTENT), &Tuning::default(), 3, level, &inputs)
     })
 }
 

@@ -12,7 +12,17 @@ fn run(
     tone_mapped: &Image<[f32; 4]>,
     previous: Option<&Image<[f32; 4]>>,
 ) -> Image<[f32; 4]> {
-    taa(frame, &TaaInputs { tone_mapped, guide: &guides.guide, surface_motion: &guides.surface_motion, previous })
+    tuned(frame, &Tuning::default(), guides, tone_mapped, previous)
+}
+
+fn tuned(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    guides: &Guides,
+    tone_mapped: &Image<[f32; 4]>,
+    previous: Option<&Image<[f32; 4]>>,
+) -> Image<[f32; 4]> {
+    taa(frame, tuning, &TaaInputs { tone_mapped, guide: &guides.guide, surface_motion: &guides.surface_motion, previous })
 }
 
 fn flat(extent: [u32; 2]) -> Guides {
@@ -56,8 +66,8 @@ fn alpha_is_the_weight_of_the_new_frame() {
     let current = run(&reset(frame(EXTENT)), &flat(EXTENT), &checks, None);
     let history = Image::new(EXTENT, [0.55; 4]);
     for alpha in [0.1, 0.5, 1.0] {
-        let frame = FrameConstants { taa_alpha: alpha, ..frame(EXTENT) };
-        let display = run(&frame, &flat(EXTENT), &checks, Some(&history));
+        let tuning = Tuning { taa_alpha: alpha, ..Tuning::default() };
+        let display = tuned(&frame(EXTENT), &tuning, &flat(EXTENT), &checks, Some(&history));
         let (now, before) = (current.at(IVec2::new(5, 5))[0], 0.55);
         let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
         let expected = (w * now + v * before) / (w + v);
@@ -86,20 +96,20 @@ fn history_is_clipped_to_the_neighbourhood() {
     let ghost = Image::new(EXTENT, [0.9, 0.1, 0.9, 1.0]);
     let display = run(&frame(EXTENT), &flat(EXTENT), &dark, Some(&ghost));
     assert!(largest_difference(&display, &dark) < 1e-3, "{:?}", display.texels()[0]);
-    let wide = FrameConstants { taa_gamma: 8.0, taa_alpha: 0.01, ..frame(EXTENT) };
+    let wide = Tuning { taa_gamma: 8.0, taa_alpha: 0.01, ..Tuning::default() };
     let speckled = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.3 }; 4]);
     let ghost = Image::new(EXTENT, [0.9; 4]);
-    let display = run(&wide, &flat(EXTENT), &speckled, Some(&ghost));
+    let display = tuned(&frame(EXTENT), &wide, &flat(EXTENT), &speckled, Some(&ghost));
     assert!(display.at(IVec2::new(5, 5))[0] > 0.7, "a wide box lets it pass");
     // The box by hand: five pixels of 0.1 and four of 0.3 around (5, 5).
-    let (frame, alpha) = (FrameConstants { taa_gamma: 1.25, ..frame(EXTENT) }, 0.1);
+    let (frame, tuning, alpha) = (frame(EXTENT), Tuning { taa_gamma: 1.25, ..Tuning::default() }, 0.1);
     let (mean, deviation) = (1.7 / 9.0, 0.2 * (20.0_f32 / 81.0).sqrt());
     let (now, before) = (run(&reset(frame), &flat(EXTENT), &speckled, None).at(IVec2::new(5, 5))[0], mean + 1.25 * deviation);
     let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
     let expected = (w * now + v * before) / (w + v);
     for outside in [0.9, before + 0.05] {
         let history = Image::new(EXTENT, [outside; 4]);
-        let given = run(&frame, &flat(EXTENT), &speckled, Some(&history)).at(IVec2::new(5, 5))[0];
+        let given = tuned(&frame, &tuning, &flat(EXTENT), &speckled, Some(&history)).at(IVec2::new(5, 5))[0];
         assert!((given - expected).abs() < 1e-3, "{given} for {expected}");
     }
 }
@@ -114,9 +124,9 @@ fn history_follows_the_nearest_surface() {
         }
     }
     let columns = paint(EXTENT, |x, _| [0.05 * x as f32; 4]);
-    let frame = FrameConstants { taa_alpha: 0.01, taa_gamma: 8.0, ..frame(EXTENT) };
+    let (frame, tuning) = (frame(EXTENT), Tuning { taa_alpha: 0.01, taa_gamma: 8.0, ..Tuning::default() });
     let speckled = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.6 }; 4]);
-    let display = run(&frame, &scene, &speckled, Some(&columns));
+    let display = tuned(&frame, &tuning, &scene, &speckled, Some(&columns));
     for (x, column) in [(4, 2.0), (6, 4.0), (7, 7.0), (9, 9.0)] {
         let value = display.at(IVec2::new(x, 5))[0];
         assert!((value - 0.05 * column).abs() < 0.01, "{x}: {value}");
@@ -124,7 +134,7 @@ fn history_follows_the_nearest_surface() {
     // The background is infinitely far, whatever is stored for it.
     let mut sky = scene.clone();
     sky.guide = paint(EXTENT, |x, y| if x < 6 { scene.guide.at(IVec2::new(x, y)) } else { [0; 4] });
-    assert_eq!(run(&frame, &sky, &speckled, Some(&columns)), display);
+    assert_eq!(tuned(&frame, &tuning, &sky, &speckled, Some(&columns)), display);
 }
 
 #[test]

@@ -12,9 +12,20 @@ fn step(
     c: &Image<[f32; 4]>,
     previous: Option<&TemporalAccumulationOutputs>,
 ) -> TemporalAccumulationOutputs {
+    tuned(frame, &Tuning::default(), guides, c, previous)
+}
+
+fn tuned(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    guides: &Guides,
+    c: &Image<[f32; 4]>,
+    previous: Option<&TemporalAccumulationOutputs>,
+) -> TemporalAccumulationOutputs {
     let signals = previous.map(|p| [SignalHistory { irradiance: &p.irradiance[0], moments: &p.moments[0] }]);
     temporal_accumulation(
         frame,
+        tuning,
         &TemporalAccumulationInputs {
             guide: &guides.guide,
             surface_motion: &guides.surface_motion,
@@ -38,12 +49,12 @@ fn grey(extent: [u32; 2], l: f32) -> Image<[f32; 4]> {
 
 #[test]
 fn alpha_zero_is_the_running_mean_and_the_sample_variance() {
-    let frame = FrameConstants { alpha: 0.0, alpha_moments: 0.0, ..frame(EXTENT) };
+    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.0, alpha_moments: 0.0, ..Tuning::default() });
     let guides = flat(EXTENT);
     let samples: Vec<_> = (0..20).map(|i| noise(EXTENT, i)).collect();
     let mut previous = None;
     for (i, sample) in samples.iter().enumerate() {
-        let output = step(&frame, &guides, sample, previous.as_ref());
+        let output = tuned(&frame, &tuning, &guides, sample, previous.as_ref());
         let n = (i + 1) as f32;
         for (j, texel) in output.irradiance[0].texels().iter().enumerate() {
             let so_far = || samples[..=i].iter().map(|s| s.texels()[j][0]);
@@ -69,16 +80,16 @@ fn alpha_bounds_the_weight_of_a_new_sample() {
         irradiance: vec![grey(EXTENT, 1.0)],
         moments: vec![Image::new(EXTENT, pack_moments(&moments))],
     };
-    let frame = FrameConstants { alpha: 0.25, alpha_moments: 0.5, ..frame(EXTENT) };
-    let output = step(&frame, &guides, &grey(EXTENT, 3.0), Some(&previous));
+    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.25, alpha_moments: 0.5, ..Tuning::default() });
+    let output = tuned(&frame, &tuning, &guides, &grey(EXTENT, 3.0), Some(&previous));
     assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
     let moments = unpack_moments(output.moments[0].texels()[7]);
     assert!((moments.mean - 2.0).abs() < 1e-3);
     assert!((moments.deviation - (0.5_f32 * (0.25 + 0.5 * 4.0)).sqrt()).abs() < 1e-3, "{moments:?}");
     assert_eq!(moments.history_length, 101.0);
 
-    let capped = FrameConstants { alpha: 0.0, alpha_moments: 0.0, max_history_length: 4.0, ..frame };
-    let output = step(&capped, &guides, &grey(EXTENT, 3.0), Some(&previous));
+    let capped = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 4.0, ..tuning };
+    let output = tuned(&frame, &capped, &guides, &grey(EXTENT, 3.0), Some(&previous));
     assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
     assert_eq!(unpack_moments(output.moments[0].texels()[7]).history_length, 4.0);
 }

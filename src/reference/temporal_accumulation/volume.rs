@@ -18,11 +18,14 @@ pub struct VolumeAccumulationInputs<'a> {
 }
 
 /// Accumulates the radiance of a volume. No pixel is background: fog lies before the sky as well.
-pub fn volume_accumulation(frame: &FrameConstants, inputs: &VolumeAccumulationInputs) -> (Image<[f32; 4]>, Image<[u16; 4]>) {
+pub fn volume_accumulation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &VolumeAccumulationInputs,
+) -> (Image<[f32; 4]>, Image<[u16; 4]>) {
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let rect = RenderRect::new(frame.previous_render_extent);
-    let bounds =
-        AlphaBounds { alpha: frame.volume_alpha, alpha_moments: frame.volume_alpha, history_length: frame.max_history_length };
+    let bounds = AlphaBounds::new(tuning, false, false, 0.0);
     let signal = previous.and_then(|previous| previous.signals.first());
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let history = previous.map_or(History::Disoccluded(Reason::Reset), |previous| {
@@ -30,7 +33,7 @@ pub fn volume_accumulation(frame: &FrameConstants, inputs: &VolumeAccumulationIn
             let refusal = |q: IVec2| {
                 if !rect.contains(q) {
                     Reason::OffScreen
-                } else if relative_difference(volume_depth(previous.guide.at(q)), depth) > frame.volume_depth_tolerance {
+                } else if relative_difference(volume_depth(previous.guide.at(q)), depth) > tuning.depth_tolerance {
                     Reason::Depth
                 } else {
                     Reason::None

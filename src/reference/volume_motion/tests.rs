@@ -14,8 +14,14 @@ fn moved(before: FrameParams, now: FrameParams, depth: f32, points: &Image<[u16;
     let frame = frame_with(&Config::new(EXTENT), &before, &now);
     let surface_motion = Image::new(EXTENT, pack_surface_motion([9.0, -9.0], Some((0.0, [0.0, 0.0, 1.0]))));
     let guide = guides(EXTENT, |_, _| if depth == 0.0 { Default::default() } else { surface(depth) }).guide;
-    let inputs = VolumeMotionInputs { guide: &guide, surface_motion: &surface_motion, previous_points: Some(points) };
-    volume_motion(&frame, &inputs).map(|t| unpack_volume_motion(*t))
+    run(&frame, &guide, &surface_motion, points).map(|t| unpack_volume_motion(*t))
+}
+
+/// Both passes of a frame.
+fn run(frame: &FrameConstants, guide: &Image<[u16; 4]>, surface_motion: &Image<[u16; 4]>, points: &Image<[u16; 4]>) -> Image<u32> {
+    let mut claims = Image::new(guide.extent(), 0);
+    volume_motion_claim(frame, guide, points, &mut claims);
+    volume_motion_resolve(frame, points, surface_motion, &claims)
 }
 
 fn fog(linear_depth: f32) -> Image<[u16; 4]> {
@@ -103,10 +109,8 @@ fn a_reset_frame_has_no_points() {
     let frame = reset(frame(EXTENT));
     let guides = guides(EXTENT, |_, _| surface(5.0));
     let points = fog(3.0);
-    let inputs =
-        VolumeMotionInputs { guide: &guides.guide, surface_motion: &guides.surface_motion, previous_points: Some(&points) };
-    let without = VolumeMotionInputs { previous_points: None, ..inputs };
-    assert_eq!(volume_motion(&frame, &inputs), volume_motion(&frame, &without));
+    let without = run(&frame, &guides.guide, &guides.surface_motion, &fog(0.0));
+    assert_eq!(run(&frame, &guides.guide, &guides.surface_motion, &points), without);
 }
 
 #[test]

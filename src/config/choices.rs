@@ -1,0 +1,116 @@
+//! What a filter is made of.
+
+use crate::choice::choices;
+
+choices! {
+    /// Which lighting components are filtered.
+    #[derive(Default)]
+    pub enum Signals {
+        /// One image, `noisy_radiance`: direct and indirect light together.
+        #[default]
+        Together = 0 => "together",
+        /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow
+        /// edges that the sum blurs.
+        Apart = 1 => "apart",
+    }
+
+    /// What is done after the denoised radiance.
+    #[derive(Default)]
+    pub enum PostProcess {
+        /// Nothing: the host tone maps.
+        #[default]
+        None = 0 => "none",
+        /// Tone map into `display`.
+        ToneMap = 1 => "tone_map",
+        /// Tone map, then temporal anti-aliasing into `display`.
+        ToneMapTaa = 2 => "tone_map_taa",
+    }
+
+    /// Which filter: a list of nodes.
+    #[derive(Default)]
+    pub enum Preset {
+        /// Spatiotemporal variance-guided filtering \[SVGF\].
+        #[default]
+        Svgf = 0 => "svgf",
+        /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples say where history is out of date.
+        Asvgf = 1 => "asvgf",
+        /// Drives a temporal accumulation over the output of any other denoiser by the gradients of [`Preset::Asvgf`] \[ASVGF 4\].
+        /// One signal.
+        Stabilize = 2 => "stabilize",
+        /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the
+        /// host that SVGF does not.
+        Percentile = 3 => "percentile",
+        /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame. Has holes painted in where
+        /// [`crate::Config::sampling`] says so.
+        Eaw = 4 => "eaw",
+        /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`crate::Config::volume`]
+        /// adds the same passes to another preset.
+        Volume = 5 => "volume",
+    }
+
+    /// How many pixels have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
+    #[derive(Default)]
+    pub enum Sampling {
+        /// Every one. What is not finite is counted and black.
+        #[default]
+        Full = 0 => "full",
+        /// One of 2×2; the first level paints in the others.
+        OneOf2x2 = 1 => "one_of_2x2",
+        /// One of 4×4; the first two levels paint in the others.
+        OneOf4x4 = 2 => "one_of_4x4",
+    }
+
+    /// How [`Preset::Percentile`] finds out that light has changed.
+    #[derive(Default)]
+    pub enum AdaptiveRule {
+        /// The mean difference between a frame and its history over 24×24 pixels, against its standard error. Sees a light that
+        /// comes on as well as one that goes out.
+        #[default]
+        ChangeTest = 0 => "change_test",
+        /// As published: history outside of the percentiles of the noisy frame is dropped. At one sample a pixel the low percentile
+        /// is next to 0, so that a light that comes on is not seen.
+        Percentiles = 1 => "percentiles",
+    }
+
+    /// How the percentiles of a block are found. The result is the same to the bit.
+    #[derive(Default)]
+    pub enum BlockSort {
+        /// Every pixel counts those before it: one barrier.
+        #[default]
+        Counting = 0 => "counting",
+        /// Odd-even transposition as published \[PSVGF\]: 64 rounds with a barrier each. For comparison.
+        OddEven = 1 => "odd_even",
+    }
+
+    /// Where the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`] come from.
+    #[derive(Default)]
+    pub enum GradientSource {
+        /// The host's path tracer re-shades one pixel a stratum with the surface and the seed of a pixel of the previous frame,
+        /// which the stage `forward_project` picks (`glsl/host/gradient_sample.glsl`). Costs no extra samples.
+        #[default]
+        ForwardProjected = 0 => "forward_projected",
+        /// An image `reshaded_radiance`: the paths of the previous frame, traced again in the scene of this frame with the same
+        /// random numbers, at the pixels of the previous frame. As dense as the host likes; pixels that it leaves out are NaN.
+        Reshaded = 1 => "reshaded",
+        /// An image `sparse_gradient` with one texel a stratum, of a host that takes the differences itself: x the change of
+        /// luminance δ, y the larger of the two luminances Δ. 0, 0 where there is none.
+        Sparse = 2 => "sparse",
+        /// An image `confidence` with one texel a pixel, of a host that knows what changed: x from 1, keep the history, to 0, drop
+        /// it.
+        Confidence = 3 => "confidence",
+    }
+}
+
+impl Preset {
+    /// Name for people: in tables, menus and pictures.
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Svgf => "SVGF",
+            Self::Asvgf => "A-SVGF",
+            Self::Stabilize => "stabilize",
+            Self::Percentile => "percentile",
+            Self::Eaw => "EAW",
+            Self::Volume => "volume",
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! A denoiser composed from nodes: what a host builds, what the presets are built with.
+//!
+//! A [`Graph`] collects nodes. A node is a method of the graph: it takes ports, adds its resources and passes, and returns ports. A wrong wire
+//! does not compile, since ports are typed by what is in their images; what types cannot tell is an [`Error::Graph`] of [`Graph::finish`] with the
+//! node, the port and what to do. The result is a [`Declaration`], plain data, which [`crate::Denoiser`] records on a GPU and
+//! [`crate::reference::Engine`] runs on the CPU.
+//!
+//! ```
+//! use atrous::graph::{Feedback, Graph};
+//! use atrous::nodes::{Accumulation, Atrous, Import, Modulate, Variance};
+//!
+//! let mut g = Graph::new([1920, 1080]);
+//! let guides = g.import(Import::default());
+//! let noisy = g.radiance("noisy_radiance");
+//! let irradiance = g.demodulate(&guides, &noisy, Default::default());
+//! let history = g.history(&irradiance, Feedback::Filtered);
+//! let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
+//! let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
+//! let filtered = g.atrous(&guides, &estimate, Atrous { feedback: Some(history), ..Default::default() });
+//! let denoised = g.modulate(&guides, &filtered.into(), Modulate::default());
+//! g.output("denoised_radiance", &denoised);
+//! let declaration = g.finish()?;
+//! # Ok::<(), atrous::Error>(())
+//! ```
+//!
+//! Names of resources and passes are those of the node with the label of the signal behind it: `noisy_direct` gives `moments_direct`. A node that
+//! stands twice in a graph for the same signal needs a [`Graph::scope`], whose name goes behind that.
+
+mod check;
+mod pass;
+mod port;
+mod resources;
+mod stage;
+
+pub use pass::Value;
+pub use port::*;
+pub use stage::{Stage, StageCall, StageOutputs};
+
+pub(crate) use pass::Pass;
+pub(crate) use resources::{CONFIDENCE, HDR, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
+
+use crate::config::{check_extent, Config, Conventions};
+use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId};
+use crate::error::Error;
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Where the history of an accumulation comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Feedback {
+    /// The accumulated picture itself. Keeps more detail.
+    #[default]
+    Accumulated,
+    /// What the first level of a filter writes, as \[SVGF\] 4.1 has it: [`crate::nodes::Atrous::feedback`]. Takes more noise.
+    Filtered,
+}
+
+/// Nodes that were composed so far.
+#[derive(Debug)]
+pub struct Graph {
+    /// Tells the images of one graph from those of another.
+    key: u32,
+    allocated_extent: [u32; 2],
+    frames_in_flight: u32,
+    conventions: Conventions,
+    config: Option<Config>,
+    resources: Vec<ResourceDecl>,
+    passes: Vec<PassDecl>,
+    /// By resource: what the graph knows of it beyond its declaration.
+    states: Vec<ResourceState>,
+    /// By pass: the node that it belongs to.
+    owners: Vec<String>,
+    nodes: BTreeSet<String>,
+    scopes: Vec<String>,
+    errors: Vec<Error>,
+    constants: ResourceId,
+    statistics: ResourceId,
+}
+
+/// What a graph knows of a resource.
+#[derive(Clone, Debug, Default)]
+struct ResourceState {
+    /// Passes that have written it.
+    version: u32,
+    /// What stands behind the names of resources and passes of its signal; empty for the only one.
+    label: String,
+}
+
+impl Graph {
+    /// An empty graph for images of an extent, with two frames in flight and default conventions.
+    pub fn new(allocated_extent: [u32; 2]) -> Self {
+        static KEYS: AtomicU32 = AtomicU32::new(0);
+        let mut graph = Self {
+            key: KEYS.fetch_add(1, Ordering::Relaxed),
+            allocated_extent,
+            frames_in_flight: 2,
+            conventions: Conventions::default(),
+            config: None,
+            resources: Vec::new(),
+            passes: Vec::new(),
+            states: Vec::new(),
+            owners: Vec::new(),
+            nodes: BTreeSet::new(),
+            scopes: Vec::new(),
+            errors: Vec::new(),
+            constants: ResourceId(0),
+            statistics: ResourceId(0),
+        };
+        graph.start_frame();
+        graph
+    }
+
+    /// The graph of a preset: extents, conventions and frames in flight of a configuration.
+    pub(crate) fn of_config(config: &Config) -> Self {
+        let graph = Self::new(config.allocated_extent).conventions(config.conventions).frames_in_flight(config.frames_in_flight);
+        Self { config: Some(*config), ..graph }
+    }
+
+    /// How the host encodes its guides. Default: [`Conventions::default`].
+    pub fn conventions(self, conventions: Conventions) -> Self {
+        Self { conventions, ..self }
+    }
+
+    /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
+    pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
+        Self { frames_in_flight, ..self }
+    }
+
+    /// Nodes of `body` under names of their own: `_name` stands behind the names of their resources and passes. For a node that stands twice in a
+    /// graph. Inputs of the host keep their names, so that both read the same ones.
+    pub fn scope<T>(&mut self, name: &str, body: impl FnOnce(&mut Self) -> T) -> T {
+        self.scopes.push(name.to_owned());
+        let result = body(self);
+        self.scopes.pop();
+        result
+    }
+
+    /// Gives the host an image: it becomes an output of this name, which the host allocates and reads.
+    pub fn output<K>(&mut self, name: &str, port: &Port<K>) {
+        self.output_image(name, port.image());
+        if port.signals() > 1 {
+            self.fail("output", name, "two signals were given; give one name to each: `Port::of(port.images()[1])`".to_owned());
+        }
+    }
+
+    /// The graph as plain data.
+    ///
+    /// # Errors
+    /// [`Error::Extent`] and [`Error::Config`] for extents and frames in flight that are out of range; [`Error::Graph`] names node, port and
+    /// remedy: an image of another graph, stale content, a read of what nothing writes, a cycle, two writers, a history that nothing writes, a
+    /// format that does not fit, a name that is taken.
+    pub fn finish(mut self) -> Result<Declaration, Error> {
+        check_extent("allocated_extent", self.allocated_extent)?;
+        Config { frames_in_flight: self.frames_in_flight, ..Config::new(self.allocated_extent) }.validate()?;
+        if !self.conventions.background_depth.is_nan() && self.errors.is_empty() {
+            self.check();
+        }
+        match self.errors.into_iter().next() {
+            Some(error) => Err(error),
+            None => Ok(Declaration::new(
+                self.allocated_extent,
+                self.frames_in_flight,
+                self.conventions,
+                self.config,
+                self.resources,
+                self.passes,
+            )),
+        }
+    }
+
+    /// Notes what is wrong with a node. The first error is the one that [`Self::finish`] returns, since later ones may follow from it.
+    pub(crate) fn fail(&mut self, node: &str, port: &str, problem: String) {
+        self.errors.push(Error::Graph { node: node.to_owned(), port: port.to_owned(), problem });
+    }
+}

@@ -1,0 +1,204 @@
+//! What nodes hand to one another: images of a graph, typed by what is in them.
+
+use crate::contract::ResourceId;
+use std::marker::PhantomData;
+
+/// An image of a graph with the content that one node left in it.
+///
+/// A node that works in place leaves other content in the same image: the value from before is stale then, and a graph that still reads it is
+/// refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Image {
+    pub(super) graph: u32,
+    pub(super) id: ResourceId,
+    /// Passes that had written the image when this value was made.
+    pub(super) version: u32,
+}
+
+impl Image {
+    /// The resource, as [`crate::Declaration::resource`] takes it.
+    pub fn resource(&self) -> ResourceId {
+        self.id
+    }
+}
+
+/// One image of one kind, or two: one for each signal that is filtered in the same passes.
+///
+/// A port of another kind does not compile where this one is wanted. [`Port::of`] makes one of an image that a stage of the host wrote.
+#[derive(Debug)]
+pub struct Port<K> {
+    images: [Image; 2],
+    count: usize,
+    kind: PhantomData<K>,
+}
+
+// Not derived: a derive would ask the same of the kind, which has no values.
+impl<K> Clone for Port<K> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<K> Copy for Port<K> {}
+
+impl<K> Port<K> {
+    /// A port of one image. What is in it is up to the caller; its format is checked where it is read.
+    pub fn of(image: Image) -> Self {
+        Self { images: [image; 2], count: 1, kind: PhantomData }
+    }
+
+    pub(crate) fn of_images(images: &[Image]) -> Option<Self> {
+        let (first, last) = (images.first()?, images.last()?);
+        (images.len() <= 2).then_some(Self { images: [*first, *last], count: images.len(), kind: PhantomData })
+    }
+
+    /// The images, one for each signal.
+    pub fn images(&self) -> &[Image] {
+        &self.images[..self.count]
+    }
+
+    /// The image of the first signal, or of the only one.
+    pub fn image(&self) -> Image {
+        self.images[0]
+    }
+
+    /// How many signals: 1 or 2.
+    pub fn signals(&self) -> usize {
+        self.count
+    }
+
+    /// The same images under another kind, for what two kinds have in common.
+    pub(crate) fn cast<L>(self) -> Port<L> {
+        Port { images: self.images, count: self.count, kind: PhantomData }
+    }
+}
+
+/// What can be in the images of a [`Port`].
+pub mod kind {
+    /// Linear HDR radiance in rgb.
+    #[derive(Debug)]
+    pub enum Radiance {}
+    /// Radiance divided by the albedo, in rgb; half floats.
+    #[derive(Debug)]
+    pub enum Irradiance {}
+    /// Irradiance in rgb with the standard deviation of its luminance in alpha; half floats.
+    #[derive(Debug)]
+    pub enum Estimate {}
+    /// Radiance of a volume, which no albedo divides, in rgb; half floats.
+    #[derive(Debug)]
+    pub enum VolumeRadiance {}
+    /// Radiance of a volume in rgb with the standard deviation of its luminance in alpha; half floats.
+    #[derive(Debug)]
+    pub enum VolumeEstimate {}
+    /// Motion of a volume in pixels, two packed half floats.
+    #[derive(Debug)]
+    pub enum VolumeMotion {}
+    /// How far history is still true: 1, keep it, to 0, drop it.
+    #[derive(Debug)]
+    pub enum Confidence {}
+    /// Two percentiles of luminance for every 8×8 pixels, packed half floats.
+    #[derive(Debug)]
+    pub enum Percentiles {}
+    /// How far a frame departs from its history, for every 8×8 pixels, packed.
+    #[derive(Debug)]
+    pub enum Difference {}
+    /// Display-referred linear colour in rgb, 0 to 1.
+    #[derive(Debug)]
+    pub enum Display {}
+}
+
+/// Linear HDR radiance.
+pub type Radiance = Port<kind::Radiance>;
+/// Radiance divided by the albedo.
+pub type Irradiance = Port<kind::Irradiance>;
+/// Irradiance with the standard deviation of its luminance.
+pub type Estimate = Port<kind::Estimate>;
+/// Radiance of a volume.
+pub type VolumeRadiance = Port<kind::VolumeRadiance>;
+/// Radiance of a volume with the standard deviation of its luminance.
+pub type VolumeEstimate = Port<kind::VolumeEstimate>;
+/// Motion of a volume.
+pub type VolumeMotion = Port<kind::VolumeMotion>;
+/// How far history is still true.
+pub type Confidence = Port<kind::Confidence>;
+/// Percentiles of luminance of blocks.
+pub type Percentiles = Port<kind::Percentiles>;
+/// Departure of blocks from their history.
+pub type Difference = Port<kind::Difference>;
+/// Display-referred linear colour.
+pub type Display = Port<kind::Display>;
+
+impl From<Estimate> for Irradiance {
+    fn from(estimate: Estimate) -> Self {
+        estimate.cast()
+    }
+}
+
+impl From<VolumeEstimate> for Radiance {
+    fn from(estimate: VolumeEstimate) -> Self {
+        estimate.cast()
+    }
+}
+
+/// Packed guides of a frame, as the node `import` writes them. `docs/stages.md` has the bits.
+#[derive(Clone, Copy, Debug)]
+pub struct Guides {
+    /// Depth, normal, roughness and id of every pixel; four times 16 bits.
+    pub guide: Image,
+    /// Motion of the surface to the previous frame, change of its depth, and its normal there; four times 16 bits.
+    pub surface_motion: Image,
+    /// Change of depth from a pixel to the next; two packed half floats.
+    pub depth_gradient: Image,
+    /// Object-space normal, where the host has one; packed, 32 bits.
+    pub object_normal: Option<Image>,
+}
+
+/// What the next frame accumulates onto: colour and moments of luminance of every signal.
+#[derive(Clone, Copy, Debug)]
+pub struct History {
+    pub(crate) colour: [Image; 2],
+    pub(crate) moments: [Image; 2],
+    pub(crate) count: usize,
+}
+
+impl History {
+    /// Colour of every signal. rgb: irradiance; alpha: the standard deviation of its luminance where a filter fed it back.
+    pub fn colour(&self) -> &[Image] {
+        &self.colour[..self.count]
+    }
+
+    /// Mean and deviation of luminance, history length and the reason of a loss, of every signal; four times 16 bits.
+    pub fn moments(&self) -> &[Image] {
+        &self.moments[..self.count]
+    }
+}
+
+/// Temporal gradients, one texel a stratum, with the guide that steers their reconstruction. \[ASVGF\] 3.3, 3.4.
+#[derive(Clone, Copy, Debug)]
+pub struct Gradient {
+    pub(crate) image: Image,
+    pub(crate) scratch: Image,
+    pub(crate) guide: Image,
+    pub(crate) stratum_size: u32,
+}
+
+impl Gradient {
+    /// The gradients. x: change of luminance δ; y: larger luminance Δ; z, w: mean and deviation of luminance.
+    pub fn image(&self) -> Image {
+        self.image
+    }
+}
+
+/// Pixels that the host shades again, one a stratum at most. \[ASVGF\] 3.1.
+#[derive(Clone, Copy, Debug)]
+pub struct GradientSamples {
+    pub(crate) image: Image,
+    pub(crate) stratum_size: u32,
+}
+
+impl GradientSamples {
+    /// The image that `glsl/host/gradient_sample.glsl` reads.
+    pub fn image(&self) -> Image {
+        self.image
+    }
+}

@@ -1,0 +1,176 @@
+//! Images and buffers of a graph: names, formats, lifetimes, and who reads the previous copy.
+
+use super::{Feedback, Graph, History, Image, Port, Radiance, ResourceState};
+use crate::contract::{Component, ImageFormat, Lifetime, ResourceDecl, ResourceId, Shape};
+use ash::vk;
+
+/// Linear HDR colour with a fourth value.
+pub(crate) const HDR: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A16_SFLOAT);
+/// 64 packed bits. Four times 16 and not twice 32, since that one needs no device feature as a storage image.
+pub(crate) const PACKED_64: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A16_UINT);
+/// 32 packed bits.
+pub(crate) const PACKED_32: ImageFormat = ImageFormat::Exactly(vk::Format::R32_UINT);
+/// A number from 0 to 1 that a host may use elsewhere.
+pub(crate) const CONFIDENCE: ImageFormat = ImageFormat::Exactly(vk::Format::R32_SFLOAT);
+/// Colour of a host.
+pub(crate) const HOST_COLOUR: ImageFormat = ImageFormat::Any(Component::Float, vk::Format::R16G16B16A16_SFLOAT);
+/// One float of a host.
+pub(crate) const HOST_SCALAR: ImageFormat = ImageFormat::Any(Component::Float, vk::Format::R32_SFLOAT);
+/// One id of a host.
+pub(crate) const HOST_ID: ImageFormat = ImageFormat::Any(Component::Uint, vk::Format::R32_UINT);
+
+impl Graph {
+    /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives `moments_direct`;
+    /// `noisy_radiance`, and a name without that prefix, none.
+    pub fn radiance(&mut self, name: &str) -> Radiance {
+        let image = self.input(name, HOST_COLOUR, 1, false);
+        let label = name.strip_prefix("noisy_").filter(|label| *label != "radiance").unwrap_or_default();
+        self.states[image.id.0 as usize].label = label.to_owned();
+        Port::of(image)
+    }
+
+    /// Two signals that are filtered in the same passes with shared geometry weights, as \[SVGF\] does with direct and indirect light.
+    pub fn pair<K>(&mut self, first: &Port<K>, second: &Port<K>) -> Port<K> {
+        let images: Vec<_> = first.images().iter().chain(second.images()).copied().collect();
+        Port::of_images(&images).unwrap_or_else(|| {
+            self.fail("pair", "second", format!("{} signals were given; at most two are filtered in the same passes", images.len()));
+            *first
+        })
+    }
+
+    /// An image with one texel for every `divisor` × `divisor` pixels, of the host's own use between stages of its own: see [`super::StageCall`].
+    pub fn transient(&mut self, name: &str, format: vk::Format, divisor: u32) -> Image {
+        let name = self.scoped(name, "");
+        self.image(name, ImageFormat::Exactly(format), divisor, Lifetime::Transient)
+    }
+
+    /// What an accumulation of these signals leaves for the next frame. Make it before the nodes that read the previous one.
+    pub fn history<K>(&mut self, of: &Port<K>, feedback: Feedback) -> History {
+        let mut colour = of.images().to_vec();
+        for image in &mut colour {
+            let label = self.label(*image).to_owned();
+            match feedback {
+                Feedback::Filtered => {
+                    *image = self.named_image("irradiance_history", &label, HDR, 1, Lifetime::HistoryInPlace);
+                }
+                // The accumulation works in place: what it leaves is what the next frame reads.
+                Feedback::Accumulated => self.promote_to_history(*image, &label),
+            }
+        }
+        let moments: Vec<_> = of
+            .images()
+            .iter()
+            .map(|image| {
+                let label = self.label(*image).to_owned();
+                self.named_image("moments", &label, PACKED_64, 1, Lifetime::History)
+            })
+            .collect();
+        let both = |images: &[Image]| [images[0], images[images.len() - 1]];
+        History { colour: both(&colour), moments: both(&moments), count: of.signals() }
+    }
+
+    fn promote_to_history(&mut self, image: Image, label: &str) {
+        let name = self.scoped("irradiance_history", label);
+        self.claim_name("history", &name);
+        let resource = &mut self.resources[image.id.0 as usize];
+        if resource.lifetime == Lifetime::Transient {
+            (resource.name, resource.lifetime) = (name, Lifetime::History);
+        } else {
+            let (given, lifetime) = (resource.name.clone(), resource.lifetime);
+            self.fail(
+                "history",
+                &given,
+                format!("it is {lifetime:?}, and an accumulation works in place; give it what `demodulate` returns"),
+            );
+        }
+    }
+
+    /// An image of a signal.
+    pub(crate) fn named_image(&mut self, base: &str, label: &str, format: ImageFormat, divisor: u32, lifetime: Lifetime) -> Image {
+        let name = self.scoped(base, label);
+        let image = self.image(name, format, divisor, lifetime);
+        self.states[image.id.0 as usize].label = label.to_owned();
+        image
+    }
+
+    /// An input image of the host; the same name twice is the same input.
+    pub(crate) fn input(&mut self, name: &str, format: ImageFormat, divisor: u32, optional: bool) -> Image {
+        match self.resources.iter().position(|r| r.name == name) {
+            Some(index) => self.current(ResourceId(index as u32)),
+            None => self.image(name.to_owned(), format, divisor, Lifetime::Input { optional }),
+        }
+    }
+
+    /// Previous from current world space by surface id: three rows of four floats an instance.
+    pub(crate) fn instance_transforms(&mut self) -> Image {
+        const NAME: &str = "instance_transforms";
+        const BYTES_EACH: u64 = 48;
+        let found = self.resources.iter().position(|r| r.name == NAME).map(|index| ResourceId(index as u32));
+        let id = found.unwrap_or_else(|| self.buffer(NAME, BYTES_EACH, Lifetime::Input { optional: true }));
+        self.current(id)
+    }
+
+    pub(crate) fn buffer(&mut self, name: &str, size: u64, lifetime: Lifetime) -> ResourceId {
+        self.resource(name.to_owned(), Shape::Buffer { size }, lifetime)
+    }
+
+    fn image(&mut self, name: String, format: ImageFormat, divisor: u32, lifetime: Lifetime) -> Image {
+        self.claim_name(&name, &name);
+        let id = self.resource(name, Shape::Image { format, divisor }, lifetime);
+        self.current(id)
+    }
+
+    fn resource(&mut self, name: String, shape: Shape, lifetime: Lifetime) -> ResourceId {
+        let (image_usage, buffer_usage) = (vk::ImageUsageFlags::empty(), vk::BufferUsageFlags::empty());
+        self.resources.push(ResourceDecl { name, shape, lifetime, image_usage, buffer_usage });
+        self.states.push(ResourceState::default());
+        ResourceId(self.resources.len() as u32 - 1)
+    }
+
+    fn claim_name(&mut self, node: &str, name: &str) {
+        if self.resources.iter().any(|r| r.name == name) {
+            self.fail(node, name, "a resource has this name already; put the second node into a `Graph::scope`".to_owned());
+        }
+    }
+
+    /// A resource with the content that it has now.
+    pub(crate) fn current(&self, id: ResourceId) -> Image {
+        Image { graph: self.key, id, version: self.states[id.0 as usize].version }
+    }
+
+    /// The image with the content that it has now.
+    pub(crate) fn refreshed(&self, image: Image) -> Image {
+        if image.graph == self.key { self.current(image.id) } else { image }
+    }
+
+    /// The label of an image's signal.
+    pub(crate) fn label(&self, image: Image) -> &str {
+        let own = Some(image).filter(|image| image.graph == self.key);
+        own.and_then(|image| self.states.get(image.id.0 as usize)).map_or("", |state| &state.label)
+    }
+
+    /// A name with the label of a signal and the open scopes behind it.
+    pub(crate) fn scoped(&self, base: &str, label: &str) -> String {
+        let parts = std::iter::once(label).filter(|l| !l.is_empty()).chain(self.scopes.iter().map(String::as_str));
+        parts.fold(base.to_owned(), |name, part| format!("{name}_{part}"))
+    }
+
+    pub(super) fn output_image(&mut self, name: &str, image: Image) {
+        if image.graph != self.key {
+            return self.fail("output", name, "the image belongs to another graph".to_owned());
+        }
+        let index = image.id.0 as usize;
+        let taken = self.resources.iter().enumerate().any(|(i, r)| i != index && r.name == name);
+        let resource = &mut self.resources[index];
+        match resource.lifetime {
+            _ if taken => self.fail("output", name, "a resource has this name already; give the output another".to_owned()),
+            Lifetime::Transient | Lifetime::Output => {
+                (resource.name, resource.lifetime) = (name.to_owned(), Lifetime::Output);
+            }
+            lifetime => {
+                let given = resource.name.clone();
+                self.fail("output", name, format!("`{given}` is {lifetime:?}; only what a node writes for this frame alone can be an output"));
+            }
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! A stage of the host: its own compute shader as a pass between ours.
+
+use super::{Graph, Image, Pass, Value};
+use crate::contract::{Grid, Lifetime, Phase};
+use crate::error::Error;
+use crate::reference::Twin;
+use crate::shaders::{BindingKind, Shader, ShaderRef};
+use crate::ImageFormat;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A compute shader of the host that runs as a stage.
+///
+/// Everything that the graph has to know of it is read from the SPIR-V: bindings of descriptor set 0 with their names, push constants,
+/// specialisation constants, workgroup size. A uniform block called `frame` is bound to the frame's constants (`glsl/include/frame.glsl`), a storage
+/// buffer called `statistics` to the counters. Members of the push constants called `level` and `present`, and those with the name of a tunable, are
+/// filled by the recorder. One invocation is dispatched for each pixel of the render extent.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    shader: Arc<Shader>,
+}
+
+impl Stage {
+    /// Reads a module. Compile it for Vulkan 1.1 (SPIR-V 1.3) and keep the names (no stripping), since bindings are matched by name.
+    ///
+    /// # Errors
+    /// [`Error::Stage`] for what is no compute shader, has a binding without a name or of a kind that passes cannot have, numbers bindings with a gap or in
+    /// another set than 0, or has more than 128 bytes of push constants.
+    pub fn new(name: &str, spirv: &[u32]) -> Result<Self, Error> {
+        Ok(Self { shader: Arc::new(Shader::of_host(name, spirv)?) })
+    }
+
+    /// A function that computes the same on the CPU, for [`crate::reference::Engine`] and for the comparison of both.
+    pub fn with_twin(self, twin: Twin) -> Self {
+        let shader = Shader { twin: Some(twin), ..Shader::clone(&self.shader) };
+        Self { shader: Arc::new(shader) }
+    }
+}
+
+/// A stage of the host that is being put into a graph; [`StageCall::add`] ends it.
+#[derive(Debug)]
+#[must_use = "a stage is in the graph when `add` was called"]
+pub struct StageCall<'g> {
+    graph: &'g mut Graph,
+    shader: Arc<Shader>,
+    pass: Pass,
+    given: BTreeMap<String, Image>,
+    divisor: u32,
+}
+
+/// Images that a stage wrote, by the names of its bindings.
+#[derive(Clone, Debug)]
+pub struct StageOutputs {
+    images: BTreeMap<String, Image>,
+}
+
+impl StageOutputs {
+    /// What was written through a binding; `None` where the stage has no such binding that it writes.
+    pub fn image(&self, binding: &str) -> Option<Image> {
+        self.images.get(binding).copied()
+    }
+}
+
+impl Graph {
+    /// Begins a stage of the host. Each image is given by the name of its binding in the shader.
+    pub fn stage(&mut self, stage: &Stage) -> StageCall<'_> {
+        let node = self.node(&stage.shader.name, "");
+        let shader = stage.shader.clone();
+        let pass = Pass::new(&node, ShaderRef::Host(shader.clone()));
+        StageCall { graph: self, shader, pass, given: BTreeMap::new(), divisor: 1 }
+    }
+}
+
+impl StageCall<'_> {
+    /// An image of this frame: read, or read and written in place, as the shader says.
+    pub fn bind(mut self, binding: &str, image: Image) -> Self {
+        self.given.insert(binding.to_owned(), image);
+        self.pass = self.pass.bind(binding, image);
+        self
+    }
+
+    /// What an image held one frame ago. It keeps two copies from then on.
+    pub fn previous(mut self, binding: &str, image: Image) -> Self {
+        self.pass = self.pass.previous(binding, image);
+        self
+    }
+
+    /// An image of the host, an input of any float format under this name.
+    pub fn input(self, binding: &str, name: &str) -> Self {
+        let image = self.graph.input(name, super::HOST_COLOUR, 1, false);
+        self.bind(binding, image)
+    }
+
+    /// The phase of the frame. Default: [`Phase::AfterLighting`].
+    pub fn phase(mut self, phase: Phase) -> Self {
+        self.pass = self.pass.phase(phase);
+        self
+    }
+
+    /// The member `level` of the push constants. Default: 0.
+    pub fn level(mut self, level: u32) -> Self {
+        self.pass = self.pass.level(level);
+        self
+    }
+
+    /// A specialisation constant, by name.
+    pub fn constant(mut self, name: &str, value: u32) -> Self {
+        self.pass = self.pass.constant(name, value);
+        self
+    }
+
+    /// A member of the push constants, by name.
+    pub fn value(mut self, member: &str, value: Value) -> Self {
+        self.pass = self.pass.value(member, value);
+        self
+    }
+
+    /// One invocation, and one texel of each image that is made, for every `size` × `size` pixels. Default: 1.
+    pub fn per_block(mut self, size: u32) -> Self {
+        self.divisor = size.max(1);
+        self
+    }
+
+    /// Adds the stage. Every storage image that it writes and that was not given is made: a transient of the format that the shader names.
+    pub fn add(mut self) -> StageOutputs {
+        let mut images = BTreeMap::new();
+        for binding in self.shader.bindings.iter() {
+            let BindingKind::StorageImage(texel, access) = binding.kind else { continue };
+            if !access.writes() {
+                continue;
+            }
+            let image = match self.given.get(binding.name.as_ref()) {
+                Some(given) => *given,
+                None => {
+                    let base = format!("{}_{}", self.shader.name, binding.name);
+                    let format = ImageFormat::Exactly(texel.vk());
+                    let image = self.graph.named_image(&base, "", format, self.divisor, Lifetime::Transient);
+                    self.pass = self.pass.bind(&binding.name, image);
+                    image
+                }
+            };
+            images.insert(binding.name.to_string(), image);
+        }
+        let pass = if self.divisor > 1 { self.pass.grid(Grid::Strata(self.divisor)) } else { self.pass };
+        self.graph.add(pass);
+        for image in images.values_mut() {
+            *image = self.graph.refreshed(*image);
+        }
+        StageOutputs { images }
+    }
+}
