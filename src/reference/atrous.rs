@@ -1,10 +1,11 @@
 //! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::geometry_weights::Geometry;
 use super::luminance::texel_luminance;
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -140,4 +141,16 @@ fn blurred_deviation(geometry: &Geometry, rect: RenderRect, image: &Image<[f32; 
         variance += weight * deviation * deviation;
     }
     (variance / sum).sqrt()
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = b.packed("guide")?;
+    let geometry = match b.is_on("VOLUME")? {
+        true => Geometry::of_volume(b.frame, b.tuning, guide),
+        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+    };
+    let kernel = if b.is_on("BOX")? { BOX } else { SPLINE };
+    let filtered = filter(b.frame, &geometry, kernel, b.level, &b.colours("input")?);
+    b.write_signals("output", filtered)
 }

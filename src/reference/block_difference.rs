@@ -1,12 +1,13 @@
 //! The stage `block_difference`: how far the light of a frame departs from its own history, block by block.
 
 use super::binary16::{from_half_bits, half_bits, LARGEST_HALF};
+use super::bindings::Bindings;
 use super::blocks::{allocated_blocks, Blocks};
 use super::luminance::texel_luminance;
 use super::moments::unpack_moments;
 use super::nearest_history::HistoryGuides;
 use super::{Image, SignalHistory};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 
 /// What a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -67,4 +68,15 @@ fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
     let (now, before) = (mean(&|pair| pair.0), mean(&|pair| pair.1));
     let variance = mean(&|pair| (pair.0 - pair.1 - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.2));
     Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter: now.max(before) }
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = BlockDifferenceInputs {
+        guides: HistoryGuides::of(b)?,
+        irradiance: b.colour("irradiance")?,
+        history: SignalHistory { irradiance: b.colour("history")?, moments: b.packed("previous_moments")? },
+    };
+    let differences = block_difference(b.frame, b.tuning, &inputs);
+    b.write("block_difference", differences)
 }

@@ -1,10 +1,11 @@
 //! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures \[SVGF 3\].
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::guide::unpack_guide;
 use super::statistics::{count, Counter, Statistics};
 use super::{Image, HOLE};
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 
 #[cfg(test)]
 mod tests;
@@ -64,4 +65,17 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
         irradiance.push(texels.map(|t| t.0));
     }
     DemodulateOutputs { irradiance, statistics }
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = DemodulateInputs {
+        guide: b.packed("guide")?,
+        noisy: &b.colours("noisy")?,
+        albedo: b.optional_colour("albedo")?,
+        has_holes: b.is_on("PAINTING")?,
+    };
+    let outputs = demodulate(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write_signals("irradiance", outputs.irradiance)
 }

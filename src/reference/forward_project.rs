@@ -1,5 +1,6 @@
 //! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be shaded again.
 
+use super::bindings::Bindings;
 use super::conventions::{is_reset, motion_points_up, motion_unit};
 use super::forward_projection::{covering_pixel, invert_transform, is_visible, previous_world_position, project, ForwardPosition};
 use super::guide::{pcg, unpack_guide};
@@ -9,7 +10,7 @@ use super::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
 use super::surface_motion::unpack_depth_gradient;
 use super::Image;
 use crate::config::MotionUnit;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec4};
 
 #[cfg(test)]
@@ -222,4 +223,27 @@ enum Host {
     Nothing,
     Bad,
     Position(ForwardPosition),
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
+    let inputs = ForwardProjectInputs {
+        guide: b.packed("guide")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        previous: Some(PreviousCandidates { guide: b.packed("previous_guide")?, candidates: b.packed("previous_candidates")? }),
+        instance_transforms: transforms.as_deref(),
+        forward_motion: b.optional_colour("forward_motion")?,
+        stratum_size: b.stratum_size()?,
+    };
+    let claims = b.uint("claims")?;
+    if b.has("gradient_samples") {
+        let outputs = forward_project_resolve(b.frame, b.tuning, &inputs, claims, b.optional_uint("surface_id")?);
+        b.write("gradient_samples", outputs.gradient_samples)?;
+        return b.write("candidates", outputs.gradient_candidates);
+    }
+    let mut claims = claims.clone();
+    let statistics = forward_project_claim(b.frame, b.tuning, &inputs, &mut claims);
+    b.count(&statistics)?;
+    b.write("claims", claims)
 }

@@ -1,5 +1,6 @@
 //! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's conventions.
 
+use super::bindings::Bindings;
 use super::conventions::{normal_encoding, normals_are_in_view_space};
 use super::guide::{fold_id, pack_guide, Surface};
 use super::octahedral::{from_square, octahedral10};
@@ -9,7 +10,7 @@ use super::statistics::{count, Counter, Statistics};
 use super::surface_motion::{pack_depth_gradient, pack_surface_motion};
 use super::{render_rect::RenderRect, Image};
 use crate::config::NormalEncoding;
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -190,5 +191,27 @@ fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Imag
         }
         (Some(difference), None) | (None, Some(difference)) => difference,
         (None, None) => 0.0,
+    }
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
+    let inputs = ImportInputs {
+        motion: b.optional_colour("motion")?,
+        object_normal: b.optional_colour("object_normal")?,
+        surface_id: b.optional_uint("surface_id")?,
+        roughness: b.optional_colour("roughness")?,
+        instance_transforms: transforms.as_deref(),
+        ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)
+    };
+    let outputs = import(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write("guide", outputs.guide)?;
+    b.write("surface_motion", outputs.surface_motion)?;
+    b.write("depth_gradient", outputs.depth_gradient)?;
+    match outputs.object_normal_guide {
+        Some(normals) if b.has("object_normal_guide") => b.write("object_normal_guide", normals),
+        _ => Ok(()),
     }
 }

@@ -1,13 +1,14 @@
 //! The stage `taa` \[Karis 2014\]: temporal anti-aliasing of the tone-mapped picture.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::conventions::is_reset;
 use super::guide::{unpack_guide, Surface};
 use super::luminance::luminance;
 use super::projection::{extent_ratio, sample_offset};
 use super::surface_motion::unpack_surface_motion;
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -129,4 +130,17 @@ fn blend(alpha: f32, current: Vec3, history: Vec3) -> Vec3 {
     let weight = |c: Vec3| 1.0 / (1.0 + luminance(c.to_array()));
     let (now, before) = (alpha * weight(current), (1.0 - alpha) * weight(history));
     (now * current + before * history) / (now + before)
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = TaaInputs {
+        tone_mapped: b.colour("tone_mapped")?,
+        guide: b.packed("guide")?,
+        surface_motion: b.packed("surface_motion")?,
+        previous: Some(b.colour("previous_history")?),
+    };
+    let display = taa(b.frame, b.tuning, &inputs);
+    b.write("taa_history", display.clone())?;
+    b.write("display", display)
 }

@@ -12,6 +12,7 @@ use super::{render_rect::RenderRect, Image};
 use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
+mod adapter;
 #[cfg(test)]
 mod history_tests;
 mod taps;
@@ -19,6 +20,7 @@ mod taps;
 mod tests;
 mod volume;
 
+pub(super) use adapter::twin;
 pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// What the previous frame left of a signal.
@@ -61,7 +63,7 @@ pub struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// As written by `adaptive_alpha` or `adaptive_history`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    /// As written by `adaptive_alpha`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,

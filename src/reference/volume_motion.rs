@@ -1,12 +1,13 @@
 //! The stage `volume_motion` \[PSVGF\]: points of the previous frame, carried forward to this one, give a volume motion vectors of its own.
 
 use super::binary16::{from_half_bits, half_bits};
+use super::bindings::Bindings;
 use super::conventions::is_reset;
 use super::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
 use super::guide::unpack_guide;
 use super::volume_points::{unpack_volume_point, VolumePoint};
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -154,4 +155,16 @@ fn representable(steps: i32) -> f32 {
     let magnitude = steps.unsigned_abs();
     let excess = magnitude.checked_ilog2().unwrap_or(0).saturating_sub(10);
     steps.signum() as f32 * (magnitude >> excess << excess) as f32 / STEPS
+}
+
+/// The stage on what a pass has bound.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let (points, claims) = (b.packed("previous_points")?, b.uint("claims")?);
+    if b.has("volume_motion") {
+        let motion = volume_motion_resolve(b.frame, points, b.packed("surface_motion")?, claims);
+        return b.write("volume_motion", motion);
+    }
+    let mut claims = claims.clone();
+    volume_motion_claim(b.frame, b.packed("guide")?, points, &mut claims);
+    b.write("claims", claims)
 }
