@@ -4,7 +4,7 @@ use super::bindings::Bindings;
 use super::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 
-/// Where it is known from.
+/// Source of the confidence.
 #[derive(Clone, Copy, Debug)]
 pub enum AdaptiveAlphaInput<'a> {
     /// The reconstructed gradient.
@@ -42,7 +42,7 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
     }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let input = match b.optional_colour("confidence")? {
         Some(host) => AdaptiveAlphaInput::Confidence(host),

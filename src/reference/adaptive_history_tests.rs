@@ -1,4 +1,5 @@
-//! `percentile_rule` and `change_test`: which changes each sees, on blocks of one luminance distribution before and another one now.
+//! `percentile_rule` and `change_test`: which changes each sees, on blocks of one luminance distribution before and another one
+//! now.
 
 use super::percentile_rule::weight_of_history;
 use super::test_scene::*;

@@ -1,4 +1,4 @@
-//! What one pass has on the CPU: the frame, its parameters, and texels by the names of the shader's bindings.
+//! The bindings of a pass on the CPU: the frame, its parameters, and texels by the names that the shader has.
 
 use super::statistics::Statistics;
 use super::texels::{Texels, BYTES, COLOUR, PACKED, SCALAR, UINT};
@@ -8,8 +8,9 @@ use crate::{Error, FrameConstants, Tuning};
 /// The CPU twin of a stage: reads what the pass reads, and writes what it writes.
 pub type Twin = fn(&mut Bindings) -> Result<(), Error>;
 
-/// What one pass has on the CPU. Names are those of the bindings in the GLSL; what the graph does not wire, or the host does not give, has none.
-/// Texels that are read are borrowed. What is written is collected, and a binding that is both reads what was there before.
+/// The bindings of a pass on the CPU, by their names in the GLSL. An input that the graph does not wire, or the host does not give,
+/// is not bound. Texels that are read are borrowed, those that are written are collected: a binding that is both reads what was
+/// there before.
 #[derive(Clone, Debug)]
 pub struct Bindings<'a> {
     /// Name of the stage, for messages.
@@ -56,7 +57,7 @@ impl<'a> Bindings<'a> {
         self.writes.push((name, extent));
     }
 
-    /// What was written, by name, in the order of writing.
+    /// Texels that were written, by name, in the order of writing.
     pub fn into_written(self) -> Vec<(&'a str, Texels)> {
         self.written
     }

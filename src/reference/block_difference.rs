@@ -9,7 +9,7 @@ use super::nearest_history::HistoryGuides;
 use super::{Image, SignalHistory};
 use crate::{Error, FrameConstants, Tuning};
 
-/// What a block holds of the differences of luminance between its pixels and their history.
+/// Statistics that a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     /// Their mean, this frame minus the history.
@@ -41,7 +41,7 @@ pub struct BlockDifferenceInputs<'a> {
     pub guides: HistoryGuides<'a>,
     /// rgb: irradiance of one signal, as left by `firefly`.
     pub irradiance: &'a Image<[f32; 4]>,
-    /// What the previous frame left of this signal. Not read in a reset frame.
+    /// History of this signal. Not read in a reset frame.
     pub history: SignalHistory<'a>,
 }
 
@@ -70,7 +70,7 @@ fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
     Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter: now.max(before) }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = BlockDifferenceInputs {
         guides: HistoryGuides::of(b)?,

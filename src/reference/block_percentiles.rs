@@ -9,7 +9,7 @@ use super::Image;
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
-/// What a block holds, of the luminance of the irradiance of its surface pixels; 0, 0 without any.
+/// Percentiles of the luminance of the irradiance of a block's surface pixels; 0, 0 without any.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Percentiles {
     /// The lower one.
@@ -61,7 +61,7 @@ pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &Block
     })
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) };
     let percentiles = block_percentiles(b.frame, b.tuning, &BlockPercentilesInputs { guide, irradiance: b.colour("irradiance")? });

@@ -1,4 +1,5 @@
-//! The stage `change_test`: how far the history of a pixel is still true, by the mean difference of the blocks around and its standard error.
+//! The stage `change_test`: how far the history of a pixel is still true, by the mean difference of the blocks around and its
+//! standard error.
 
 use super::bindings::Bindings;
 use super::block_difference::unpack_difference;
@@ -11,7 +12,8 @@ use glam::IVec2;
 /// Share of the mean luminance below which a change is not worth the history, however certain it is.
 pub const CHANGE_EPSILON: f32 = 0.01;
 
-/// The test in both directions, on `block_difference` of every signal. 1, keep the history, to 0, drop it; `extent` is the allocated one.
+/// The test in both directions, on `block_difference` of every signal. 1, keep the history, to 0, drop it; `extent` is the
+/// allocated one.
 pub fn change_test(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2], block_difference: &[&Image<[u16; 4]>]) -> Image<f32> {
     let blocks = Blocks::new(frame.render_extent);
     let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
@@ -37,7 +39,7 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
     lin(tuning.change_threshold, 2.0 * tuning.change_threshold, errors)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let extent = b.extent_of("history_confidence")?;
     let confidence = change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?);

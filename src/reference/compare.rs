@@ -11,7 +11,8 @@ use super::texels::Texels;
 use super::BLOCK_SIZE;
 use glam::IVec2;
 
-/// What two values may differ by, and what share of texels may differ by more, since a test against a threshold fell the other way.
+/// The difference that two values may have, and the share of texels that may differ by more, since a test against a threshold fell
+/// the other way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance {
     /// Share of the larger value.
@@ -47,7 +48,7 @@ pub enum Values {
     Difference,
 }
 
-/// What an image has a texel for.
+/// The unit that an image has a texel for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Per {
     /// Every pixel.
@@ -76,11 +77,11 @@ pub enum When {
 pub struct Rule {
     /// Name of the binding.
     pub binding: &'static str,
-    /// What it has a texel for.
+    /// The unit that it has a texel for.
     pub per: Per,
     /// How a texel becomes numbers.
     pub values: Values,
-    /// What they may differ by.
+    /// The difference that they may have.
     pub tolerance: Tolerance,
     /// For which passes.
     pub when: When,

@@ -43,7 +43,8 @@ const VIRIDIS: [[u8; 3]; 9] = [
     [253, 231, 37],
 ];
 
-/// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks and strata.
+/// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks
+/// and strata.
 #[derive(Clone, Copy, Debug)]
 pub struct DebugViewInputs<'a> {
     /// As written by `import`.

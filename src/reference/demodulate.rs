@@ -35,7 +35,8 @@ pub struct DemodulateOutputs {
     pub statistics: Statistics,
 }
 
-/// What radiance is divided by, and multiplied with again in `modulate`: per component 1 where the albedo is not finite. Also whether it was.
+/// The divisor of radiance, with which `modulate` multiplies again: per component 1 where the albedo is not finite. Also whether a
+/// component was not.
 pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
     let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
     let rgb = [r, g, b];
@@ -67,7 +68,7 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     DemodulateOutputs { irradiance, statistics }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = DemodulateInputs {
         guide: b.packed("guide")?,

@@ -50,7 +50,7 @@ pub fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &EawInpu
     inputs.irradiance.iter().map(filter).collect()
 }
 
-/// What the edge functions of a level depend on.
+/// Settings of the edge functions of a level.
 struct Edges<'a> {
     tuning: &'a Tuning,
     weights: EawWeights,
@@ -131,7 +131,7 @@ fn view_position(frame: &FrameConstants, p: IVec2, linear_depth: f32) -> Vec3 {
     Vec3::new(axis(0), axis(1), z)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = EawInputs {
         guide: b.packed("guide")?,

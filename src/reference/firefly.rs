@@ -51,7 +51,7 @@ pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percen
     Blocks::new(frame.render_extent).rect().window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = FireflyInputs {
         guide: if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) },

@@ -1,4 +1,5 @@
-//! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be shaded again.
+//! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be
+//! shaded again.
 
 use super::bindings::Bindings;
 use super::conventions::{is_reset, motion_points_up, motion_unit};
@@ -30,14 +31,14 @@ pub struct ForwardProjectInputs<'a> {
     pub previous: Option<PreviousCandidates<'a>>,
     /// As for `import`: indexed by surface id, previous from current.
     pub instance_transforms: Option<&'a [InstanceTransform]>,
-    /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this frame, 0 or less
-    /// where the matrices shall do.
+    /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this
+    /// frame, 0 or less where the matrices shall do.
     pub forward_motion: Option<&'a Image<[f32; 4]>>,
     /// Pixels a side of a stratum.
     pub stratum_size: u32,
 }
 
-/// What the previous frame left.
+/// Guide and candidates that the previous frame left.
 #[derive(Clone, Copy, Debug)]
 pub struct PreviousCandidates<'a> {
     /// The guide of the previous frame.
@@ -55,8 +56,8 @@ pub struct ForwardProjectOutputs {
     pub gradient_candidates: Image<[u16; 4]>,
 }
 
-/// Projects the candidates of the previous frame. Each claims the stratum that it lands in: the largest key stays, 0 is nobody's. Counts the
-/// forward motions that are not finite.
+/// Projects the candidates of the previous frame. Each claims the stratum that it lands in: the largest key stays, 0 is nobody's.
+/// Counts the forward motions that are not finite.
 pub fn forward_project_claim(
     frame: &FrameConstants,
     tuning: &Tuning,
@@ -82,7 +83,8 @@ pub fn forward_project_claim(
     statistics
 }
 
-/// Writes down the sample whose key stayed in each stratum, and picks the candidates of the next frame; `surface_id` are the host's ids.
+/// Writes down the sample whose key stayed in each stratum, and picks the candidates of the next frame; `surface_id` are the host's
+/// ids.
 pub fn forward_project_resolve(
     frame: &FrameConstants,
     tuning: &Tuning,
@@ -106,7 +108,7 @@ fn key_mask(count: u32) -> u32 {
     (2 << count.max(1).ilog2()) - 1
 }
 
-/// By which the samples of a stratum are ranked: a hash above, the number of the stratum in the previous frame plus 1 below.
+/// The rank of a sample in its stratum: a hash above, the number of the stratum in the previous frame plus 1 below.
 fn key_of(frame: &FrameConstants, index: u32, count: u32) -> u32 {
     (pcg(index.wrapping_add(pcg(frame.frame_index))) & !key_mask(count)) | (index + 1)
 }
@@ -178,8 +180,8 @@ impl Projection<'_> {
             .ok_or(Lost::Gone)
     }
 
-    /// The world position in this frame. An instance beyond the end, or with an entry that is not finite, did not move; `None` where its
-    /// transform has no inverse.
+    /// The world position in this frame. An instance beyond the end, or with an entry that is not finite, did not move; `None`
+    /// where its transform has no inverse.
     fn carried(&self, world: Vec4, id: u32) -> Option<Vec4> {
         let transform = self.inputs.instance_transforms.and_then(|t| t.get(id as usize));
         match transform.filter(|t| t.iter().flatten().all(|x| x.is_finite())) {
@@ -218,14 +220,14 @@ impl Projection<'_> {
     }
 }
 
-/// What the host says of a pixel's forward motion.
+/// Forward motion of a pixel as the host gives it.
 enum Host {
     Nothing,
     Bad,
     Position(ForwardPosition),
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let inputs = ForwardProjectInputs {

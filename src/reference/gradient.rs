@@ -1,4 +1,5 @@
-//! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per stratum.
+//! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per
+//! stratum.
 
 use super::binary16::{from_half_bits, half_bits, round_to_half, LARGEST_HALF};
 use super::bindings::Bindings;
@@ -185,7 +186,7 @@ fn with_place([x, y, z, w]: [u16; 4], place: u32) -> [u16; 4] {
     [x, y, rest as u16, (rest >> 16) as u16]
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let source = match b.constant("SOURCE")? {
         0 => GradientInput::ForwardProjected { gradient_samples: b.packed("gradient_samples")? },

@@ -80,7 +80,7 @@ fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2
     strata.first_pixel(s) + IVec2::new(place % size, place / size)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = GradientAtrousInputs {
         gradient_guide: b.packed("gradient_guide")?,

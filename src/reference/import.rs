@@ -1,4 +1,5 @@
-//! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's conventions.
+//! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's
+//! conventions.
 
 use super::bindings::Bindings;
 use super::conventions::{normal_encoding, normals_are_in_view_space};
@@ -21,7 +22,7 @@ mod tests;
 /// Normals that are shorter have no direction.
 const SMALLEST_LENGTH_SQUARED: f32 = 1e-8;
 
-/// What the host gives; images have the allocated extent.
+/// Guides of the host; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct ImportInputs<'a> {
     /// x: depth, in the encoding of [`crate::config::Conventions`].
@@ -41,7 +42,7 @@ pub struct ImportInputs<'a> {
 }
 
 impl<'a> ImportInputs<'a> {
-    /// What every host gives, without anything optional.
+    /// Inputs that every host gives, without anything optional.
     pub const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
         Self { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
     }
@@ -58,7 +59,7 @@ impl ImportInputs<'_> {
     }
 }
 
-/// What the filters read.
+/// Guides as the filters read them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportOutputs {
     /// Depth, normal, roughness and id, see [`super::unpack_guide`].
@@ -170,8 +171,8 @@ fn object_normal([x, y, z, _]: [f32; 4]) -> Vec3 {
     }
 }
 
-/// ∂z along an axis: of the two one-sided differences to neighbours on the same surface the smaller one, since it does not look across an
-/// edge. The forward one where both are equal.
+/// ∂z along an axis: of the two one-sided differences to neighbours on the same surface the smaller one, since it does not look
+/// across an edge. The forward one where both are equal.
 fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Image<(f32, bool)>, p: IVec2, axis: IVec2) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
     let z = depths.at(p).0;
@@ -194,7 +195,7 @@ fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Imag
     }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let transforms = b.instance_transforms()?;
     let inputs = ImportInputs {

@@ -1,15 +1,18 @@
 //! The CPU twin of every stage: plain `f32`, no `unsafe`, written from the equations and not from the shaders.
 //!
 //! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other.
+//! Each stage is a pure function with inputs and outputs of its own. A [`Stage`] has it behind one interface: its twin reads and writes
+//! [`Bindings`] by the names of the shader, and its rules say when what the GPU wrote is equal. [`STAGES`] lists them all.
+//!
 //! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
-//! [`Denoiser`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an image that is
-//! smaller than the render extent.
+//! [`Denoiser`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an
+//! image that is smaller than the render extent.
 //!
 //! | tag | source |
 //! | --- | --- |
 //! | \[EAW\] | Dammertz et al.: Edge-Avoiding À-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010 |
 //! | \[SVGF\] | Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017 |
-//! | \[ASVGF\] | Schied, Peters, Dachsbacher: Gradient Estimation for Real-Time Adaptive Temporal Filtering, PACMCGIT 1(2) art. 24, 2018 |
+//! | \[ASVGF\] | Schied, Peters, Dachsbacher: Gradient Estimation for Real-Time Adaptive Temporal Filtering, PACMCGIT 1(2), 2018 |
 //! | \[PSVGF\] | Alber: Percentile-based Adaptive Spatiotemporal Variance-Guided Filtering for GI and Volumes, KIT |
 //! | \[Karis 2014\] | High-Quality Temporal Supersampling, SIGGRAPH courses 2014 |
 //! | \[Narkowicz 2015\] | ACES Filmic Tone Mapping Curve |

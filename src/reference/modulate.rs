@@ -52,7 +52,7 @@ pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutp
     ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = ModulateInputs {
         guide: b.packed("guide")?,

@@ -1,4 +1,5 @@
-//! The pixel of the previous frame nearest to where a surface was: coarser than the taps of `temporal_accumulation`, for statistics over many pixels.
+//! The pixel of the previous frame nearest to where a surface was: coarser than the taps of `temporal_accumulation`, for statistics
+//! over many pixels.
 
 use super::bindings::Bindings;
 use super::conventions::is_reset;

@@ -1,4 +1,4 @@
-//! What a pass of a declaration is to its twin: a stage with parameters and names.
+//! A pass of a declaration as its twin sees it: a stage with parameters and names.
 
 use super::table::Stage;
 use crate::config::{Config, Preset};
@@ -15,12 +15,13 @@ pub struct StagePass {
     pub level: u32,
     /// Specialisation constants by name.
     pub constants: Vec<(String, u32)>,
-    /// For every use of the pass the name of its binding; `None` where an image only stands in for one that the graph does not have.
+    /// For every use of the pass the name of its binding; `None` where an image only stands in for one that the graph does not
+    /// have.
     pub names: Vec<Option<String>>,
 }
 
 impl StagePass {
-    /// What a pass runs; `None` where it clears or uploads. `view` is what the frame shows.
+    /// The stage that a pass runs; `None` where it clears or uploads. `view` is the one that the frame shows.
     pub fn of(pass: &PassDecl, config: &Config, view: Option<DebugView>) -> Option<Self> {
         let (shader, level, available) = match pass.work {
             Work::Dispatch { shader, level, .. } => (shader, level, u32::MAX),
@@ -37,7 +38,7 @@ impl StagePass {
     }
 }
 
-/// The stage of a module, and what its variant says.
+/// The stage of a module, and the constants that its variant stands for.
 fn variant(shader: &Shader) -> (String, Vec<(String, u32)>) {
     const SWITCHES: [&str; 4] = ["VOLUME", "BOX", "REPAIR", "FADE"];
     const RULES: [&str; 2] = ["percentile_rule", "change_test"];
@@ -53,7 +54,7 @@ fn variant(shader: &Shader) -> (String, Vec<(String, u32)>) {
     (rule.map_or(stage, |rule| *rule).to_owned(), constants)
 }
 
-/// What the configuration settles for every pass.
+/// Constants that the configuration settles for every pass.
 fn configured(config: &Config) -> [(&'static str, u32); 5] {
     let is_eaw = config.preset == Preset::Eaw;
     let weights = config.eaw_weights;

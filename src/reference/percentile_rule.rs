@@ -54,7 +54,7 @@ pub(super) fn weight_of_history(tuning: &Tuning, percentiles: &Percentiles, l: f
     (1.0 - tuning.adaptivity * too_bright) * (1.0 - tuning.adaptivity * too_dark)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guides = HistoryGuides::of(b)?;
     let signals: Vec<_> = b.uints("block_percentiles")?.into_iter().zip(b.colours("history")?).collect();

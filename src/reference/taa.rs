@@ -26,11 +26,11 @@ pub struct TaaInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// As written by `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// What this stage wrote in the previous frame. Not read in a reset frame; `None` is treated as one.
+    /// `taa_history` of the previous frame. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<&'a Image<[f32; 4]>>,
 }
 
-/// What is displayed and, as the next frame's history, blended again; half precision, alpha 1.
+/// The picture to display, which is the next frame's history as well; half precision, alpha 1.
 pub fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -> Image<[f32; 4]> {
     let rect = RenderRect::new(frame.render_extent);
     let extent = inputs.tone_mapped.extent();
@@ -132,7 +132,7 @@ fn blend(alpha: f32, current: Vec3, history: Vec3) -> Vec3 {
     (now * current + before * history) / (now + before)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = TaaInputs {
         tone_mapped: b.colour("tone_mapped")?,

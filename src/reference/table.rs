@@ -26,7 +26,8 @@ impl Stage {
     /// specialisation constants of the pass: they say how large strata are, and which rules hold.
     ///
     /// # Errors
-    /// A message that names stage and binding, with the number of texels that differ and the first of them; or says that there is no rule.
+    /// A message that names stage and binding, with the number of texels that differ and the first of them; or says that there is
+    /// no rule.
     pub fn compare(
         &self,
         binding: &str,

@@ -91,7 +91,7 @@ impl Texels {
         }
     }
 
-    /// What it is, for messages.
+    /// Name of the kind, for messages.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Self::Colour(_) => COLOUR,

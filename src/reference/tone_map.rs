@@ -29,7 +29,7 @@ fn curve(tone_curve: ToneCurve, x: [f32; 3]) -> [f32; 3] {
     }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let mapped = tone_map(b.frame, b.tuning, &b.colours("radiance")?);
     b.write("tone_mapped", mapped)

@@ -1,4 +1,5 @@
-//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the neighbourhood.
+//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the
+//! neighbourhood.
 
 use super::binary16::store;
 use super::bindings::Bindings;
@@ -121,7 +122,7 @@ fn spatial_variance(
     variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = b.packed("guide")?;
     let geometry = match b.is_on("VOLUME")? {

@@ -1,4 +1,5 @@
-//! The stage `volume_points` \[PSVGF\]: what a volume scatters towards the camera, and the points that the next frame carries forward.
+//! The stage `volume_points` \[PSVGF\]: what a volume scatters towards the camera, and the points that the next frame carries
+//! forward.
 
 use super::binary16::{store, LARGEST_HALF};
 use super::bindings::Bindings;
@@ -65,7 +66,7 @@ pub fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> Vol
     VolumePointsOutputs { radiance: texels.map(|t| t.0 .0), volume_points: texels.map(|t| t.0 .1), statistics }
 }
 
-/// The stage on what a pass has bound.
+/// Runs the stage on the bindings of a pass.
 pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs =
         VolumePointsInputs { noisy_volume: b.colour("noisy_volume")?, scattering_depth: b.optional_colour("scattering_depth")? };

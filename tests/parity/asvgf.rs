@@ -49,7 +49,8 @@ pub fn one_pixel() {
     }
 }
 
-/// Transforms of an instance that moves, of one that is singular, of one that is not finite, and too few of them; forward motion with holes.
+/// Transforms of an instance that moves, of one that is singular, of one that is not finite, and too few of them; forward motion
+/// with holes.
 pub fn transforms_and_forward_motion() {
     let identity = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     let moved = [[0.96, -0.28, 0.0, 0.1], [0.28, 0.96, 0.0, -0.05], [0.0, 0.0, 1.0, 0.02]];

@@ -28,7 +28,8 @@ pub fn every_encoding() {
     assert_valid();
 }
 
-/// Motion from the matrices and a transform per instance: a turning ball, a wall with an unusable transform, and ids beyond the buffer.
+/// Motion from the matrices and a transform per instance: a turning ball, a wall with an unusable transform, and ids beyond the
+/// buffer.
 pub fn instance_transforms() {
     let scene = Scene { speed: 0.1, ..Scene::new([41, 23]) };
     let config = Config::new(scene.extent);

@@ -1,4 +1,4 @@
-//! The stage on what a pass has bound.
+//! The stage on the bindings of a pass.
 
 use super::*;
 use crate::reference::bindings::Bindings;
