@@ -78,7 +78,7 @@ fn bench(options: &Options) -> Result<(), Error> {
     };
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device: options.device.clone(), ..Default::default() })?);
     println!("{}, {}x{}, {} frames", gpu.name(), options.size[0], options.size[1], options.frames);
-    let mut session = Session::new(gpu, &config, SessionOptions { timestamps: true, ..Default::default() })?;
+    let mut session = Session::new(gpu, config.declare()?, SessionOptions { timestamps: true, ..Default::default() })?;
     upload(&mut session, options.size)?;
     let mut samples: Vec<Vec<f64>> = Vec::new();
     for i in 0..UNTIMED + options.frames {

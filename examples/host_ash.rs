@@ -215,7 +215,7 @@ pub fn main() -> Result<()> {
         let pool = device.create_command_pool(&info.flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER), None)?;
         let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
         let (queue, cmd) = (device.get_device_queue(family, 0), device.allocate_command_buffers(&info)?[0]);
-        let mut denoiser = Denoiser::new(host, &Config::new(synthetic::EXTENT))?;
+        let mut denoiser = Denoiser::new(host, Config::new(synthetic::EXTENT).declare()?)?;
         let mut resources = Vec::new();
         for decl in denoiser.declaration().resources() {
             let is_input = decl.name == "surface_id" || synthetic::NAMES.contains(&decl.name.as_str());

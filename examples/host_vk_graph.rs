@@ -59,7 +59,7 @@ impl Host {
         let device = GraphDevice::create(DeviceInfo::default())?;
         let host = Device { instance: &device.physical.instance, physical_device: device.physical.handle, device: &device };
         // SAFETY: the handles are live, belong together, and the denoiser is dropped before the device.
-        let denoiser = unsafe { Denoiser::new(host, &Config::new(synthetic::EXTENT))? };
+        let denoiser = unsafe { Denoiser::new(host, Config::new(synthetic::EXTENT).declare()?)? };
         let declaration = denoiser.declaration().clone();
         let mut resources = Vec::new();
         for decl in declaration.resources() {

@@ -2,40 +2,52 @@
 // One level of the edge-avoiding à-trous wavelet transform, guided by variance, which it filters along.
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
-// BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline.
-// VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the background takes part. No depth_gradient.
-// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,BOX=1 SIGNALS=2,BOX=1 SIGNALS=1,VOLUME=1
+// Constants: BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline. VOLUME: steered by the depth of the surface behind alone, and
+// less strictly [PSVGF]; the background takes part.
+// optional: depth_gradient
+// variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
-#include "frame.glsl"
-#include "push_constants.glsl"
-#include "centre_geometry.glsl"
-#include "luminance.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(constant_id = 1) const bool BOX = false;
+layout(constant_id = 2) const bool VOLUME = false;
+
+layout(push_constant) uniform Push {
+    uint level;
+    uint present;
+    float sigma_l;
+    float sigma_n;
+    float sigma_z;
+    float edge_falloff;
+    float volume_sigma_z;
+} push;
+
+#include "frame.glsl"
+#include "optional.glsl"
+#include "centre_geometry.glsl"
+#include "luminance.glsl"
+
+const uint DEPTH_GRADIENT = 2u;
+
 layout(set = 0, binding = 1) uniform utexture2D guide;
-#ifdef VOLUME
-layout(set = 0, binding = 2) uniform texture2D input_0;
-layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D output_0;
-#else
-layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D input_0;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
-#endif
 #if SIGNALS == 2
 layout(set = 0, binding = 5) uniform texture2D input_1;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
 #endif
 
-#ifdef BOX
-const int RADIUS = 1;
-const float KERNEL[2] = float[](1.0 / 3.0, 1.0 / 3.0);
-#else
-const int RADIUS = 2;
-const float KERNEL[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
-#endif
+const int RADIUS = BOX ? 1 : 2;
+const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 const float LUMINANCE_EPSILON = 1e-4;
+
+// Of the centre; 1/9 is rounded once, and not as a product of two thirds.
+const float CENTRE_KERNEL = BOX ? 1.0 / 9.0 : 9.0 / 64.0;
+
+float kernel_at(int distance) { return BOX ? 1.0 / 3.0 : SPLINE[distance]; }
 
 struct Sum {
     vec3 irradiance;
@@ -71,7 +83,7 @@ vec2 smoothed_variances(ivec2 p) {
 }
 
 Centre centre_of(vec4 value, float variance) {
-    return Centre(luminance(value.rgb), LOG2_E / (sigma_l() * sqrt(variance) + LUMINANCE_EPSILON));
+    return Centre(luminance(value.rgb), LOG2_E / (push.sigma_l * sqrt(variance) + LUMINANCE_EPSILON));
 }
 
 void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
@@ -82,8 +94,7 @@ void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float ker
 }
 
 Sum start(vec4 value) {
-    float kernel = KERNEL[0] * KERNEL[0];
-    return Sum(kernel * value.rgb, kernel * kernel * value.a * value.a, kernel);
+    return Sum(CENTRE_KERNEL * value.rgb, CENTRE_KERNEL * CENTRE_KERNEL * value.a * value.a, CENTRE_KERNEL);
 }
 
 vec4 result(Sum sum) { return vec4(storable(sum.irradiance / sum.weight), min(sqrt(sum.variance) / sum.weight, 65504.0)); }
@@ -103,11 +114,7 @@ void main() {
 #endif
         return;
     }
-#ifdef VOLUME
-    Geometry geometry = geometry_of(packed);
-#else
-    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
-#endif
+    Geometry geometry = geometry_of(packed, is_present(DEPTH_GRADIENT) ? texelFetch(depth_gradient, p, 0).x : 0u);
     vec2 variances = smoothed_variances(p);
     Centre centre_0 = centre_of(value_0, variances.x);
     Sum sum_0 = start(value_0);
@@ -123,7 +130,7 @@ void main() {
             if ((x == 0 && y == 0) || !is_inside(q)) continue;
             uvec4 packed_q = texelFetch(guide, q, 0);
             if (!is_filtered(packed_q)) continue;
-            float kernel = KERNEL[abs(x)] * KERNEL[abs(y)];
+            float kernel = kernel_at(abs(x)) * kernel_at(abs(y));
             float weight = log2_weight(geometry, packed_q, vec2(offset));
             add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, weight, kernel);
 #if SIGNALS == 2

@@ -5,6 +5,11 @@
 // Out: block_difference, four half floats a block: mean, deviation, pixels, mean luminance of the brighter side.
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    float depth_tolerance;
+} push;
+
 #include "frame.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"

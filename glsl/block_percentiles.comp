@@ -2,33 +2,31 @@
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
 // Source: [PSVGF], block percentiles. Deviation: ranks by counting; the published odd-even sort is there to compare, and gives the same.
 // In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block.
-// Pixels outside the render extent and background do not take part. Without any: 0, 0. VOLUME: the background does, since fog lies before it.
-// variants: VOLUME=0 VOLUME=1
+// Pixels outside the render extent and background do not take part. Without any: 0, 0. 
+// Constants: VOLUME: the background takes part, since fog lies before it. ODD_EVEN: the published sort.
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
-#include "push_constants.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "blocks.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-#if !VOLUME
+layout(constant_id = 1) const bool VOLUME = false;
+layout(constant_id = 2) const bool ODD_EVEN = false;
+
+layout(push_constant) uniform Push {
+    float percentile_low;
+    float percentile_up;
+} push;
+
 layout(set = 0, binding = 1) uniform utexture2D guide;
-#endif
-layout(set = 0, binding = 2 - VOLUME) uniform texture2D irradiance;
-layout(set = 0, binding = 3 - VOLUME, r32ui) uniform writeonly uimage2D block_percentiles;
+layout(set = 0, binding = 2) uniform texture2D irradiance;
+layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles;
 
-bool takes_part(ivec2 p) {
-#if VOLUME
-    return is_inside(p);
-#else
-    return is_inside(p) && unpack_depth(texelFetch(guide, p, 0)) != 0.0;
-#endif
-}
+bool takes_part(ivec2 p) { return is_inside(p) && (VOLUME || unpack_depth(texelFetch(guide, p, 0)) != 0.0); }
 
-const uint SORT_ODD_EVEN = 1u;
 // Behind every luminance that a half float holds.
 const float NO_PIXEL = 1e30;
 
@@ -68,11 +66,12 @@ void main() {
     uint i = gl_LocalInvocationIndex;
     keys[i] = takes_part(p) ? luminance(texelFetch(irradiance, p, 0).rgb) : NO_PIXEL;
     barrier();
-    if (push.level == SORT_ODD_EVEN) sort_odd_even(i);
+    if (ODD_EVEN) sort_odd_even(i);
     else sort_by_counting(i);
     if (i != 0u) return;
     uint count = 0u;
     for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
-    vec2 percentiles = vec2(percentile(frame.percentile_low, count), percentile(frame.percentile_up, count));
+    float low = min(push.percentile_low, push.percentile_up);
+    vec2 percentiles = vec2(percentile(low, count), percentile(push.percentile_up, count));
     imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(packHalf2x16(min(percentiles, 65504.0))));
 }

@@ -2,39 +2,65 @@
 // What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
 // Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
 // In:  guide, surface_motion, statistics; moments, block_percentiles and irradiance_history per signal, history_confidence, gradient, noisy
-//      radiance per signal and albedo, each where the preset has it: what is not present stands in for another image and is not read.
-// Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it.
+//      radiance per signal and albedo, each where the graph has it.
+// Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
+// optional: surface_motion, moments_0, moments_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
+// optional: gradient, noisy_1, albedo
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint level;  // number of the view
+    uint present;
+    float alpha;
+    float percentile_range;
+    float firefly_bias;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "finite.glsl"
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
-#include "blocks.glsl"
+#include "firefly_limit.glsl"
+#include "strata.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint FRAME = 0u;
+const uint SURFACE_MOTION = 3u;
+const uint MOMENTS_0 = 4u;
+const uint MOMENTS_1 = 5u;
+const uint BLOCK_PERCENTILES_0 = 6u;
+const uint BLOCK_PERCENTILES_1 = 7u;
+const uint HISTORY_0 = 8u;
+const uint HISTORY_1 = 9u;
+const uint HISTORY_CONFIDENCE = 10u;
+const uint GRADIENT = 11u;
+const uint NOISY_1 = 13u;
+const uint ALBEDO = 14u;
+
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[8]; } statistics;
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = 3) uniform utexture2D surface_motion;
-layout(set = 0, binding = 4) uniform utexture2D moments_0;
-layout(set = 0, binding = 5) uniform utexture2D moments_1;
-layout(set = 0, binding = 6) uniform utexture2D block_percentiles_0;
-layout(set = 0, binding = 7) uniform utexture2D block_percentiles_1;
-layout(set = 0, binding = 8) uniform texture2D history_0;
-layout(set = 0, binding = 9) uniform texture2D history_1;
-layout(set = 0, binding = 10) uniform texture2D history_confidence;
-layout(set = 0, binding = 11) uniform texture2D gradient;
+layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
+layout(set = 0, binding = MOMENTS_0) uniform utexture2D moments_0;
+layout(set = 0, binding = MOMENTS_1) uniform utexture2D moments_1;
+layout(set = 0, binding = BLOCK_PERCENTILES_0) uniform utexture2D block_percentiles_0;
+layout(set = 0, binding = BLOCK_PERCENTILES_1) uniform utexture2D block_percentiles_1;
+layout(set = 0, binding = HISTORY_0) uniform texture2D history_0;
+layout(set = 0, binding = HISTORY_1) uniform texture2D history_1;
+layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
+layout(set = 0, binding = GRADIENT) uniform texture2D gradient;
 layout(set = 0, binding = 12) uniform texture2D noisy_0;
-layout(set = 0, binding = 13) uniform texture2D noisy_1;
-layout(set = 0, binding = 14) uniform texture2D albedo;
+layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 15, rgba16f) uniform writeonly image2D debug_view;
 
-// In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; 0: none.
-const uint NEEDED[14] = uint[](4u, 8u, 4u, 11u, 10u, 4u, 6u, 6u, 4u, 0u, 0u, 0u, 0u, 0u);
+// In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; FRAME: none.
+const uint NEEDED[14] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
+                               BLOCK_PERCENTILES_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME);
 const uint VIEW_HISTORY_LENGTH = 0u;
 const uint VIEW_VARIANCE = 1u;
 const uint VIEW_MOMENTS = 2u;
@@ -71,7 +97,7 @@ vec3 false_colour(float t) {
 
 float compressed(float x) { return x / (1.0 + x); }
 
-float change_at(ivec2 p) { return is_present(10u) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
 float history_length_at(ivec2 p) { return unpack_moments(texelFetch(moments_0, p, 0)).history_length; }
 
@@ -79,7 +105,7 @@ float history_length_at(ivec2 p) { return unpack_moments(texelFetch(moments_0, p
 vec2 mean_and_deviation(ivec2 p) {
     Moments m = unpack_moments(texelFetch(moments_0, p, 0));
     vec2 sum = vec2(m.mean, m.deviation * m.deviation);
-    if (is_present(5u)) {
+    if (is_present(MOMENTS_1)) {
         m = unpack_moments(texelFetch(moments_1, p, 0));
         sum += vec2(m.mean, m.deviation * m.deviation);
     }
@@ -87,13 +113,13 @@ vec2 mean_and_deviation(ivec2 p) {
 }
 
 float filter_deviation(ivec2 p) {
-    float first = texelFetch(history_0, p, 0).a, second = is_present(9u) ? texelFetch(history_1, p, 0).a : 0.0;
+    float first = texelFetch(history_0, p, 0).a, second = is_present(HISTORY_1) ? texelFetch(history_1, p, 0).a : 0.0;
     return sqrt(first * first + second * second);
 }
 
 vec4 percentiles_at(ivec2 p) {
     vec2 low_up = unpackHalf2x16(texelFetch(block_percentiles_0, p / BLOCK_SIZE, 0).x);
-    float other = is_present(7u) ? unpackHalf2x16(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).y : 0.0;
+    float other = is_present(BLOCK_PERCENTILES_1) ? unpackHalf2x16(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).y : 0.0;
     return vec4(compressed(low_up.x), compressed(low_up.y), compressed(other), low_up.y);
 }
 
@@ -101,7 +127,7 @@ vec4 percentiles_at(ivec2 p) {
 float excess(ivec2 p, texture2D noisy, utexture2D percentiles) {
     vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
     if (!is_finite(radiance)) return 0.0;
-    if (is_present(14u)) {
+    if (is_present(ALBEDO)) {
         divisor = texelFetch(albedo, p, 0).rgb;
         for (int i = 0; i < 3; ++i) divisor[i] = is_finite(divisor[i]) ? max(divisor[i], ALBEDO_EPSILON) : 1.0;
     }
@@ -111,13 +137,13 @@ float excess(ivec2 p, texture2D noisy, utexture2D percentiles) {
 
 vec4 fireflies_at(ivec2 p) {
     float share = excess(p, noisy_0, block_percentiles_0);
-    if (is_present(7u)) share = max(share, excess(p, noisy_1, block_percentiles_1));
+    if (is_present(BLOCK_PERCENTILES_1) && is_present(NOISY_1)) share = max(share, excess(p, noisy_1, block_percentiles_1));
     return vec4(false_colour(share), share);
 }
 
 // Red: brighter than before; blue: darker.
 vec4 gradient_at(ivec2 p) {
-    vec2 value = texelFetch(gradient, p / int(frame.stratum_size), 0).xy;
+    vec2 value = texelFetch(gradient, p / int(STRATUM_SIZE), 0).xy;
     float t = value.y > 0.0 ? clamp(value.x / value.y, -1.0, 1.0) : 0.0;
     return vec4(max(t, 0.0), 0.15 * abs(t), max(-t, 0.0), value.x);
 }
@@ -155,7 +181,7 @@ vec4 shown(ivec2 p, uvec4 packed, uint view) {
     case VIEW_GRADIENT: return gradient_at(p);
     case VIEW_LAMBDA: value = change_at(p); return vec4(false_colour(value), value);
     case VIEW_ALPHA: {
-        value = max(frame.alpha + change_at(p) * (1.0 - frame.alpha), 1.0 / history_length_at(p));
+        value = max(push.alpha + change_at(p) * (1.0 - push.alpha), 1.0 / history_length_at(p));
         return vec4(false_colour(value), value);
     }
     case VIEW_PERCENTILES: return percentiles_at(p);

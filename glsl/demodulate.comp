@@ -2,11 +2,20 @@
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Out: filter_ping per signal: irradiance, 0 (-1 in holes).
+// Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
+// optional: albedo
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(constant_id = 1) const uint PAINTING = 0u;
+
+layout(push_constant) uniform Push {
+    uint present;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
@@ -14,8 +23,10 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint ALBEDO = 3u;
+
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = 3) uniform texture2D albedo;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 4) uniform texture2D noisy_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
 #if SIGNALS == 2
@@ -24,7 +35,7 @@ layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
 #endif
 
 vec3 divisor_at(ivec2 p) {
-    if (!is_present(3u) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
+    if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, p, 0).rgb;
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
     for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
@@ -36,7 +47,7 @@ const float HOLE = -1.0;
 
 vec4 demodulated(vec3 radiance, vec3 divisor) {
     if (!is_finite(radiance)) {
-        if (painting_levels() > 0u) return vec4(vec3(0.0), HOLE);
+        if (PAINTING > 0u) return vec4(vec3(0.0), HOLE);
         count_bad(BAD_RADIANCE);
         return vec4(0.0);
     }

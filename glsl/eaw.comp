@@ -3,16 +3,28 @@
 // Source: [EAW] eq. 2 to 5 and the listing, 3.2 for holes. Deviations: sigma of the position is relative to the depth; equal kernel
 // weights where no valid tap passes the edge functions, so that no hole is left.
 // In:  guide, irradiance per signal, alpha -1 in holes. Out: the same after this level.
+// Constants: RADIANCE, NORMAL, POSITION: which edges count. PAINTING: levels that paint in the holes of a sub-sampled input; 0 where it has none.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
-#include "push_constants.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "view_position.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 1) const bool RADIANCE = true;
+layout(constant_id = 2) const bool NORMAL = true;
+layout(constant_id = 3) const bool POSITION = true;
+layout(constant_id = 4) const uint PAINTING = 0u;
+
+layout(push_constant) uniform Push {
+    uint level;
+    float sigma_rt;
+    float sigma_rt_n;
+    float sigma_rt_x;
+} push;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform texture2D input_0;
@@ -40,10 +52,10 @@ struct Level {
 Level level_of(float z) {
     float step_squared = exp2(2.0 * float(push.level));
     Level level;
-    bool holes_left = push.level < painting_levels();
-    level.inverse_sigma_rt = has_flag(FLAG_EAW_RADIANCE) && !holes_left ? step_squared / (frame.sigma_rt * frame.sigma_rt) : 0.0;
-    level.inverse_sigma_n = has_flag(FLAG_EAW_NORMAL) ? 1.0 / (step_squared * frame.sigma_rt_n * frame.sigma_rt_n) : 0.0;
-    level.inverse_sigma_x = has_flag(FLAG_EAW_POSITION) ? 1.0 / (frame.sigma_rt_x * max(z, 1e-15)) : 0.0;
+    bool holes_left = push.level < PAINTING;
+    level.inverse_sigma_rt = RADIANCE && !holes_left ? step_squared / (push.sigma_rt * push.sigma_rt) : 0.0;
+    level.inverse_sigma_n = NORMAL ? 1.0 / (step_squared * push.sigma_rt_n * push.sigma_rt_n) : 0.0;
+    level.inverse_sigma_x = POSITION ? 1.0 / (push.sigma_rt_x * max(z, 1e-15)) : 0.0;
     return level;
 }
 

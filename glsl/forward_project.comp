@@ -5,11 +5,19 @@
 // In:  guide (current, previous), depth_gradient, gradient_candidates of the previous frame; instance_transforms: previous from current world
 //      space by surface_id; forward_motion at the pixels of the previous frame: xy to this frame, z linear depth in this frame.
 // Out: claim (RESOLVE 0): gradient_claims. Resolve: gradient_samples, and gradient_candidates for the next frame.
-// variants: RESOLVE=0,FORWARD_MOTION=0 RESOLVE=0,FORWARD_MOTION=1 RESOLVE=1,FORWARD_MOTION=0,SURFACE_ID=0 RESOLVE=1,FORWARD_MOTION=0,SURFACE_ID=1 RESOLVE=1,FORWARD_MOTION=1,SURFACE_ID=0 RESOLVE=1,FORWARD_MOTION=1,SURFACE_ID=1
+// Constants: STRATUM_SIZE. FORWARD_MOTION is a set of bindings of its own, since no other image could stand in for forward_motion.
+// optional: instance_transforms, surface_id
+// variants: RESOLVE=0,FORWARD_MOTION=0 RESOLVE=0,FORWARD_MOTION=1 RESOLVE=1,FORWARD_MOTION=0 RESOLVE=1,FORWARD_MOTION=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint present;
+    float depth_tolerance;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
 #include "strata.glsl"
@@ -17,23 +25,25 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint INSTANCE_TRANSFORMS = 6u;
+
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 3) uniform utexture2D previous_guide;
 layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 5) uniform utexture2D previous_candidates;
-layout(set = 0, binding = 6, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
-#if FORWARD_MOTION
-layout(set = 0, binding = 7) uniform texture2D forward_motion;
-#endif
+layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 #if RESOLVE
-layout(set = 0, binding = 7 + FORWARD_MOTION) uniform utexture2D claims;
-layout(set = 0, binding = 8 + FORWARD_MOTION, rgba16ui) uniform writeonly uimage2D gradient_samples;
-layout(set = 0, binding = 9 + FORWARD_MOTION, rgba16ui) uniform writeonly uimage2D candidates;
-#if SURFACE_ID
-layout(set = 0, binding = 10 + FORWARD_MOTION) uniform utexture2D surface_id;
-#endif
+const uint SURFACE_ID = 10u;
+
+layout(set = 0, binding = 7) uniform utexture2D claims;
+layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D gradient_samples;
+layout(set = 0, binding = 9, rgba16ui) uniform writeonly uimage2D candidates;
+layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 #else
-layout(set = 0, binding = 7 + FORWARD_MOTION, r32ui) uniform uimage2D claims;
+layout(set = 0, binding = 7, r32ui) uniform uimage2D claims;
+#endif
+#if FORWARD_MOTION
+layout(set = 0, binding = 11) uniform texture2D forward_motion;
 #endif
 
 const uint MOTION_PIXELS = 0u;
@@ -79,7 +89,7 @@ uint host_position(ivec2 j, out ForwardPosition position) {
 // From the matrices, and the transform of the pixel's instance where there is one.
 bool carried_position(ivec2 j, float z, uint id, out ForwardPosition position) {
     vec4 world = previous_world_position(j, z);
-    uint count = is_present(6u) ? uint(instance_transforms.rows.length()) / 3u : 0u;
+    uint count = is_present(INSTANCE_TRANSFORMS) ? uint(instance_transforms.rows.length()) / 3u : 0u;
     if (id < count) {
         vec4 rows[3];
         bool finite = true;
@@ -122,7 +132,7 @@ bool project_candidate(uint index, out ivec2 previous_pixel, out ivec2 pixel) {
     uvec4 now = texelFetch(guide, pixel, 0);
     float z_now = unpack_depth(now);
     if (z_now == 0.0 || unpack_id(now) != unpack_id(packed)) return false;
-    return is_visible(position, z_now, unpackHalf2x16(texelFetch(depth_gradient, pixel, 0).x));
+    return is_visible(position, z_now, unpackHalf2x16(texelFetch(depth_gradient, pixel, 0).x), push.depth_tolerance);
 }
 
 #if RESOLVE
@@ -132,17 +142,13 @@ uvec4 next_candidate(ivec2 s, uint taken) {
     uint width = strata_of(frame.render_extent).x;
     // The taken place as a number among the pixels that exist.
     bool is_taken = taken != NO_PIXEL;
-    uint skipped = is_taken ? taken % frame.stratum_size + taken / frame.stratum_size * extent.x : NO_PIXEL;
+    uint skipped = is_taken ? taken % STRATUM_SIZE + taken / STRATUM_SIZE * extent.x : NO_PIXEL;
     uint count = extent.x * extent.y - (is_taken ? 1u : 0u);
     if (count == 0u) return uvec4(NO_PIXEL, NO_PIXEL, 0u, 0u);
     uint chosen = pcg(uint(s.x) + uint(s.y) * width + pcg(frame.frame_index + CANDIDATE_SALT)) % count;
     if (chosen >= skipped) ++chosen;
     ivec2 pixel = first_pixel(s) + ivec2(chosen % extent.x, chosen / extent.x);
-#if SURFACE_ID
-    uint id = texelFetch(surface_id, pixel, 0).x;
-#else
-    uint id = 0xffffffffu;
-#endif
+    uint id = is_present(SURFACE_ID) ? texelFetch(surface_id, pixel, 0).x : 0xffffffffu;
     return uvec4(uvec2(pixel), id & 0xffffu, id >> 16);
 }
 
@@ -155,7 +161,7 @@ void main() {
     uvec4 result = uvec4(0u);
     if (key != 0u && project_candidate((key & key_mask()) - 1u, previous_pixel, pixel)) {
         ivec2 offset = pixel - first_pixel(s);
-        place = uint(offset.x) + uint(offset.y) * frame.stratum_size;
+        place = uint(offset.x) + uint(offset.y) * STRATUM_SIZE;
         result = pack_gradient_sample(previous_pixel, place);
     }
     imageStore(gradient_samples, s, result);
@@ -169,6 +175,6 @@ void main() {
     uint index = s.x + s.y * strata.x;
     ivec2 previous_pixel, pixel;
     if (!project_candidate(index, previous_pixel, pixel)) return;
-    imageAtomicMax(claims, pixel / int(frame.stratum_size), key_of(index));
+    imageAtomicMax(claims, pixel / int(STRATUM_SIZE), key_of(index));
 }
 #endif

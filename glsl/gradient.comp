@@ -4,12 +4,22 @@
 // both; of a dense re-shaded image (SOURCE 1) all pixels of a stratum count, each at its place in the previous frame.
 // In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
 //      depth_gradient. Both: noisy_luminance of the previous frame. SOURCE 2: sparse_gradient of the host.
-// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide; noisy_luminance (luminance of radiance, of albedo).
-// variants: SIGNALS=1,SOURCE=0 SIGNALS=2,SOURCE=0 SIGNALS=1,SOURCE=1 SIGNALS=2,SOURCE=1 SIGNALS=1,SOURCE=2 SIGNALS=2,SOURCE=2
+// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide; with LUMINANCE noisy_luminance (luminance of radiance, of albedo).
+// Constants: SOURCE, where the change comes from; STRATUM_SIZE. SOURCE 0 and 1 need LUMINANCE=1, for which no other image could stand in.
+// optional: albedo, noisy_1, gradient_samples, reshaded_radiance, previous_guide, surface_motion, depth_gradient, sparse_gradient
+// variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(constant_id = 1) const uint SOURCE = 2u;
+
+layout(push_constant) uniform Push {
+    uint present;
+    float depth_tolerance;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "finite.glsl"
 #include "surface_motion.glsl"
 #include "luminance.glsl"
@@ -18,28 +28,35 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint ALBEDO = 2u;
+const uint NOISY_1 = 4u;
+const uint GRADIENT_SAMPLES = 7u;
+const uint RESHADED_RADIANCE = 8u;
+const uint PREVIOUS_GUIDE = 9u;
+const uint SURFACE_MOTION = 10u;
+const uint DEPTH_GRADIENT = 11u;
+const uint SPARSE_GRADIENT = 12u;
+
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = 2) uniform texture2D albedo;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 3) uniform texture2D noisy_0;
-#if SIGNALS == 2
-layout(set = 0, binding = 4) uniform texture2D noisy_1;
+layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D gradient;
+layout(set = 0, binding = 6, rgba16ui) uniform writeonly uimage2D gradient_guide;
+layout(set = 0, binding = GRADIENT_SAMPLES) uniform utexture2D gradient_samples;
+layout(set = 0, binding = RESHADED_RADIANCE) uniform texture2D reshaded_radiance;
+layout(set = 0, binding = PREVIOUS_GUIDE) uniform utexture2D previous_guide;
+layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
+layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
+layout(set = 0, binding = SPARSE_GRADIENT) uniform texture2D sparse_gradient;
+#if LUMINANCE
+layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D noisy_luminance;
+layout(set = 0, binding = 14) uniform utexture2D previous_luminance;
 #endif
-layout(set = 0, binding = 3 + SIGNALS, rgba16f) uniform writeonly image2D gradient;
-layout(set = 0, binding = 4 + SIGNALS, rgba16ui) uniform writeonly uimage2D gradient_guide;
-#if SOURCE == 2
-layout(set = 0, binding = 5 + SIGNALS) uniform texture2D sparse_gradient;
-#else
-layout(set = 0, binding = 5 + SIGNALS, r32ui) uniform writeonly uimage2D noisy_luminance;
-layout(set = 0, binding = 6 + SIGNALS) uniform utexture2D previous_luminance;
-#endif
-#if SOURCE == 0
-layout(set = 0, binding = 7 + SIGNALS) uniform utexture2D gradient_samples;
-#elif SOURCE == 1
-layout(set = 0, binding = 7 + SIGNALS) uniform texture2D reshaded_radiance;
-layout(set = 0, binding = 8 + SIGNALS) uniform utexture2D previous_guide;
-layout(set = 0, binding = 9 + SIGNALS) uniform utexture2D surface_motion;
-layout(set = 0, binding = 10 + SIGNALS) uniform utexture2D depth_gradient;
-#endif
+
+const uint FORWARD_PROJECTED = 0u;
+const uint RESHADED = 1u;
+const uint SPARSE = 2u;
 
 struct Sum {
     float change;     // δ
@@ -54,14 +71,12 @@ float radiance_luminance(vec3 radiance) { return is_finite(radiance) ? luminance
 
 float noisy_at(ivec2 p) {
     float l = radiance_luminance(texelFetch(noisy_0, p, 0).rgb);
-#if SIGNALS == 2
-    l += radiance_luminance(texelFetch(noisy_1, p, 0).rgb);
-#endif
+    if (is_present(NOISY_1)) l += radiance_luminance(texelFetch(noisy_1, p, 0).rgb);
     return min(l, 65504.0);
 }
 
 float albedo_at(ivec2 p, bool background) {
-    if (background || !is_present(2u)) return 1.0;
+    if (background || !is_present(ALBEDO)) return 1.0;
     vec3 a = texelFetch(albedo, p, 0).rgb;
     for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? clamp(a[i], ALBEDO_EPSILON, 65504.0) : 1.0;
     return luminance(a);
@@ -70,7 +85,7 @@ float albedo_at(ivec2 p, bool background) {
 // Both luminances are half floats by the same rounding: what did not change differs by 0.
 float as_half(float x) { return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x; }
 
-#if SOURCE != 2
+#if LUMINANCE
 void add_change(inout Sum sum, float now, ivec2 previous_pixel) {
     vec2 before = unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x);
     float l = min(before.x * frame.exposure_ratio, 65504.0);
@@ -78,9 +93,7 @@ void add_change(inout Sum sum, float now, ivec2 previous_pixel) {
     sum.brightest += max(now, l) / before.y;
     sum.samples += 1.0;
 }
-#endif
 
-#if SOURCE == 1
 // The pixel of the previous frame that showed this surface.
 bool previous_pixel_of(ivec2 p, uvec4 packed, out ivec2 j) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
@@ -91,12 +104,13 @@ bool previous_pixel_of(ivec2 p, uvec4 packed, out ivec2 j) {
     if (z == 0.0 || unpack_id(before) != unpack_id(packed)) return false;
     float expected = unpack_depth(packed) * (1.0 + m.depth_ratio);
     vec2 slope = abs(unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
-    return abs(z - expected) <= frame.depth_tolerance * expected + slope.x + slope.y;
+    return abs(z - expected) <= push.depth_tolerance * expected + slope.x + slope.y;
 }
 
 void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
     ivec2 j;
-    if (has_flag(FLAG_RESET) || !is_present(7u + SIGNALS) || !previous_pixel_of(p, packed, j)) return;
+    bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
+    if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
     if (is_finite(radiance)) add_change(sum, as_half(radiance_luminance(radiance)), j);
 }
@@ -122,21 +136,22 @@ void main() {
     uvec2 extent = stratum_extent(s);
     Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
     // The sample's own pixel stands for the stratum; else its middle, else its first surface.
-    uint wanted = (extent.x - 1u) / 2u + (extent.y - 1u) / 2u * frame.stratum_size;
-#if SOURCE == 0
-    GradientSample gradient_sample = unpack_gradient_sample(texelFetch(gradient_samples, s, 0));
+    uint wanted = (extent.x - 1u) / 2u + (extent.y - 1u) / 2u * STRATUM_SIZE;
+    GradientSample gradient_sample = GradientSample(ivec2(0), 0u, false);
+    if (SOURCE == FORWARD_PROJECTED && is_present(GRADIENT_SAMPLES)) {
+        gradient_sample = unpack_gradient_sample(texelFetch(gradient_samples, s, 0));
+    }
     bool sampled = gradient_sample.valid && has_flag(FLAG_RESHADED) && !has_flag(FLAG_RESET);
     if (sampled) wanted = gradient_sample.place;
-#endif
     uvec4 stands = uvec4(0u);
     for (uint y = 0u; y < extent.y; ++y)
         for (uint x = 0u; x < extent.x; ++x) {
-            uint place = x + y * frame.stratum_size;
+            uint place = x + y * STRATUM_SIZE;
             ivec2 p = pixel_at(s, place);
             uvec4 packed = texelFetch(guide, p, 0);
             bool background = unpack_depth(packed) == 0.0;
             vec2 texel = vec2(noisy_at(p), albedo_at(p, background));
-#if SOURCE != 2
+#if LUMINANCE
             imageStore(noisy_luminance, p, uvec4(packHalf2x16(texel), 0u, 0u, 0u));
 #endif
             if (background) continue;
@@ -145,17 +160,16 @@ void main() {
             sum.mean += l;
             sum.squares += l * l;
             sum.surfaces += 1.0;
-#if SOURCE == 0
+#if LUMINANCE
             if (sampled && place == wanted) add_change(sum, as_half(texel.x), gradient_sample.previous_pixel);
-#elif SOURCE == 1
-            add_reshaded(sum, p, packed);
+            if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
 #endif
         }
     vec4 value = result(sum);
-#if SOURCE == 2
-    vec2 host = is_present(5u + SIGNALS) ? texelFetch(sparse_gradient, s, 0).xy : vec2(0.0);
-    value.xy = is_finite(host) ? clamp(host, vec2(-65504.0, 0.0), vec2(65504.0)) : vec2(0.0);
-#endif
+    if (SOURCE == SPARSE) {
+        vec2 host = is_present(SPARSE_GRADIENT) ? texelFetch(sparse_gradient, s, 0).xy : vec2(0.0);
+        value.xy = is_finite(host) ? clamp(host, vec2(-65504.0, 0.0), vec2(65504.0)) : vec2(0.0);
+    }
     imageStore(gradient, s, value);
     imageStore(gradient_guide, s, stands);
 }

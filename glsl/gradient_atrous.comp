@@ -2,10 +2,19 @@
 // One iteration of the reconstruction of the temporal gradient: strata without a sample take it from their surroundings, noise goes.
 // Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
 // In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration.
+// Constants: STRATUM_SIZE.
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint level;
+    float sigma_l;
+    float sigma_n;
+    float sigma_z;
+    float edge_falloff;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
 #include "geometry_weights.glsl"
 #include "strata.glsl"
 
@@ -33,7 +42,7 @@ void main() {
     vec3 n = unpack_normal(packed);
     ivec2 p = pixel_of(s, packed);
     vec2 slope = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
-    float sharpness = LOG2_E / (frame.sigma_l * centre.w + LUMINANCE_EPSILON);
+    float sharpness = LOG2_E / (push.sigma_l * centre.w + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
     int step_size = 1 << push.level;

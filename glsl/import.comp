@@ -4,30 +4,41 @@
 // In:  depth, normal, motion, roughness, surface_id, object_normal as the host encodes them;
 //      instance_transforms: previous from current world space by surface_id, three rows of four.
 // Out: guide, surface_motion, depth_gradient, object_normal_guide (docs/stages.md).
-// variants: SURFACE_ID=0,OBJECT_NORMAL=0 SURFACE_ID=1,OBJECT_NORMAL=0 SURFACE_ID=0,OBJECT_NORMAL=1 SURFACE_ID=1,OBJECT_NORMAL=1
+// SURFACE_ID is a set of bindings of its own, since no other image could stand in for surface_id.
+// optional: motion, roughness, instance_transforms, object_normal, object_normal_guide
+// variants: SURFACE_ID=0 SURFACE_ID=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint present;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "statistics.glsl"
 #include "surface_motion.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint MOTION = 4u;
+const uint ROUGHNESS = 5u;
+const uint INSTANCE_TRANSFORMS = 6u;
+const uint OBJECT_NORMAL = 10u;
+const uint OBJECT_NORMAL_GUIDE = 11u;
+
 layout(set = 0, binding = 2) uniform texture2D depth;
 layout(set = 0, binding = 3) uniform texture2D normal;
-layout(set = 0, binding = 4) uniform texture2D motion;
-layout(set = 0, binding = 5) uniform texture2D roughness;
-layout(set = 0, binding = 6, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
+layout(set = 0, binding = MOTION) uniform texture2D motion;
+layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
+layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 layout(set = 0, binding = 7, rgba16ui) uniform writeonly uimage2D guide;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D surface_motion;
 layout(set = 0, binding = 9, r32ui) uniform writeonly uimage2D depth_gradient;
+layout(set = 0, binding = OBJECT_NORMAL) uniform texture2D object_normal;
+layout(set = 0, binding = OBJECT_NORMAL_GUIDE, r32ui) uniform writeonly uimage2D object_normal_guide;
 #if SURFACE_ID
-layout(set = 0, binding = 10) uniform utexture2D surface_id;
-#endif
-#if OBJECT_NORMAL
-layout(set = 0, binding = 10 + SURFACE_ID) uniform texture2D object_normal;
-layout(set = 0, binding = 11 + SURFACE_ID, r32ui) uniform writeonly uimage2D object_normal_guide;
+layout(set = 0, binding = 12) uniform utexture2D surface_id;
 #endif
 
 const uint DEPTH_DEVICE = 1u;
@@ -124,7 +135,7 @@ vec4 background_direction(ivec2 p) {
 vec4 carry(vec4 world, uint id, inout vec3 n) {
 #if SURFACE_ID
     uint count = uint(instance_transforms.rows.length()) / 3u;
-    if (!is_present(6u) || world.w == 0.0 || id >= count) return world;
+    if (!is_present(INSTANCE_TRANSFORMS) || world.w == 0.0 || id >= count) return world;
     vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
     if (!is_finite(x) || !is_finite(y) || !is_finite(z)) return world;
     vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
@@ -139,7 +150,7 @@ vec4 carry(vec4 world, uint id, inout vec3 n) {
 
 // Motion in pixels of the previous frame, from the host's image. False: there is none that can be used.
 bool host_motion(ivec2 p, out vec3 m) {
-    if (!is_present(4u)) return false;
+    if (!is_present(MOTION)) return false;
     m = texelFetch(motion, p, 0).xyz;
     if (!is_finite(m.xy)) {
         count_bad(BAD_MOTION);
@@ -209,17 +220,16 @@ void main() {
     float z = depth_at(p, true);
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
-    float rough = is_present(5u) ? texelFetch(roughness, p, 0).x : 1.0;
+    float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
     rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
     imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, rough, fold_id(id))));
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
     imageStore(surface_motion, p, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
     vec2 gradient = background ? vec2(0.0) : vec2(gradient_along(p, ivec2(1, 0), z), gradient_along(p, ivec2(0, 1), z));
     imageStore(depth_gradient, p, uvec4(packHalf2x16(gradient), 0u, 0u, 0u));
-#if OBJECT_NORMAL
+    if (!is_present(OBJECT_NORMAL) || !is_present(OBJECT_NORMAL_GUIDE)) return;
     vec3 o = texelFetch(object_normal, p, 0).xyz;
     float squared = dot(o, o);
     bool usable = is_finite(o) && is_finite(squared) && squared >= 1e-8;
     imageStore(object_normal_guide, p, uvec4(pack_octahedral(usable ? o * inversesqrt(squared) : vec3(0.0, 0.0, 1.0), 511.0, 10u), 0u, 0u, 0u));
-#endif
 }

@@ -2,11 +2,16 @@
 // Multiplies the albedo back, adds the signals and what was emitted.
 // Source: [SVGF] section 3. The divisor is that of demodulate.comp, so the round trip is exact.
 // In:  filtered irradiance per signal; albedo and emission of the host; guide. Out: denoised_radiance, linear Rec. 709.
-// variants: SIGNALS=1 SIGNALS=2
+// optional: albedo, emission, filtered_1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint present;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
@@ -14,24 +19,26 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+const uint ALBEDO = 3u;
+const uint EMISSION = 4u;
+const uint FILTERED_1 = 7u;
+
 layout(set = 0, binding = 2) uniform utexture2D guide;
-layout(set = 0, binding = 3) uniform texture2D albedo;
-layout(set = 0, binding = 4) uniform texture2D emission;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
+layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D denoised_radiance;
 layout(set = 0, binding = 6) uniform texture2D filtered_0;
-#if SIGNALS == 2
-layout(set = 0, binding = 7) uniform texture2D filtered_1;
-#endif
+layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 
 vec3 factor_at(ivec2 p) {
-    if (!is_present(3u) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
+    if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, p, 0).rgb;
     for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
     return a;
 }
 
 vec3 emission_at(ivec2 p) {
-    if (!is_present(4u)) return vec3(0.0);
+    if (!is_present(EMISSION)) return vec3(0.0);
     vec3 e = texelFetch(emission, p, 0).rgb;
     if (is_finite(e)) return e;
     count_bad(BAD_EMISSION);
@@ -42,8 +49,6 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec3 irradiance = texelFetch(filtered_0, p, 0).rgb;
-#if SIGNALS == 2
-    irradiance += texelFetch(filtered_1, p, 0).rgb;
-#endif
+    if (is_present(FILTERED_1)) irradiance += texelFetch(filtered_1, p, 0).rgb;
     imageStore(denoised_radiance, p, vec4(storable(irradiance * factor_at(p) + emission_at(p)), 1.0));
 }

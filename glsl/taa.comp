@@ -10,6 +10,11 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
+layout(push_constant) uniform Push {
+    float taa_alpha;
+    float taa_gamma;
+} push;
+
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D surface_motion;
 layout(set = 0, binding = 3) uniform texture2D tone_mapped;
@@ -86,7 +91,7 @@ Neighbourhood neighbourhood(ivec2 p) {
 // Towards the mean and not per channel, which would shift the hue.
 vec3 clip_to_box(vec3 history, Neighbourhood around) {
     vec3 offset = ycocg(history) - around.mean;
-    vec3 extent = max(frame.taa_gamma * around.deviation, 1e-6);
+    vec3 extent = max(push.taa_gamma * around.deviation, 1e-6);
     vec3 ratio = abs(offset) / extent;
     return rgb(around.mean + offset / max(1.0, max(ratio.x, max(ratio.y, ratio.z))));
 }
@@ -100,8 +105,8 @@ void main() {
         vec2 position = previous_position(p, nearest_motion(p), frame.render_extent, frame.previous_render_extent);
         if (all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(frame.previous_render_extent)))) {
             vec3 history = max(clip_to_box(history_at(position), around), 0.0);
-            float weight_new = frame.taa_alpha / (1.0 + luminance(colour));
-            float weight_old = (1.0 - frame.taa_alpha) / (1.0 + luminance(history));
+            float weight_new = push.taa_alpha / (1.0 + luminance(colour));
+            float weight_old = (1.0 - push.taa_alpha) / (1.0 + luminance(history));
             colour = (weight_new * colour + weight_old * history) / (weight_new + weight_old);
         }
     }

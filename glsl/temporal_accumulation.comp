@@ -1,48 +1,61 @@
 #version 450
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
-// Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation. ADAPTIVE: [ASVGF] 3.5, alpha by pixel.
-// In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame.
-// ADAPTIVE: history_confidence. REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
+// Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
+// In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame; object normals in the
+//      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel.
 // In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
-// VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict. No background.
-// variants: SIGNALS=1,OBJECT_NORMAL=0 SIGNALS=1,OBJECT_NORMAL=1 SIGNALS=2,OBJECT_NORMAL=0 SIGNALS=2,OBJECT_NORMAL=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1 SIGNALS=1,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=0,ADAPTIVE=1,REPAIR=1 SIGNALS=2,OBJECT_NORMAL=1,ADAPTIVE=1,REPAIR=1 SIGNALS=1,OBJECT_NORMAL=0,VOLUME=1
+// Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
+// REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
+// optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence
+// variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 1) const bool VOLUME = false;
+layout(constant_id = 2) const bool REPAIR = false;
+
+layout(push_constant) uniform Push {
+    uint present;
+    float alpha;
+    float alpha_moments;
+    float max_history_length;
+    float depth_tolerance;
+    float normal_tolerance;
+} push;
+
 #include "frame.glsl"
+#include "optional.glsl"
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
 #include "volume.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+const uint SURFACE_MOTION = 3u;
+const uint DEPTH_GRADIENT = 4u;
+const uint VOLUME_MOTION = 5u;
+const uint OBJECT_NORMAL = 6u;
+const uint PREVIOUS_OBJECT_NORMAL = 7u;
+const uint HISTORY_CONFIDENCE = 8u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
-#ifdef VOLUME
-#define FIRST 4
-layout(set = 0, binding = 3) uniform utexture2D volume_motion;
-#else
-#define FIRST 5
-layout(set = 0, binding = 3) uniform utexture2D surface_motion;
-layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
-#endif
-layout(set = 0, binding = FIRST) uniform texture2D history_0;
-layout(set = 0, binding = FIRST + 1) uniform utexture2D previous_moments_0;
-layout(set = 0, binding = FIRST + 2, rgba16f) uniform image2D irradiance_0;
-layout(set = 0, binding = FIRST + 3, rgba16ui) uniform writeonly uimage2D moments_0;
+layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
+layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
+layout(set = 0, binding = VOLUME_MOTION) uniform utexture2D volume_motion;
+layout(set = 0, binding = OBJECT_NORMAL) uniform utexture2D object_normal;
+layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_object_normal;
+layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
+layout(set = 0, binding = 9) uniform texture2D history_0;
+layout(set = 0, binding = 10) uniform utexture2D previous_moments_0;
+layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = 12, rgba16ui) uniform writeonly uimage2D moments_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 9) uniform texture2D history_1;
-layout(set = 0, binding = 10) uniform utexture2D previous_moments_1;
-layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = 12, rgba16ui) uniform writeonly uimage2D moments_1;
-#endif
-#if OBJECT_NORMAL
-layout(set = 0, binding = 5 + 4 * SIGNALS) uniform utexture2D object_normal;
-layout(set = 0, binding = 6 + 4 * SIGNALS) uniform utexture2D previous_object_normal;
-#endif
-
-#ifdef ADAPTIVE
-layout(set = 0, binding = 5 + 4 * SIGNALS + 2 * OBJECT_NORMAL) uniform texture2D history_confidence;
+layout(set = 0, binding = 13) uniform texture2D history_1;
+layout(set = 0, binding = 14) uniform utexture2D previous_moments_1;
+layout(set = 0, binding = 15, rgba16f) uniform image2D irradiance_1;
+layout(set = 0, binding = 16, rgba16ui) uniform writeonly uimage2D moments_1;
 #endif
 
 // Below this sum of bilinear weights a reprojection rests on next to nothing.
@@ -68,25 +81,23 @@ struct Gathered {
     History signals[SIGNALS];
 };
 
+bool has_object_normals() { return is_present(OBJECT_NORMAL) && is_present(PREVIOUS_OBJECT_NORMAL); }
+
+vec3 unpack_object_normal(uvec4 packed) { return unpack_octahedral(packed.x, 511.0, 10u); }
+
 // `slack`: depth that the surface may have gained on the way to a tap that lies aside.
 uint refusal(ivec2 tap, Expected expected, float slack) {
     if (!is_inside_previous(tap)) return REASON_OFF_SCREEN;
     uvec4 packed = texelFetch(previous_guide, tap, 0);
-#ifdef VOLUME
-    float difference = relative_difference(volume_depth(packed), expected.depth);
-    return difference <= expected.depth_tolerance ? REASON_NONE : REASON_DEPTH;
-#else
+    if (VOLUME) {
+        float difference = relative_difference(volume_depth(packed), expected.depth);
+        return difference <= expected.depth_tolerance ? REASON_NONE : REASON_DEPTH;
+    }
     float z = unpack_depth(packed);
     if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
     if (!(abs(z - expected.depth) <= expected.depth_tolerance + slack)) return REASON_DEPTH;
-#if OBJECT_NORMAL
-    vec3 n = unpack_octahedral(texelFetch(previous_object_normal, tap, 0).x, 511.0, 10u);
-#else
-    vec3 n = unpack_normal(packed);
-#endif
-    if (dot(n, expected.normal) < frame.normal_tolerance) return REASON_NORMAL;
-    return REASON_NONE;
-#endif
+    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(previous_object_normal, tap, 0)) : unpack_normal(packed);
+    return dot(n, expected.normal) < push.normal_tolerance ? REASON_NORMAL : REASON_NONE;
 }
 
 void add_signal(inout History sum, texture2D history, utexture2D previous_moments, ivec2 tap, float weight) {
@@ -113,7 +124,6 @@ Gathered nothing() {
     return sum;
 }
 
-#ifdef REPAIR
 // A motion that leaves the image ends where it crosses the border: at the last place of the surface that was seen.
 vec2 cut_at_border(vec2 start, vec2 position) {
     vec2 last = vec2(frame.previous_render_extent) - 1.0;
@@ -141,7 +151,6 @@ Gathered repair(vec2 start, vec2 position, Expected expected) {
     sum.history_length = min(sum.history_length, REPAIRED_HISTORY_LENGTH * sum.weight);
     return sum;
 }
-#endif
 
 // The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
 Gathered gather(vec2 position, Expected expected) {
@@ -165,46 +174,33 @@ Gathered gather(vec2 position, Expected expected) {
     return sum;
 }
 
-#ifdef VOLUME
-bool is_filtered(uvec4 packed) { return true; }
+bool is_filtered(uvec4 packed) { return VOLUME || unpack_depth(packed) != 0.0; }
 
-Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
-    motion = unpackHalf2x16(texelFetch(volume_motion, p, 0).x);
-    return Expected(volume_depth(packed), frame.volume_depth_tolerance, vec2(0.0), vec3(0.0), 0u);
+Expected volume_expectation(ivec2 p, uvec4 packed, out vec2 motion) {
+    motion = is_present(VOLUME_MOTION) ? unpackHalf2x16(texelFetch(volume_motion, p, 0).x) : vec2(0.0);
+    return Expected(volume_depth(packed), push.depth_tolerance, vec2(0.0), vec3(0.0), 0u);
 }
 
-vec2 smallest_alphas() { return vec2(frame.volume_alpha); }
-#else
-bool is_filtered(uvec4 packed) { return unpack_depth(packed) != 0.0; }
-
-// What the previous frame must show, and where.
-Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
-    SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+Expected surface_expectation(ivec2 p, uvec4 packed, out vec2 motion) {
+    SurfaceMotion m = SurfaceMotion(vec2(0.0), 0.0, unpack_normal(packed));
+    if (is_present(SURFACE_MOTION)) m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     motion = m.motion;
     float z = unpack_depth(packed);
-    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    vec2 gradient = is_present(DEPTH_GRADIENT) ? unpackHalf2x16(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
     float previous_z = z * (1.0 + m.depth_ratio);
-#if OBJECT_NORMAL
-    vec3 n = unpack_octahedral(texelFetch(object_normal, p, 0).x, 511.0, 10u);
-#else
-    vec3 n = m.previous_normal;
-#endif
-    float tolerance = frame.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
+    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0)) : m.previous_normal;
+    float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
     return Expected(previous_z, tolerance, gradient, n, unpack_id(packed));
 }
 
-// Of irradiance and of moments.
-vec2 smallest_alphas() { return vec2(frame.alpha, frame.alpha_moments); }
-#endif
+// What the previous frame must show, and where.
+Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
+    if (VOLUME) return volume_expectation(p, packed, motion);
+    return surface_expectation(p, packed, motion);
+}
 
 // How far light changed at a pixel: 0, not at all, to 1.
-float change_at(ivec2 p) {
-#ifdef ADAPTIVE
-    return 1.0 - texelFetch(history_confidence, p, 0).x;
-#else
-    return 0.0;
-#endif
-}
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
 float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
 
@@ -213,13 +209,13 @@ vec3 blend(vec3 irradiance, History history, float history_length, float change,
     float scale = frame.exposure_ratio;
     float mean = history.mean * scale;
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
-    float alpha_moments = max(adapted(smallest_alphas().y, change), 1.0 / history_length);
+    float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / history_length);
     float difference = l - mean;
     moments.mean = mean + alpha_moments * difference;
     moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    return mix(history.irradiance * scale, irradiance, max(adapted(smallest_alphas().x, change), 1.0 / history_length));
+    return mix(history.irradiance * scale, irradiance, max(adapted(push.alpha, change), 1.0 / history_length));
 }
 
 void main() {
@@ -235,23 +231,21 @@ void main() {
         Expected expected = expectation(p, packed, motion);
         vec2 position = previous_position(p, motion, frame.render_extent, frame.previous_render_extent) - 0.5;
         sum = gather(position, expected);
-#ifdef REPAIR
-        vec2 start = previous_position(p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
-        if (sum.weight == 0.0) sum = repair(start, position, expected);
-#endif
+        if (REPAIR && sum.weight == 0.0) {
+            vec2 start = previous_position(p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
+            sum = repair(start, position, expected);
+        }
         reason = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected, 0.0);
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
-    float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, frame.max_history_length) : 1.0;
+    float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, push.max_history_length) : 1.0;
     float change = change_at(p);
-#ifdef REPAIR
-    // [PSVGF]: as long as the weight of this frame says, so that later frames react, too.
-    history_length = min(history_length, 1.0 / max(change, 1e-6));
-#elif defined(ADAPTIVE)
-    // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
-    history_length = min(history_length, 1.0 / max(adapted(frame.alpha, change), 1e-6));
-#endif
-
+    if (is_present(HISTORY_CONFIDENCE)) {
+        // [PSVGF]: as long as the weight of this frame says, so that later frames react, too. Else: what alpha forgets is gone from the
+        // length, too, so that the variance is estimated from the neighbourhood.
+        float weight = REPAIR ? change : adapted(push.alpha, change);
+        history_length = min(history_length, 1.0 / max(weight, 1e-6));
+    }
     vec3 irradiance[SIGNALS];
     irradiance[0] = imageLoad(irradiance_0, p).rgb;
 #if SIGNALS == 2

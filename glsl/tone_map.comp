@@ -1,33 +1,42 @@
 #version 450
 // Tone map: HDR radiance to display-referred linear values, for what comes after the denoiser (TAA, a swapchain).
 // Source: x/(1+luminance) [Reinhard 2002], and the fit of the ACES curve of [Narkowicz 2015].
-// In:  denoised_radiance, linear Rec. 709; VOLUME: and denoised_volume, which is added. Out: tone_mapped, linear 0..1.
-// variants: VOLUME=0 VOLUME=1
+// In:  radiance of surfaces, of a volume, or of both, which are added; linear Rec. 709. Out: tone_mapped, linear 0..1.
+// optional: radiance_1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint present;
+    uint tone_curve;
+    float exposure;
+} push;
+
 #include "frame.glsl"
-#include "push_constants.glsl"
+#include "optional.glsl"
 #include "luminance.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform texture2D denoised_radiance;
-#if VOLUME
-layout(set = 0, binding = 2) uniform texture2D denoised_volume;
-#endif
-layout(set = 0, binding = 2 + VOLUME, rgba16f) uniform writeonly image2D tone_mapped;
+const uint RADIANCE_1 = 2u;
+
+layout(set = 0, binding = 1) uniform texture2D radiance_0;
+layout(set = 0, binding = RADIANCE_1) uniform texture2D radiance_1;
+layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D tone_mapped;
+
+// As ToneCurve in src/contract/tuning.rs; what is neither is linear.
+const uint CURVE_ACES = 0u;
+const uint CURVE_REINHARD = 1u;
 
 vec3 aces(vec3 x) { return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14); }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec3 radiance = texelFetch(denoised_radiance, p, 0).rgb;
-#if VOLUME
-    radiance += texelFetch(denoised_volume, p, 0).rgb;
-#endif
-    vec3 x = max(radiance * frame.exposure, 0.0);
-    if (frame.tone_curve == 0u) x = aces(min(x, 1e4));
-    else if (frame.tone_curve == 1u) x /= 1.0 + luminance(x);
+    vec3 radiance = texelFetch(radiance_0, p, 0).rgb;
+    if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, p, 0).rgb;
+    vec3 x = max(radiance * push.exposure, 0.0);
+    if (push.tone_curve == CURVE_ACES) x = aces(min(x, 1e4));
+    else if (push.tone_curve == CURVE_REINHARD) x /= 1.0 + luminance(x);
     imageStore(tone_mapped, p, vec4(clamp(x, 0.0, 1.0), 1.0));
 }

@@ -1,41 +1,48 @@
 #version 450
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
-// FADE: [PSVGF] variance: 5x5 pixels always take part, with a share that shrinks as the past grows.
 // In:  guide, depth_gradient, accumulated irradiance (filter_ping), moments. Out: filter_pong: irradiance, deviation.
-// VOLUME: weights by the depth of the surface behind alone; the background takes part. No depth_gradient.
-// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,FADE=1 SIGNALS=2,FADE=1 SIGNALS=1,FADE=1,VOLUME=1
+// Constants: FADE: [PSVGF] variance: 5x5 pixels always take part, with a share that shrinks as the past grows. VOLUME: weights by the depth
+// of the surface behind alone; the background takes part.
+// optional: depth_gradient
+// variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 1) const bool FADE = false;
+layout(constant_id = 2) const bool VOLUME = false;
+
+layout(push_constant) uniform Push {
+    uint present;
+    float sigma_n;
+    float sigma_z;
+    float edge_falloff;
+    float volume_sigma_z;
+    float spatial_variance_frames;
+} push;
+
 #include "frame.glsl"
+#include "optional.glsl"
 #include "centre_geometry.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+const uint DEPTH_GRADIENT = 2u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
-#ifdef VOLUME
-layout(set = 0, binding = 2) uniform texture2D accumulated_0;
-layout(set = 0, binding = 3) uniform utexture2D moments_0;
-layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D estimated_0;
-#else
-layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D accumulated_0;
 layout(set = 0, binding = 4) uniform utexture2D moments_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D estimated_0;
-#endif
 #if SIGNALS == 2
 layout(set = 0, binding = 6) uniform texture2D accumulated_1;
 layout(set = 0, binding = 7) uniform utexture2D moments_1;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
 #endif
 
-#ifdef FADE
-const int RADIUS = 2;
-#else
-const int RADIUS = 3;
-#endif
+const int RADIUS = FADE ? 2 : 3;
 
 void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
     Moments m = unpack_moments(texelFetch(moments, q, 0));
@@ -44,11 +51,7 @@ void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
 
 // Mean and second moment of each signal over the neighbourhood.
 void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
-#ifdef VOLUME
-    Geometry geometry = geometry_of(packed);
-#else
-    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
-#endif
+    Geometry geometry = geometry_of(packed, is_present(DEPTH_GRADIENT) ? texelFetch(depth_gradient, p, 0).x : 0u);
     float weight_sum = 0.0;
     sums[0] = sums[1] = vec2(0.0);
     for (int y = -RADIUS; y <= RADIUS; ++y)
@@ -70,27 +73,18 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
 
 float deviation_of(vec2 moments, float history_length) {
     float variance = max(0.0, moments.y - moments.x * moments.x);
-    return sqrt(variance * frame.spatial_variance_frames / history_length);
+    return sqrt(variance * push.spatial_variance_frames / history_length);
 }
 
 // The spatial estimate where the past is short; with FADE both, so that no estimate jumps and none is 0 among neighbours that are not.
 float combined(float temporal, vec2 sums, float history_length) {
     float spatial = deviation_of(sums, history_length);
-#ifdef FADE
-    float share = min(frame.spatial_variance_frames / history_length, 1.0);
+    if (!FADE) return spatial;
+    float share = min(push.spatial_variance_frames / history_length, 1.0);
     return sqrt(mix(temporal * temporal, spatial * spatial, share));
-#else
-    return spatial;
-#endif
 }
 
-bool needs_neighbours(float history_length) {
-#ifdef FADE
-    return true;
-#else
-    return history_length < frame.spatial_variance_frames;
-#endif
-}
+bool needs_neighbours(float history_length) { return FADE || history_length < push.spatial_variance_frames; }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);

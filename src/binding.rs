@@ -1,10 +1,12 @@
 //! What a host binds to the uses of a pass, and whether it fits.
 
-use crate::contract::{Access, Declaration, Lifetime, PassDecl, Shape};
+use crate::contract::{Access, Declaration, Dispatch, Lifetime, PassDecl, Shape, Slot};
 use crate::error::Error;
-use crate::pipeline::MAX_BINDINGS;
-use crate::shaders::{BindingKind, Shader};
+use crate::shaders::MAX_BINDINGS;
 use ash::vk;
+
+/// Inputs without which a graph with gradients has none.
+const GRADIENT_INPUTS: [&str; 2] = ["reshaded_radiance", "sparse_gradient"];
 
 /// What a host binds to one use of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,30 +59,26 @@ pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, binding
     Ok(())
 }
 
-/// Bit i: binding i is not absent.
-pub(crate) fn present(bindings: &[Binding]) -> u32 {
-    (0u32..).zip(bindings).fold(0, |bits, (i, b)| if *b == Binding::Absent { bits } else { bits | 1 << i })
+/// Bit i: the host gives binding number i something this frame.
+pub(crate) fn present(dispatch: &Dispatch, bindings: &[Binding]) -> u32 {
+    let slots = dispatch.slots.iter().zip(dispatch.shader.bindings.iter());
+    let bound = slots.filter(|(slot, _)| given(**slot, bindings).is_some());
+    bound.fold(0, |bits, (_, binding)| bits | 1 << binding.number)
+}
+
+/// What the host bound to a slot.
+fn given(slot: Slot, bindings: &[Binding]) -> Option<Binding> {
+    slot.wired.and_then(|i| bindings.get(i)).copied().filter(|binding| *binding != Binding::Absent)
+}
+
+/// What a descriptor is pointed at: for a binding that is absent another one of its kind, which the shader then does not read.
+pub(crate) fn descriptor(slot: Slot, bindings: &[Binding]) -> Binding {
+    given(slot, bindings).or_else(|| bindings.get(slot.stand_in).copied()).unwrap_or(Binding::Absent)
 }
 
 /// The input that gradients come from, where the pass needs it and it is absent.
 pub(crate) fn absent_gradients(declaration: &Declaration, pass: usize, bindings: &[Binding]) -> Option<String> {
     let uses = &declaration.passes.get(pass)?.uses;
     let absent = uses.iter().zip(bindings).filter(|(_, b)| **b == Binding::Absent);
-    absent
-        .map(|(u, _)| &declaration.resource(u.resource).name)
-        .find(|name| crate::nodes::GRADIENT_INPUTS.contains(&name.as_str()))
-        .cloned()
-}
-
-/// For an absent binding another one of its kind.
-pub(crate) fn substitute(shader: &Shader, bindings: &[Binding], index: usize, binding: Binding) -> Binding {
-    if binding != Binding::Absent {
-        return binding;
-    }
-    let same = |kind: BindingKind| match (kind, shader.bindings[index].kind) {
-        (BindingKind::SampledImage(a), BindingKind::SampledImage(b)) => a == b,
-        (a, b) => a.descriptor_type() == b.descriptor_type(),
-    };
-    let bound = shader.bindings.iter().zip(bindings).find(|(s, b)| same(s.kind) && **b != Binding::Absent);
-    bound.map_or(Binding::Absent, |(_, b)| *b)
+    absent.map(|(u, _)| &declaration.resource(u.resource).name).find(|name| GRADIENT_INPUTS.contains(&name.as_str())).cloned()
 }

@@ -1,44 +1,18 @@
-//! A preset, flattened into one resource table and one pass list, with the Vulkan objects to record it.
+//! Records a declaration into a host's command buffers: the Vulkan objects of its passes, and nothing else.
 
-use crate::binding::{absent_gradients, check_bindings, present, substitute, Binding};
-use crate::config::Config;
-use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, Grid, PassDecl, Tuning, Work};
+use crate::binding::{absent_gradients, check_bindings, descriptor, present, Binding};
+use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, FrameState, Grid, Parameter, Tuning, Work};
+use crate::device::Device;
 use crate::error::Error;
-use crate::pipeline::{Bindable, Pipelines, MAX_BINDINGS};
-use crate::requirements::{Requirements, WORKGROUP_SIDE};
-use crate::shaders::{BindingKind, PushConstants, Shader};
+use crate::pipeline::Pipelines;
+use crate::requirements::Requirements;
+use crate::shaders::{descriptor_type, BindingKind, MAX_BINDINGS, MAX_PUSH_BYTES};
 use ash::vk;
 
-impl PassDecl {
-    pub(crate) fn shader(&self) -> Option<&'static Shader> {
-        match self.work {
-            Work::Dispatch { shader, .. } | Work::DebugView { shader, .. } => Some(shader),
-            Work::StartFrame | Work::Clear => None,
-        }
-    }
-
-    /// The SPIR-V that a dispatch was built with, `None` for the pass that starts a frame: for tools that reflect or profile it.
-    pub fn spirv(&self) -> Option<&'static [u8]> {
-        self.shader().map(|s| s.spirv)
-    }
-}
-
-/// The host's device. Handles stay the host's: they are used, never destroyed.
-#[derive(Clone, Copy)]
-pub struct Device<'a> {
-    /// Instance.
-    pub instance: &'a ash::Instance,
-    /// Physical device.
-    pub physical_device: vk::PhysicalDevice,
-    /// Device.
-    pub device: &'a ash::Device,
-}
-
-/// Records the passes of a preset. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
+/// Records the passes of a declaration. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
 ///
 /// Drop it only after the GPU work that was recorded with it is complete.
 pub struct Denoiser {
-    config: Config,
     declaration: Declaration,
     state: FrameState,
     device: ash::Device,
@@ -48,32 +22,20 @@ pub struct Denoiser {
 }
 
 impl Denoiser {
-    /// Creates pipelines and descriptor pools.
+    /// Creates pipelines and descriptor pools for a declaration: of a preset ([`crate::Config::declare`]), or of a graph
+    /// ([`crate::graph::Graph::finish`]).
     ///
     /// # Errors
-    /// As [`Config::validate`] and [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
+    /// As [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
     ///
     /// # Safety
-    /// The handles are live, belong together and outlive the result.
-    pub unsafe fn new(host: Device<'_>, config: &Config) -> Result<Self, Error> {
-        // SAFETY: the caller's.
-        unsafe { Requirements::new(config)?.check(host.instance, host.physical_device)? };
-        let declaration = config.declare()?;
-        // SAFETY: the caller's.
-        let pipelines = unsafe { Pipelines::new(host.device, &declaration, config.frames_in_flight)? };
-        Ok(Self {
-            config: *config,
-            declaration,
-            state: FrameState::default(),
-            device: host.device.clone(),
-            pipelines,
-            warned: false,
-        })
-    }
-
-    /// Structural configuration.
-    pub fn config(&self) -> &Config {
-        &self.config
+    /// Instance, physical device and device are live, belong together and outlive the result.
+    pub unsafe fn new(host: Device<'_>, declaration: Declaration) -> Result<Self, Error> {
+        // SAFETY: instance and physical device are live and belong together, as the caller promised.
+        unsafe { Requirements::new(&declaration).check(host.instance, host.physical_device)? };
+        // SAFETY: the device is live and outlives the pipelines, as the caller promised.
+        let pipelines = unsafe { Pipelines::new(host.device, &declaration)? };
+        Ok(Self { declaration, state: FrameState::default(), device: host.device.clone(), pipelines, warned: false })
     }
 
     /// Resources and passes.
@@ -86,8 +48,8 @@ impl Denoiser {
     /// # Errors
     /// As [`FrameState::begin`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
-        let frame = self.state.begin(&self.config, params, tuning)?;
-        if self.config.reshades() && !params.reshaded && frame.reset.is_none() {
+        let frame = self.state.begin(self.declaration.setup(), params, tuning)?;
+        if self.declaration.reshades() && !params.reshaded && frame.reset.is_none() {
             self.warn_of_missing_gradients("FrameParams::reshaded is false: the host does not re-shade `gradient_samples`");
         }
         Ok(frame)
@@ -96,7 +58,7 @@ impl Denoiser {
     /// Once: a host that leaves them out does so in every frame.
     fn warn_of_missing_gradients(&mut self, why: &str) {
         if !std::mem::replace(&mut self.warned, true) {
-            log::warn!("atrous: {why}. Without gradients the preset {:?} behaves as Svgf", self.config.preset);
+            log::warn!("atrous: {why}. Without gradients history is dropped for geometry alone, as in SVGF");
         }
     }
 
@@ -145,22 +107,13 @@ impl Denoiser {
             return Err(Error::Bindings { pass: format!("index {pass}"), given: bindings.len(), needed: 0 });
         };
         check_bindings(&self.declaration, decl, bindings)?;
-        match decl.work {
+        match &decl.work {
             // SAFETY: the caller's; the bindings were checked.
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
             // SAFETY: as above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
-            Work::Dispatch { level, grid, .. } => {
-                let push = PushConstants { level, present: present(bindings) };
-                // SAFETY: the caller's; the bindings were checked.
-                unsafe { self.record_dispatch(cmd, frame, pass, bindings, dispatched_extent(frame, grid), push)? };
-            }
-            Work::DebugView { available, .. } => {
-                let push =
-                    PushConstants { level: frame.debug_view.unwrap_or_default() as u32, present: present(bindings) & available };
-                // SAFETY: as above.
-                unsafe { self.record_dispatch(cmd, frame, pass, bindings, frame.render_extent, push)? };
-            }
+            // SAFETY: as above.
+            Work::Dispatch(dispatch) => unsafe { self.dispatch(cmd, frame, pass, dispatch, bindings)? },
         }
         if let Some(name) = absent_gradients(&self.declaration, pass, bindings) {
             self.warn_of_missing_gradients(&format!("nothing is bound to `{name}`"));
@@ -168,23 +121,31 @@ impl Denoiser {
         Ok(())
     }
 
-    unsafe fn record_dispatch(
+    unsafe fn dispatch(
         &self,
         cmd: vk::CommandBuffer,
         frame: &FrameContext,
         pass: usize,
+        dispatch: &Dispatch,
         bindings: &[Binding],
-        extent: [u32; 2],
-        push: PushConstants,
     ) -> Result<(), Error> {
-        let (Some(bindable), Some(shader)) = (self.pipelines.bindable(frame.slot, pass), self.declaration.passes[pass].shader())
-        else {
-            return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.config.frames_in_flight });
+        let Some(bindable) = self.pipelines.bindable(frame.slot, pass) else {
+            return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.declaration.setup().frames_in_flight });
         };
-        // SAFETY: the set is not in use, since earlier work of the slot is complete; the rest is the caller's.
+        let push = push_constants(dispatch, frame, bindings);
+        let push = &bytemuck::bytes_of(&push)[..dispatch.shader.push_bytes() as usize];
+        let [x, y] = workgroups(dispatch, frame);
+        let point = vk::PipelineBindPoint::COMPUTE;
+        // SAFETY: `cmd` is recording outside a render pass; pipeline, layout and set belong together, and the set is not in use, since earlier
+        // work of the slot is complete.
         unsafe {
-            self.write_set(bindable.set, shader, bindings);
-            self.dispatch(cmd, extent, bindable, push);
+            self.write_set(bindable.set, dispatch, bindings);
+            self.device.cmd_bind_pipeline(cmd, point, bindable.pipeline);
+            self.device.cmd_bind_descriptor_sets(cmd, point, bindable.layout, 0, &[bindable.set], &[]);
+            if !push.is_empty() {
+                self.device.cmd_push_constants(cmd, bindable.layout, vk::ShaderStageFlags::COMPUTE, 0, push);
+            }
+            self.device.cmd_dispatch(cmd, x, y, 1);
         }
         Ok(())
     }
@@ -195,7 +156,7 @@ impl Denoiser {
         else {
             return;
         };
-        let bytes = crate::nodes::STATISTICS_COUNT * 4;
+        let bytes = crate::contract::STATISTICS_COUNT * 4;
         // SAFETY: the caller's; both buffers have the declared sizes.
         unsafe {
             self.device.cmd_update_buffer(cmd, constants, constants_offset, bytemuck::bytes_of(&frame.constants));
@@ -217,11 +178,11 @@ impl Denoiser {
     }
 
     /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not read.
-    unsafe fn write_set(&self, set: vk::DescriptorSet, shader: &Shader, bindings: &[Binding]) {
+    unsafe fn write_set(&self, set: vk::DescriptorSet, dispatch: &Dispatch, bindings: &[Binding]) {
         let mut images = [vk::DescriptorImageInfo::default(); MAX_BINDINGS];
         let mut buffers = [vk::DescriptorBufferInfo::default(); MAX_BINDINGS];
-        for (i, binding) in bindings.iter().enumerate() {
-            match substitute(shader, bindings, i, *binding) {
+        for (i, slot) in dispatch.slots.iter().enumerate() {
+            match descriptor(*slot, bindings) {
                 Binding::Image { view, layout } => {
                     images[i] = vk::DescriptorImageInfo::default().image_view(view).image_layout(layout)
                 }
@@ -229,39 +190,43 @@ impl Denoiser {
                 Binding::Absent | Binding::ClearedImage { .. } => {}
             }
         }
+        let shader = &dispatch.shader;
         let mut writes = [vk::WriteDescriptorSet::default(); MAX_BINDINGS];
         for (i, binding) in shader.bindings.iter().enumerate() {
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set)
-                .dst_binding(i as u32)
-                .descriptor_type(binding.kind.descriptor_type());
+                .dst_binding(binding.number)
+                .descriptor_type(descriptor_type(binding.kind));
             writes[i] = match binding.kind {
                 BindingKind::UniformBuffer | BindingKind::StorageBuffer(_) => write.buffer_info(std::slice::from_ref(&buffers[i])),
                 _ => write.image_info(std::slice::from_ref(&images[i])),
             };
         }
-        // SAFETY: the set is ours and not in use; views and buffers are the caller's.
+        // SAFETY: the set is ours and not in use; views and buffers are live, as the host promised to `record`.
         unsafe { self.device.update_descriptor_sets(&writes[..shader.bindings.len()], &[]) };
-    }
-
-    unsafe fn dispatch(&self, cmd: vk::CommandBuffer, extent: [u32; 2], bindable: Bindable, push: PushConstants) {
-        let groups = extent.map(|side| side.div_ceil(WORKGROUP_SIDE));
-        let point = vk::PipelineBindPoint::COMPUTE;
-        // SAFETY: the caller's; pipeline, layout and set belong together.
-        unsafe {
-            self.device.cmd_bind_pipeline(cmd, point, bindable.pipeline);
-            self.device.cmd_bind_descriptor_sets(cmd, point, bindable.layout, 0, &[bindable.set], &[]);
-            self.device.cmd_push_constants(cmd, bindable.layout, vk::ShaderStageFlags::COMPUTE, 0, bytemuck::bytes_of(&push));
-            self.device.cmd_dispatch(cmd, groups[0], groups[1], 1);
-        }
     }
 }
 
-/// Invocations of a dispatch.
-fn dispatched_extent(frame: &FrameContext, grid: Grid) -> [u32; 2] {
+/// The block that a shader reads.
+fn push_constants(dispatch: &Dispatch, frame: &FrameContext, bindings: &[Binding]) -> [u32; MAX_PUSH_BYTES as usize / 4] {
+    let mut block = [0; MAX_PUSH_BYTES as usize / 4];
+    for (member, parameter) in dispatch.shader.members.iter().zip(&dispatch.parameters) {
+        block[member.offset as usize / 4] = match *parameter {
+            Parameter::Fixed(bits) => bits,
+            Parameter::Tuning(index) => frame.tuning.bits(index),
+            Parameter::Present => present(dispatch, bindings),
+            Parameter::View => frame.debug_view.unwrap_or_default() as u32,
+        };
+    }
+    block
+}
+
+/// Workgroups of a dispatch, in x and y.
+fn workgroups(dispatch: &Dispatch, frame: &FrameContext) -> [u32; 2] {
     let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
-    match grid {
+    let invocations = match dispatch.grid {
         Grid::Pixels => now,
         Grid::Strata(side) => [0, 1].map(|i| now[i].max(before[i]).div_ceil(side)),
-    }
+    };
+    [0, 1].map(|i| invocations[i].div_ceil(dispatch.shader.workgroup[i]))
 }

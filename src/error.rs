@@ -101,6 +101,24 @@ pub enum Error {
         /// Bindings as needed.
         needed: usize,
     },
+    /// A graph that makes no sense.
+    #[error("node `{node}`, port `{port}`: {problem}")]
+    Graph {
+        /// Name of the node.
+        node: String,
+        /// Its port: a binding of its shader, a parameter, or a resource.
+        port: String,
+        /// What was given, what is allowed, and what to do.
+        problem: String,
+    },
+    /// A shader of a host that cannot be a stage.
+    #[error("stage `{stage}`: {problem}")]
+    Stage {
+        /// Name of the stage.
+        stage: String,
+        /// What was given, what is allowed, and what to do.
+        problem: String,
+    },
     /// No resource has this name.
     #[error("no resource is called `{given}`; this denoiser has: {known}")]
     UnknownResource {

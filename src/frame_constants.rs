@@ -1,6 +1,6 @@
 //! The uniform block that every pass reads, and the bits of its flags.
 
-use crate::config::{Config, MotionDirection, NormalSpace, Preset, ViewForward};
+use crate::config::{Conventions, MotionDirection, NormalSpace, ViewForward};
 
 /// The uniform block that every pass reads: the Rust twin of `FrameConstants` in `glsl/include/frame.glsl`.
 /// The build asserts that the offsets are equal.
@@ -23,38 +23,8 @@ pub struct FrameConstants {
     pub flags: u32,
     pub exposure_ratio: f32,
     pub background_depth: f32,
-    pub alpha: f32,
-    pub alpha_moments: f32,
-    pub max_history_length: f32,
-    pub spatial_variance_frames: f32,
-    pub sigma_l: f32,
-    pub sigma_n: f32,
-    pub sigma_z: f32,
-    pub depth_tolerance: f32,
-    pub normal_tolerance: f32,
-    pub edge_falloff: f32,
-    pub percentile_low: f32,
-    pub percentile_up: f32,
-    pub percentile_range: f32,
-    pub adaptivity: f32,
-    pub change_threshold: f32,
-    pub firefly_bias: f32,
-    pub sigma_rt: f32,
-    pub sigma_rt_n: f32,
-    pub sigma_rt_x: f32,
-    pub volume_alpha: f32,
-    pub volume_sigma_l: f32,
-    pub volume_sigma_z: f32,
-    pub volume_depth_tolerance: f32,
-    pub exposure: f32,
-    pub taa_alpha: f32,
-    pub taa_gamma: f32,
-    pub tone_curve: u32,
-    pub stratum_size: u32,
     pub previous_clip_w_scale: f32,
     pub previous_clip_w_offset: f32,
-    pub gradient_scale: f32,
-    pub padding: u32,
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and the host's conventions.
@@ -85,32 +55,9 @@ impl Flags {
     /// The host re-shades the gradient samples of this frame.
     pub const RESHADED: u32 = 1 << 16;
 
-    /// The weight by radiance of \[EAW\].
-    pub const EAW_RADIANCE: u32 = 1 << 17;
-    /// The weight by normal.
-    pub const EAW_NORMAL: u32 = 1 << 18;
-    /// The weight by position.
-    pub const EAW_POSITION: u32 = 1 << 19;
-    /// Two bits: levels that paint in holes; 0 where the input has none.
-    pub const PAINTING_SHIFT: u32 = 20;
-
-    fn of_eaw(config: &Config) -> u32 {
-        if config.preset != Preset::Eaw {
-            return 0;
-        }
-        let bit = |on: bool, flag: u32| if on { flag } else { 0 };
-        let weights = config.eaw_weights;
-        bit(weights.radiance, Self::EAW_RADIANCE)
-            | bit(weights.normal, Self::EAW_NORMAL)
-            | bit(weights.position, Self::EAW_POSITION)
-            | (config.sampling as u32) << Self::PAINTING_SHIFT
-    }
-
-    pub(crate) fn of(config: &Config, reset: bool) -> u32 {
-        let c = &config.conventions;
+    pub(crate) fn of(c: &Conventions, reset: bool) -> u32 {
         let bit = |on: bool, flag: u32| if on { flag } else { 0 };
         bit(reset, Self::RESET)
-            | Self::of_eaw(config)
             | (c.depth as u32) << Self::DEPTH_SHIFT
             | (c.normal as u32) << Self::NORMAL_SHIFT
             | bit(c.normal_space == NormalSpace::View, Self::NORMAL_VIEW)

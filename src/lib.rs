@@ -13,15 +13,17 @@ pub mod contract;
 #[cfg(feature = "conventions")]
 pub mod conventions;
 mod denoiser;
+mod device;
 mod error;
 #[cfg(feature = "executor")]
 pub mod executor;
 mod frame_constants;
+pub mod graph;
 #[cfg(feature = "hot-reload")]
 pub mod hot_reload;
-mod nodes;
+pub mod nodes;
 mod pipeline;
-mod presets;
+pub mod presets;
 pub mod reference;
 mod requirements;
 mod shaders;
@@ -35,7 +37,8 @@ pub use binding::Binding;
 pub use choice::Choice;
 pub use config::Config;
 pub use contract::*;
-pub use denoiser::{Denoiser, Device};
+pub use denoiser::Denoiser;
+pub use device::Device;
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};
 pub use requirements::Requirements;

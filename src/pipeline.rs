@@ -1,15 +1,16 @@
 //! The Vulkan objects that we own: pipelines and descriptor sets. All are destroyed on drop; no memory is allocated.
 
-use crate::contract::Declaration;
+use crate::contract::{Declaration, Dispatch};
 use crate::error::Error;
-use crate::shaders::{PushConstants, Shader};
+use crate::shaders::descriptor_type;
+use crate::shaders::Shader;
 use ash::vk;
 use std::collections::BTreeMap;
 
-/// Most bindings that a pass may have; a test checks every preset against it.
-pub(crate) const MAX_BINDINGS: usize = 16;
+/// A module, and the bits of its specialisation constants by their identifiers.
+type Key = (String, Vec<(u32, u32)>);
 
-/// One shader, ready to dispatch.
+/// One module with its constants, ready to dispatch.
 struct Pipeline {
     set_layout: vk::DescriptorSetLayout,
     layout: vk::PipelineLayout,
@@ -27,7 +28,7 @@ pub(crate) struct Bindable {
 /// Pipelines of every shader that a declaration uses, and one descriptor set per pass and frame slot.
 pub(crate) struct Pipelines {
     device: ash::Device,
-    pipelines: BTreeMap<&'static str, Pipeline>,
+    pipelines: BTreeMap<Key, Pipeline>,
     pools: Vec<vk::DescriptorPool>,
     /// By slot, then pass.
     bindables: Vec<Vec<Option<Bindable>>>,
@@ -36,18 +37,18 @@ pub(crate) struct Pipelines {
 impl Pipelines {
     /// # Safety
     /// `device` is live and outlives the result.
-    pub unsafe fn new(device: &ash::Device, declaration: &Declaration, slots: u32) -> Result<Self, Error> {
+    pub unsafe fn new(device: &ash::Device, declaration: &Declaration) -> Result<Self, Error> {
         let mut this = Self { device: device.clone(), pipelines: BTreeMap::new(), pools: Vec::new(), bindables: Vec::new() };
         for pass in declaration.passes() {
-            if let Some(shader) = pass.shader() {
-                if !this.pipelines.contains_key(shader.name) {
-                    // SAFETY: the device is live; the caller says so.
-                    let pipeline = unsafe { Pipeline::new(device, shader)? };
-                    this.pipelines.insert(shader.name, pipeline);
-                }
+            let Some(dispatch) = pass.dispatch() else { continue };
+            let key = key(dispatch);
+            if !this.pipelines.contains_key(&key) {
+                // SAFETY: the device is live; the caller says so.
+                let pipeline = unsafe { Pipeline::new(device, dispatch)? };
+                this.pipelines.insert(key, pipeline);
             }
         }
-        for _ in 0..slots {
+        for _ in 0..declaration.setup().frames_in_flight {
             // SAFETY: as above; the pipelines belong to the same device.
             unsafe { this.add_slot(declaration)? };
         }
@@ -65,34 +66,47 @@ impl Pipelines {
     /// The words are valid SPIR-V, and no work that uses the shader is pending or recorded.
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace(&mut self, name: &str, code: &[u32]) -> Result<bool, Error> {
-        let Some(pipeline) = self.pipelines.get_mut(name) else { return Ok(false) };
-        // SAFETY: the device is live, and the interface is that of the layout.
-        let new = unsafe { create_pipeline(&self.device, pipeline.layout, code)? };
-        let old = std::mem::replace(&mut pipeline.pipeline, new);
-        for bindable in self.bindables.iter_mut().flatten().flatten().filter(|b| b.pipeline == old) {
-            bindable.pipeline = new;
+        let mut new = Vec::new();
+        for (key, pipeline) in self.pipelines.iter().filter(|(key, _)| key.0 == name) {
+            // SAFETY: the device is live, and the interface is that of the layout.
+            match unsafe { create_pipeline(&self.device, pipeline.layout, code, &key.1) } {
+                Ok(pipeline) => new.push(pipeline),
+                Err(error) => {
+                    // SAFETY: just made, and used by nothing.
+                    new.iter().for_each(|&pipeline| unsafe { self.device.destroy_pipeline(pipeline, None) });
+                    return Err(error);
+                }
+            }
         }
-        // SAFETY: ours, and not in use; the caller says so.
-        unsafe { self.device.destroy_pipeline(old, None) };
-        Ok(true)
+        let any = !new.is_empty();
+        let replaced = self.pipelines.iter_mut().filter(|(key, _)| key.0 == name);
+        for (pipeline, new) in replaced.map(|(_, pipeline)| pipeline).zip(new) {
+            let old = std::mem::replace(&mut pipeline.pipeline, new);
+            for bindable in self.bindables.iter_mut().flatten().flatten().filter(|b| b.pipeline == old) {
+                bindable.pipeline = new;
+            }
+            // SAFETY: ours, and not in use: no work that uses the shader is pending or recorded.
+            unsafe { self.device.destroy_pipeline(old, None) };
+        }
+        Ok(any)
     }
 
     unsafe fn add_slot(&mut self, declaration: &Declaration) -> Result<(), Error> {
-        let shaders: Vec<Option<&'static Shader>> = declaration.passes().iter().map(|p| p.shader()).collect();
+        let dispatches: Vec<Option<&Dispatch>> = declaration.passes().iter().map(|p| p.dispatch()).collect();
         let mut sizes: BTreeMap<i32, vk::DescriptorPoolSize> = BTreeMap::new();
-        for binding in shaders.iter().flatten().flat_map(|s| s.bindings) {
-            let ty = binding.kind.descriptor_type();
+        for binding in dispatches.iter().flatten().flat_map(|d| d.shader.bindings.iter()) {
+            let ty = descriptor_type(binding.kind);
             let size = sizes.entry(ty.as_raw()).or_insert(vk::DescriptorPoolSize { ty, descriptor_count: 0 });
             size.descriptor_count += 1;
         }
         let sizes: Vec<_> = sizes.into_values().collect();
-        let info = vk::DescriptorPoolCreateInfo::default().max_sets(shaders.len() as u32).pool_sizes(&sizes);
+        let info = vk::DescriptorPoolCreateInfo::default().max_sets(dispatches.len() as u32).pool_sizes(&sizes);
         // SAFETY: the device is live.
         let pool = unsafe { self.device.create_descriptor_pool(&info, None) }.map_err(Error::vulkan("vkCreateDescriptorPool"))?;
         self.pools.push(pool);
         let mut bindables = Vec::new();
-        for shader in shaders {
-            let Some(pipeline) = shader.and_then(|s| self.pipelines.get(s.name)) else {
+        for dispatch in dispatches {
+            let Some(pipeline) = dispatch.and_then(|d| self.pipelines.get(&key(d))) else {
                 bindables.push(None);
                 continue;
             };
@@ -122,14 +136,14 @@ impl Drop for Pipelines {
 }
 
 impl Pipeline {
-    unsafe fn new(device: &ash::Device, shader: &Shader) -> Result<Self, Error> {
+    unsafe fn new(device: &ash::Device, dispatch: &Dispatch) -> Result<Self, Error> {
         let mut this = Self {
             set_layout: vk::DescriptorSetLayout::null(),
             layout: vk::PipelineLayout::null(),
             pipeline: vk::Pipeline::null(),
         };
         // SAFETY: the device is live; what was created before a failure is destroyed below.
-        let result = unsafe { this.create(device, shader) };
+        let result = unsafe { this.create(device, &dispatch.shader, &dispatch.constants) };
         match result {
             Ok(()) => Ok(this),
             Err(error) => {
@@ -140,18 +154,19 @@ impl Pipeline {
         }
     }
 
-    unsafe fn create(&mut self, device: &ash::Device, shader: &Shader) -> Result<(), Error> {
-        let bindings: Vec<_> = (0u32..)
-            .zip(shader.bindings)
-            .map(|(i, b)| {
+    unsafe fn create(&mut self, device: &ash::Device, shader: &Shader, constants: &[(u32, u32)]) -> Result<(), Error> {
+        let bindings: Vec<_> = shader
+            .bindings
+            .iter()
+            .map(|b| {
                 vk::DescriptorSetLayoutBinding::default()
-                    .binding(i)
-                    .descriptor_type(b.kind.descriptor_type())
+                    .binding(b.number)
+                    .descriptor_type(descriptor_type(b.kind))
                     .descriptor_count(1)
                     .stage_flags(vk::ShaderStageFlags::COMPUTE)
             })
             .collect();
-        let code = ash::util::read_spv(&mut std::io::Cursor::new(shader.spirv))
+        let code = ash::util::read_spv(&mut std::io::Cursor::new(&*shader.spirv))
             .map_err(|_| Error::Vulkan { call: "read_spv", result: vk::Result::ERROR_INVALID_SHADER_NV })?;
         // SAFETY: the device is live, and every info refers to what was just made or to locals.
         unsafe {
@@ -159,15 +174,12 @@ impl Pipeline {
             self.set_layout =
                 device.create_descriptor_set_layout(&info, None).map_err(Error::vulkan("vkCreateDescriptorSetLayout"))?;
             let layouts = [self.set_layout];
-            let range = vk::PushConstantRange {
-                stage_flags: vk::ShaderStageFlags::COMPUTE,
-                offset: 0,
-                size: size_of::<PushConstants>() as u32,
-            };
-            let ranges = [range];
+            let size = shader.push_bytes();
+            let range = vk::PushConstantRange { stage_flags: vk::ShaderStageFlags::COMPUTE, offset: 0, size };
+            let ranges = if size > 0 { vec![range] } else { Vec::new() };
             let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(&ranges);
             self.layout = device.create_pipeline_layout(&info, None).map_err(Error::vulkan("vkCreatePipelineLayout"))?;
-            self.pipeline = create_pipeline(device, self.layout, &code)?;
+            self.pipeline = create_pipeline(device, self.layout, &code, constants)?;
         }
         Ok(())
     }
@@ -182,14 +194,32 @@ impl Pipeline {
     }
 }
 
+fn key(dispatch: &Dispatch) -> Key {
+    (dispatch.shader.name.clone().into_owned(), dispatch.constants.clone())
+}
+
 /// # Safety
 /// The device is live; the code is valid, and its interface is that of the layout.
-unsafe fn create_pipeline(device: &ash::Device, layout: vk::PipelineLayout, code: &[u32]) -> Result<vk::Pipeline, Error> {
+unsafe fn create_pipeline(
+    device: &ash::Device,
+    layout: vk::PipelineLayout,
+    code: &[u32],
+    constants: &[(u32, u32)],
+) -> Result<vk::Pipeline, Error> {
+    let entry =
+        |(i, &(constant_id, _)): (usize, &(u32, u32))| vk::SpecializationMapEntry { constant_id, offset: 4 * i as u32, size: 4 };
+    let entries: Vec<_> = constants.iter().enumerate().map(entry).collect();
+    let values: Vec<u32> = constants.iter().map(|constant| constant.1).collect();
+    let specialisation = vk::SpecializationInfo::default().map_entries(&entries).data(bytemuck::cast_slice(&values));
     let info = vk::ShaderModuleCreateInfo::default().code(code);
-    // SAFETY: the caller's, for each of these.
+    // SAFETY: the device is live, the code is valid, and every info refers to locals.
     unsafe {
         let module = device.create_shader_module(&info, None).map_err(Error::vulkan("vkCreateShaderModule"))?;
-        let stage = vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
+        let stage = vk::PipelineShaderStageCreateInfo::default()
+            .stage(vk::ShaderStageFlags::COMPUTE)
+            .module(module)
+            .name(c"main")
+            .specialization_info(&specialisation);
         let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout);
         let pipelines = device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
         device.destroy_shader_module(module, None);

@@ -1,29 +1,22 @@
 //! What a device must have, checked before anything is created.
 
-use crate::config::Config;
 use crate::contract::{Declaration, Lifetime, Shape};
-use crate::denoiser::Device;
+use crate::device::Device;
 use crate::error::Error;
 use crate::shaders::BindingKind;
 use ash::vk;
 
-/// Side of a workgroup of every shader.
-pub(crate) const WORKGROUP_SIDE: u32 = 8;
-
-/// What the passes of a configuration need of a device. All of it is mandatory in Vulkan 1.1, so a check fails only on devices that are
-/// older, have no compute queue, or are too small for the extent.
+/// What the passes of a declaration need of a device. All of it is mandatory in Vulkan 1.1, so a check fails only on devices that are
+/// older, have no compute queue, or are too small for the extent, and on formats that a host's own stage asks for.
 #[derive(Clone, Debug)]
 pub struct Requirements {
     declaration: Declaration,
 }
 
 impl Requirements {
-    /// For a configuration.
-    ///
-    /// # Errors
-    /// As [`Config::validate`].
-    pub fn new(config: &Config) -> Result<Self, Error> {
-        Ok(Self { declaration: config.declare()? })
+    /// The requirements of a declaration.
+    pub fn new(declaration: &Declaration) -> Self {
+        Self { declaration: declaration.clone() }
     }
 
     /// Checks what the nodes need: Vulkan 1.1, compute, limits and formats.
@@ -81,6 +74,9 @@ impl Requirements {
             self.declaration.passes().iter().map(count).max().unwrap_or(0) as u32
         };
         let side = self.declaration.allocated_extent().into_iter().max().unwrap_or(1);
+        let workgroups = || self.declaration.passes().iter().filter_map(|p| p.shader()).map(|shader| shader.workgroup);
+        let invocations = workgroups().map(|sides| sides.iter().product()).max().unwrap_or(1);
+        let narrowest = workgroups().map(|[x, y, _]| x.min(y)).min().unwrap_or(1).max(1);
         let needs = [
             ("maxImageDimension2D", limits.max_image_dimension2_d, side),
             (
@@ -98,8 +94,8 @@ impl Requirements {
                 limits.max_per_stage_descriptor_storage_buffers,
                 most(|k| matches!(k, BindingKind::StorageBuffer(_))),
             ),
-            ("maxComputeWorkGroupInvocations", limits.max_compute_work_group_invocations, WORKGROUP_SIDE * WORKGROUP_SIDE),
-            ("maxComputeWorkGroupCount[0]", limits.max_compute_work_group_count[0], side.div_ceil(WORKGROUP_SIDE)),
+            ("maxComputeWorkGroupInvocations", limits.max_compute_work_group_invocations, invocations),
+            ("maxComputeWorkGroupCount[0]", limits.max_compute_work_group_count[0], side.div_ceil(narrowest)),
         ];
         for (name, has, needed) in needs {
             if has < needed {
@@ -162,10 +158,11 @@ fn version(v: u32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::Config;
 
     #[test]
     fn limits_that_are_too_small_are_named() {
-        let requirements = Requirements::new(&Config::new([4000, 3000])).expect("valid");
+        let requirements = Requirements::new(&Config::new([4000, 3000]).declare().expect("valid"));
         let mut missing = Vec::new();
         requirements.check_limits(&vk::PhysicalDeviceLimits { max_image_dimension2_d: 2048, ..Default::default() }, &mut missing);
         assert!(missing.iter().any(|m| m == "maxImageDimension2D of 4000 (it has 2048)"), "{missing:?}");
@@ -185,7 +182,7 @@ mod tests {
                 ..Default::default()
             };
             let mut missing = Vec::new();
-            Requirements::new(&config).expect("valid").check_limits(&guaranteed, &mut missing);
+            Requirements::new(&config.declare().expect("valid")).check_limits(&guaranteed, &mut missing);
             assert!(missing.is_empty(), "{missing:?}");
         }
     }

@@ -49,8 +49,8 @@ fn allocations(body: impl FnOnce()) -> u64 {
 
 /// Records a frame of a rig without ever submitting it.
 fn record(rig: &mut Rig, index: u32) {
-    let config = *rig.executor.denoiser().config();
-    let params = FrameParams { frame_slot: index % 2, reshaded: true, ..FrameParams::new(config.allocated_extent) };
+    let setup = *rig.executor.denoiser().declaration().setup();
+    let params = FrameParams { frame_slot: index % 2, reshaded: true, ..FrameParams::new(setup.allocated_extent) };
     let frame = rig.executor.begin_frame(&params, &Tuning::default()).expect("frame");
     let cmd = rig.commands[0];
     let device = rig.gpu.device().clone();
@@ -96,7 +96,7 @@ fn refused_bindings_allocate_only_their_message() {
     let gpu = super::support::gpu();
     // SAFETY: the handles are live and outlive the denoiser; nothing is recorded, since the bindings do not fit.
     unsafe {
-        let mut denoiser = atrous::Denoiser::new(gpu.host(), &Config::new([8, 8])).expect("denoiser");
+        let mut denoiser = atrous::Denoiser::new(gpu.host(), Config::new([8, 8]).declare().expect("valid")).expect("denoiser");
         let frame = denoiser.begin_frame(&FrameParams::new([8, 8]), &Tuning::default()).expect("frame");
         let count = allocations(|| assert!(denoiser.record(vk::CommandBuffer::null(), &frame, 0, &[Binding::Absent; 2]).is_err()));
         assert!(count <= 2, "{count}");

@@ -28,8 +28,6 @@ fn extents_that_are_zero_or_too_large_are_named() {
         let error = Config::new(extent).declare().expect_err("refused");
         assert!(matches!(error, Error::Extent { given, .. } if given == extent), "{error}");
         assert!(error.to_string().contains("16384"), "{error}");
-        // SAFETY: the handles are live; creation stops at the configuration.
-        assert!(unsafe { Denoiser::new(gpu().host(), &Config::new(extent)) }.is_err());
     }
     let mut s = session(&Config::new([8, 8]));
     support::upload(&mut s, &Scene::new([8, 8]).frame(0, 0));
@@ -88,7 +86,7 @@ fn a_required_input_that_is_not_bound_is_named() {
 fn bindings_that_do_not_fit_are_refused_before_recording() {
     let gpu = gpu();
     // SAFETY: the handles are live and outlive the denoiser.
-    let mut denoiser = unsafe { Denoiser::new(gpu.host(), &Config::new([8, 8])) }.expect("denoiser");
+    let mut denoiser = unsafe { Denoiser::new(gpu.host(), Config::new([8, 8]).declare().expect("valid")) }.expect("denoiser");
     let context = denoiser.begin_frame(&FrameParams::new([8, 8]), &Tuning::default()).expect("frame");
     let absent = [Binding::Absent; 11];
     let mut record = |pass: usize, bindings: &[Binding]| {
@@ -133,7 +131,7 @@ fn a_device_without_what_is_needed_is_told_so() {
     let error = Error::Unsupported { missing: vec!["Vulkan 1.1 (it has 1.0.2)".into(), "a queue with COMPUTE".into()] };
     assert_eq!(error.to_string(), "this device cannot run the denoiser: Vulkan 1.1 (it has 1.0.2); a queue with COMPUTE");
     let gpu = gpu();
-    let requirements = atrous::Requirements::new(&Config::new([16384, 16384])).expect("valid");
+    let requirements = atrous::Requirements::new(&Config::new([16384, 16384]).declare().expect("valid"));
     let host = gpu.host();
     // SAFETY: the handles are live and belong together.
     let limits = unsafe { host.instance.get_physical_device_properties(host.physical_device) }.limits;

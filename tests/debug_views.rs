@@ -1,10 +1,10 @@
 //! Views behind a frame, on the GPU and by the CPU's chain of stages: both have to show the same images of each preset.
 
-use super::support::{assert_valid, scene::Guides, scene::Scene, session, upload};
+use super::support::{assert_valid, scene::Scene, session, upload, upload_to_engine};
 use super::GpuTest;
 use atrous::config::{Preset, Signals};
-use atrous::reference::{Denoiser, DenoiserInputs, GradientSources, Image, ImportInputs, VolumeInputs};
-use atrous::{Config, DebugView, FrameContext, FrameParams, Tuning};
+use atrous::reference::Engine;
+use atrous::{Config, DebugView, FrameParams, Tuning};
 
 pub const TESTS: &[GpuTest] = &[
     ("are_those_of_the_cpu", are_those_of_the_cpu),
@@ -31,44 +31,10 @@ fn scene_of(frame: u32) -> Scene {
     Scene { speed: 0.12, light: if frame + 1 == FRAMES { 4.0 } else { 1.0 }, ..Scene::new(EXTENT) }
 }
 
-/// The chain of stages on the CPU.
-struct Twin {
-    config: Config,
-    denoiser: Denoiser,
-}
-
-impl Twin {
-    /// The views that are asked for, of one frame.
-    fn views(&mut self, frame: &FrameContext, g: &Guides, wanted: &[DebugView]) -> Vec<Image<[f32; 4]>> {
-        let image = |texels: &[[f32; 4]]| Image::from_texels(EXTENT, texels.to_vec()).expect("extent");
-        let ids = Image::from_texels(EXTENT, g.surface_id.clone()).expect("extent");
-        let (depth, normal, motion, albedo) = (image(&g.depth), image(&g.normal), image(&g.motion), image(&g.albedo));
-        let [radiance, direct, indirect] = [&g.noisy_radiance, &g.noisy_direct, &g.noisy_indirect].map(|t| image(t));
-        let (noisy_volume, scattering_depth) = (image(&g.noisy_volume), image(&g.scattering_depth));
-        let noisy: &[&Image<_>] = match (self.config.preset, self.config.signals) {
-            (Preset::Volume, _) => &[],
-            (_, Signals::Together) => &[&radiance],
-            (_, Signals::Apart) => &[&direct, &indirect],
-        };
-        let inputs = DenoiserInputs {
-            albedo: Some(&albedo),
-            gradients: GradientSources { other_denoised_radiance: Some(&radiance), ..GradientSources::default() },
-            volume: Some(VolumeInputs { noisy_volume: &noisy_volume, scattering_depth: Some(&scattering_depth) }),
-            ..DenoiserInputs::new(
-                ImportInputs { motion: Some(&motion), surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) },
-                noisy,
-            )
-        };
-        let outputs = self.denoiser.frame(frame, &inputs, true).expect("usable");
-        let shown = |view: &DebugView| self.denoiser.debug_view(frame, &inputs, &outputs, *view).expect("views were asked for");
-        wanted.iter().map(shown).collect()
-    }
-}
-
 fn are_those_of_the_cpu() {
     for config in configurations() {
         let mut s = session(&config);
-        let mut twin = Twin { config, denoiser: Denoiser::new(config).expect("usable") };
+        let mut engine = Engine::new(config.declare().expect("valid")).expect("twins").keep_transients();
         let wanted = s.executor().denoiser().declaration().debug_views();
         for i in 0..FRAMES {
             let scene = scene_of(i);
@@ -82,12 +48,14 @@ fn are_those_of_the_cpu() {
                 s.upload("other_denoised_radiance", &g.noisy_radiance).expect("other_denoised_radiance");
             }
             let params = FrameParams { reshaded: true, ..scene.params(i) };
-            let frame = s.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
-            let twins = twin.views(&frame, &g, &wanted);
-            for (view, twin) in wanted.iter().zip(&twins) {
+            s.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
+            upload_to_engine(&mut engine, &g);
+            engine.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
+            for view in &wanted {
+                let twin = engine.debug_view(*view).expect("debug_view");
                 let shown = s.debug_view(*view).expect("debug_view");
                 let what = format!("{view:?} of {:?}, frame {i}", config.preset);
-                assert_alike(&shown, twin.texels(), &what);
+                assert_alike(&shown, &twin, &what);
                 let is_uniform = shown.iter().all(|t| t[..3] == shown[0][..3]);
                 assert!(i + 1 < FRAMES || !is_uniform, "{what}: nothing is shown");
             }

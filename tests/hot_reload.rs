@@ -85,9 +85,10 @@ fn another_shader_changes_the_output_and_keeps_the_history() {
 fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
     let edits = [
         ("modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`"),
-        ("modulate.comp", "binding = 4) uniform texture2D", "binding = 9) uniform texture2D", "set 0 binding 9 is new"),
+        ("modulate.comp", "EMISSION = 4u", "EMISSION = 9u", "set 0 binding 9 is new"),
         ("modulate.comp", "local_size_y = 8", "local_size_y = 4", "LocalSize is `8 x 4 x 1`"),
-        ("include/push_constants.glsl", "uint level;", "uint other; uint level;", "push constants byte 0 is `other: u32`"),
+        ("modulate.comp", "uint present;", "uint other; uint present;", "push constants byte 0 is `other: u32`"),
+        ("include/optional.glsl", "constant_id = 0", "constant_id = 5", "specialization constant 5 is new"),
         ("include/frame.glsl", "uvec2 render_extent", "ivec2 render_extent", "byte 448 is `render_extent: vec2<i32>`"),
         (
             "modulate.comp",
@@ -95,7 +96,7 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
             "void main() { double d = double(gl_GlobalInvocationID.x); if (d < -1.0) return;",
             "Float64",
         ),
-        ("modulate.comp", "SIGNALS=2", "SIGNALS=2,OTHER=1", "none of this name"),
+        ("modulate.comp", "// optional:", "// variants: OTHER=1\n// optional:", "none of this name"),
     ];
     let config = Config::new(EXTENT);
     let (mut refused, mut same) = (session(&config), session(&config));
@@ -108,7 +109,7 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
         assert!(!errors.is_empty(), "{new}: all of {} shaders are taken", shaders.len());
         let text = errors[0].to_string();
         assert!(matches!(errors[0], Error::ShaderInterface { .. }) && text.contains(problem), "{text}");
-        assert!(text.contains("`modulate_signals_"), "{text}");
+        assert!(text.contains("`modulate"), "{text}");
     }
     for i in 0..2 {
         let (guides, params) = (scene.frame(i, i), scene.params(i));
@@ -128,7 +129,7 @@ fn every_shader_may_take_its_own_place() {
             count += 1;
         }
     }
-    assert!(count > 50, "{count}");
+    assert!(count > 30, "{count}");
 }
 
 fn what_does_not_compile_is_named_by_file_and_line() {

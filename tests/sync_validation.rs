@@ -15,7 +15,9 @@ fn errors_with(omit: Option<&str>) -> Vec<String> {
     let config = Config::new(scene.extent);
     let declaration = config.declare().expect("valid");
     let omit_barriers_before = omit.map(|name| declaration.passes().iter().position(|p| p.name == name).expect("a pass"));
-    let mut s = Session::new(gpu.clone(), &config, SessionOptions { omit_barriers_before, ..Default::default() }).expect("session");
+    let mut s =
+        Session::new(gpu.clone(), config.declare().expect("valid"), SessionOptions { omit_barriers_before, ..Default::default() })
+            .expect("session");
     for i in 0..2 {
         frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
     }

@@ -30,7 +30,7 @@ fn volume_of(s: &mut Session, g: &Guides, params: &FrameParams) -> Vec<[f32; 4]>
     upload(s, g);
     let context = s.run(params, &Tuning::default()).expect("frame");
     let image = s.download("denoised_volume").expect("denoised_volume");
-    assert_finite(&image, context.render_extent, s.executor().denoiser().config().allocated_extent);
+    assert_finite(&image, context.render_extent, s.executor().denoiser().declaration().allocated_extent());
     assert_valid();
     image
 }

@@ -1,44 +1,29 @@
-// What the geometry in the centre of a window is compared with, of surfaces, or, with VOLUME, of a volume before them.
-// Twin: Geometry in src/reference/geometry_weights.rs.
+// What the geometry in the centre of a window is compared with: of surfaces, or, with VOLUME, of a volume before them.
+// Twin: Geometry in src/reference/geometry_weights.rs. Needs the constant VOLUME; `float volume_sigma_z` in the shader's block `push`, and
+// what geometry_weights.glsl needs there.
 #ifndef CENTRE_GEOMETRY_GLSL
 #define CENTRE_GEOMETRY_GLSL
 #include "geometry_weights.glsl"
 #include "volume.glsl"
 
-#ifdef VOLUME
 struct Geometry {
     float depth;
+    vec3 normal;    // of surfaces alone
+    vec2 gradient;  // of surfaces alone: of depth, scene units per pixel
 };
 
 // Fog lies before the background as well.
-bool is_filtered(uvec4 packed) { return true; }
-
-Geometry geometry_of(uvec4 packed) { return Geometry(volume_depth(packed)); }
-
-// log2 of the weight. [PSVGF], volumes: by depth alone, and less strictly.
-float log2_weight(Geometry centre, uvec4 packed_q, vec2 offset) {
-    return -LOG2_E * relative_difference(centre.depth, volume_depth(packed_q)) / frame.volume_sigma_z;
-}
-
-float sigma_l() { return frame.volume_sigma_l; }
-#else
-struct Geometry {
-    float depth;
-    vec3 normal;
-    vec2 gradient;
-};
-
-bool is_filtered(uvec4 packed) { return unpack_depth(packed) != 0.0; }
+bool is_filtered(uvec4 packed) { return VOLUME || unpack_depth(packed) != 0.0; }
 
 Geometry geometry_of(uvec4 packed, uint gradient) {
+    if (VOLUME) return Geometry(volume_depth(packed), vec3(0.0), vec2(0.0));
     return Geometry(unpack_depth(packed), unpack_normal(packed), unpackHalf2x16(gradient));
 }
 
+// log2 of the weight of a tap. Of a volume by depth alone, and less strictly: [PSVGF], volumes.
 float log2_weight(Geometry centre, uvec4 packed_q, vec2 offset) {
+    if (VOLUME) return -LOG2_E * relative_difference(centre.depth, volume_depth(packed_q)) / push.volume_sigma_z;
     return log2_geometry_weight(centre.normal, unpack_normal(packed_q), centre.depth, unpack_depth(packed_q), centre.gradient, offset);
 }
-
-float sigma_l() { return frame.sigma_l; }
-#endif
 
 #endif

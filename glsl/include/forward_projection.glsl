@@ -85,12 +85,12 @@ bool covering_pixel(ForwardPosition position, out ivec2 pixel) {
     return true;
 }
 
-// Whether a surface of this frame at linear depth z is the one at the position.
-bool is_visible(ForwardPosition position, float z, vec2 depth_gradient) {
+// Whether a surface of this frame at linear depth z is the one at the position; the tolerance is a share of z.
+bool is_visible(ForwardPosition position, float z, vec2 depth_gradient, float depth_tolerance) {
     precise float at = z * position.depth_denominator;
     precise float difference = at - position.depth;
     precise float slope = abs(depth_gradient.x) + abs(depth_gradient.y);
-    precise float tolerance = frame.depth_tolerance * z;
+    precise float tolerance = depth_tolerance * z;
     tolerance = tolerance + slope;
     precise float limit = tolerance * position.depth_denominator;
     return abs(difference) <= limit;

@@ -1,4 +1,5 @@
-// The uniform block that every pass reads. Twin: FrameConstants in src/frame_constants.rs; the build asserts equal offsets.
+// The uniform block of the frame: camera, extents, conventions. What a host tunes is in the push constants of the shaders that read it.
+// Twin: FrameConstants in src/frame_constants.rs; the build asserts equal offsets.
 #ifndef FRAME_GLSL
 #define FRAME_GLSL
 
@@ -18,37 +19,8 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     uint flags;                     // FLAG_*
     float exposure_ratio;           // this frame's exposure / the previous one's
     float background_depth;         // scene units; linear depths from here on are background
-    float alpha;                    // 0..1
-    float alpha_moments;            // 0..1
-    float max_history_length;       // frames
-    float spatial_variance_frames;  // frames
-    float sigma_l;
-    float sigma_n;
-    float sigma_z;
-    float depth_tolerance;          // relative
-    float normal_tolerance;         // cosine
-    float edge_falloff;             // 1 / scene unit
-    float percentile_low;           // 0..1
-    float percentile_up;            // 0..1
-    float percentile_range;         // interpercentile ranges
-    float adaptivity;               // 0..1
-    float change_threshold;         // standard errors
-    float firefly_bias;             // luminance of irradiance
-    float sigma_rt;                 // irradiance
-    float sigma_rt_n;               // length of the difference of normals
-    float sigma_rt_x;               // relative to the depth
-    float volume_alpha;             // 0..1
-    float volume_sigma_l;
-    float volume_sigma_z;           // relative
-    float volume_depth_tolerance;   // relative
-    float exposure;
-    float taa_alpha;
-    float taa_gamma;                // standard deviations
-    uint tone_curve;
-    uint stratum_size;              // pixels
     float previous_clip_w_scale;    // w = scale·linear depth + offset in the previous frame's clip space
     float previous_clip_w_offset;
-    float gradient_scale;
 } frame;
 
 const uint FLAG_RESET = 1u;
@@ -63,15 +35,7 @@ const uint FLAG_MOTION_DEPTH_SHIFT = 11u;
 const uint FLAG_VIEW_POSITIVE_Z = 1u << 13;
 const uint FLAG_RESHADED = 1u << 16;
 
-const uint FLAG_EAW_RADIANCE = 1u << 17;
-const uint FLAG_EAW_NORMAL = 1u << 18;
-const uint FLAG_EAW_POSITION = 1u << 19;
-const uint FLAG_PAINTING_SHIFT = 20u;
-
 bool has_flag(uint flag) { return (frame.flags & flag) != 0u; }
-
-// Levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
-uint painting_levels() { return frame.flags >> FLAG_PAINTING_SHIFT & 3u; }
 
 bool is_inside(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, ivec2(frame.render_extent))); }
 

@@ -1,774 +1,732 @@
-const _: () = assert!(std::mem::offset_of!(FrameConstants, clip_from_view) == 0);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_clip) == 64);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 128);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 192);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 256);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 320);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 384);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 448);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 456);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 464);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 472);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 480);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 484);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure_ratio) == 488);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, background_depth) == 492);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, alpha) == 496);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, alpha_moments) == 500);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, max_history_length) == 504);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, spatial_variance_frames) == 508);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_l) == 512);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_n) == 516);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_z) == 520);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, depth_tolerance) == 524);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, normal_tolerance) == 528);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, edge_falloff) == 532);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, percentile_low) == 536);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, percentile_up) == 540);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, percentile_range) == 544);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, adaptivity) == 548);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, change_threshold) == 552);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, firefly_bias) == 556);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt) == 560);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt_n) == 564);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sigma_rt_x) == 568);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_alpha) == 572);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_sigma_l) == 576);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_sigma_z) == 580);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, volume_depth_tolerance) == 584);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure) == 588);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_alpha) == 592);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, taa_gamma) == 596);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, tone_curve) == 600);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, stratum_size) == 604);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 608);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 612);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, gradient_scale) == 616);
-pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader { name: "adaptive_alpha_source_0", spirv: include_bytes!("adaptive_alpha_source_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "gradient", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static ADAPTIVE_ALPHA_SOURCE_1: Shader = Shader { name: "adaptive_alpha_source_1", spirv: include_bytes!("adaptive_alpha_source_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "confidence", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static ADAPTIVE_HISTORY_SIGNALS_1_RULE_0: Shader = Shader { name: "adaptive_history_signals_1_rule_0", spirv: include_bytes!("adaptive_history_signals_1_rule_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_percentiles_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static ADAPTIVE_HISTORY_SIGNALS_2_RULE_0: Shader = Shader { name: "adaptive_history_signals_2_rule_0", spirv: include_bytes!("adaptive_history_signals_2_rule_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_percentiles_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "block_percentiles_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static ADAPTIVE_HISTORY_SIGNALS_1_RULE_1: Shader = Shader { name: "adaptive_history_signals_1_rule_1", spirv: include_bytes!("adaptive_history_signals_1_rule_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "block_difference_0", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static ADAPTIVE_HISTORY_SIGNALS_2_RULE_1: Shader = Shader { name: "adaptive_history_signals_2_rule_1", spirv: include_bytes!("adaptive_history_signals_2_rule_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "block_difference_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_difference_1", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-const _: () = assert!(std::mem::offset_of!(PushConstants, level) == 0);
-const _: () = assert!(std::mem::offset_of!(PushConstants, present) == 4);
-pub(crate) static ATROUS_SIGNALS_1: Shader = Shader { name: "atrous_signals_1", spirv: include_bytes!("atrous_signals_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static ATROUS_SIGNALS_2: Shader = Shader { name: "atrous_signals_2", spirv: include_bytes!("atrous_signals_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static ATROUS_SIGNALS_1_BOX_1: Shader = Shader { name: "atrous_signals_1_box_1", spirv: include_bytes!("atrous_signals_1_box_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static ATROUS_SIGNALS_2_BOX_1: Shader = Shader { name: "atrous_signals_2_box_1", spirv: include_bytes!("atrous_signals_2_box_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static ATROUS_SIGNALS_1_VOLUME_1: Shader = Shader { name: "atrous_signals_1_volume_1", spirv: include_bytes!("atrous_signals_1_volume_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static BLOCK_DIFFERENCE: Shader = Shader { name: "block_difference", spirv: include_bytes!("block_difference.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "history", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_difference", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static BLOCK_PERCENTILES_VOLUME_0: Shader = Shader { name: "block_percentiles_volume_0", spirv: include_bytes!("block_percentiles_volume_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "block_percentiles", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static BLOCK_PERCENTILES_VOLUME_1: Shader = Shader { name: "block_percentiles_volume_1", spirv: include_bytes!("block_percentiles_volume_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "irradiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "block_percentiles", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static DEBUG_VIEW: Shader = Shader { name: "debug_view", spirv: include_bytes!("debug_view.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_percentiles_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_percentiles_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "debug_view", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader { name: "demodulate_signals_1", spirv: include_bytes!("demodulate_signals_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader { name: "demodulate_signals_2", spirv: include_bytes!("demodulate_signals_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static EAW_SIGNALS_1: Shader = Shader { name: "eaw_signals_1", spirv: include_bytes!("eaw_signals_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static EAW_SIGNALS_2: Shader = Shader { name: "eaw_signals_2", spirv: include_bytes!("eaw_signals_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "input_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "input_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "output_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static FIREFLY_VOLUME_0: Shader = Shader { name: "firefly_volume_0", spirv: include_bytes!("firefly_volume_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "block_percentiles", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-    ] };
-pub(crate) static FIREFLY_VOLUME_1: Shader = Shader { name: "firefly_volume_1", spirv: include_bytes!("firefly_volume_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "block_percentiles", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-    ] };
-pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader { name: "forward_project_resolve_0_forward_motion_0", spirv: include_bytes!("forward_project_resolve_0_forward_motion_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "claims", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite) },
-    ] };
-pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1: Shader = Shader { name: "forward_project_resolve_0_forward_motion_1", spirv: include_bytes!("forward_project_resolve_0_forward_motion_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "forward_motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "claims", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite) },
-    ] };
-pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0: Shader = Shader { name: "forward_project_resolve_1_forward_motion_0_surface_id_0", spirv: include_bytes!("forward_project_resolve_1_forward_motion_0_surface_id_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1: Shader = Shader { name: "forward_project_resolve_1_forward_motion_0_surface_id_1", spirv: include_bytes!("forward_project_resolve_1_forward_motion_0_surface_id_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_id", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0: Shader = Shader { name: "forward_project_resolve_1_forward_motion_1_surface_id_0", spirv: include_bytes!("forward_project_resolve_1_forward_motion_1_surface_id_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "forward_motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1: Shader = Shader { name: "forward_project_resolve_1_forward_motion_1_surface_id_1", spirv: include_bytes!("forward_project_resolve_1_forward_motion_1_surface_id_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_candidates", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "forward_motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_samples", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "candidates", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_id", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static GRADIENT_SIGNALS_1_SOURCE_0: Shader = Shader { name: "gradient_signals_1_source_0", spirv: include_bytes!("gradient_signals_1_source_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_samples", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static GRADIENT_SIGNALS_2_SOURCE_0: Shader = Shader { name: "gradient_signals_2_source_0", spirv: include_bytes!("gradient_signals_2_source_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_samples", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static GRADIENT_SIGNALS_1_SOURCE_1: Shader = Shader { name: "gradient_signals_1_source_1", spirv: include_bytes!("gradient_signals_1_source_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "reshaded_radiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static GRADIENT_SIGNALS_2_SOURCE_1: Shader = Shader { name: "gradient_signals_2_source_1", spirv: include_bytes!("gradient_signals_2_source_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "noisy_luminance", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "previous_luminance", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "reshaded_radiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static GRADIENT_SIGNALS_1_SOURCE_2: Shader = Shader { name: "gradient_signals_1_source_2", spirv: include_bytes!("gradient_signals_1_source_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "sparse_gradient", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static GRADIENT_SIGNALS_2_SOURCE_2: Shader = Shader { name: "gradient_signals_2_source_2", spirv: include_bytes!("gradient_signals_2_source_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "noisy_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "sparse_gradient", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static GRADIENT_ATROUS: Shader = Shader { name: "gradient_atrous", spirv: include_bytes!("gradient_atrous.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "gradient_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "gradient_in", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "gradient_out", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0: Shader = Shader { name: "import_surface_id_0_object_normal_0", spirv: include_bytes!("import_surface_id_0_object_normal_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "depth", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "normal", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "roughness", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0: Shader = Shader { name: "import_surface_id_1_object_normal_0", spirv: include_bytes!("import_surface_id_1_object_normal_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "depth", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "normal", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "roughness", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_id", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1: Shader = Shader { name: "import_surface_id_0_object_normal_1", spirv: include_bytes!("import_surface_id_0_object_normal_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "depth", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "normal", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "roughness", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "object_normal_guide", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1: Shader = Shader { name: "import_surface_id_1_object_normal_1", spirv: include_bytes!("import_surface_id_1_object_normal_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "depth", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "normal", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "motion", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "roughness", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "instance_transforms", kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly) },
-        ShaderBinding { name: "guide", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "surface_id", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "object_normal_guide", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static MODULATE_SIGNALS_1: Shader = Shader { name: "modulate_signals_1", spirv: include_bytes!("modulate_signals_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "emission", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "denoised_radiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "filtered_0", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static MODULATE_SIGNALS_2: Shader = Shader { name: "modulate_signals_2", spirv: include_bytes!("modulate_signals_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "albedo", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "emission", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "denoised_radiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "filtered_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "filtered_1", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TAA: Shader = Shader { name: "taa", spirv: include_bytes!("taa.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "tone_mapped", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_history", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "taa_history", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "display", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_0", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0_adaptive_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_1_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_1_adaptive_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_0_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_0_adaptive_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_1_adaptive_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_1_adaptive_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0_adaptive_1_repair_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_1_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_1_adaptive_1_repair_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_0_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_0_adaptive_1_repair_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1: Shader = Shader { name: "temporal_accumulation_signals_2_object_normal_1_adaptive_1_repair_1", spirv: include_bytes!("temporal_accumulation_signals_2_object_normal_1_adaptive_1_repair_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "history_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_object_normal", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_confidence", kind: BindingKind::SampledImage(Component::Float) },
-    ] };
-pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_VOLUME_1: Shader = Shader { name: "temporal_accumulation_signals_1_object_normal_0_volume_1", spirv: include_bytes!("temporal_accumulation_signals_1_object_normal_0_volume_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "previous_guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "volume_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "history_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "previous_moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "irradiance_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static TONE_MAP_VOLUME_0: Shader = Shader { name: "tone_map_volume_0", spirv: include_bytes!("tone_map_volume_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "denoised_radiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "tone_mapped", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static TONE_MAP_VOLUME_1: Shader = Shader { name: "tone_map_volume_1", spirv: include_bytes!("tone_map_volume_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "denoised_radiance", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "denoised_volume", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "tone_mapped", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader { name: "variance_signals_1", spirv: include_bytes!("variance_signals_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader { name: "variance_signals_2", spirv: include_bytes!("variance_signals_2.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "accumulated_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VARIANCE_SIGNALS_1_FADE_1: Shader = Shader { name: "variance_signals_1_fade_1", spirv: include_bytes!("variance_signals_1_fade_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VARIANCE_SIGNALS_2_FADE_1: Shader = Shader { name: "variance_signals_2_fade_1", spirv: include_bytes!("variance_signals_2_fade_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "depth_gradient", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "accumulated_1", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_1", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_1", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VARIANCE_SIGNALS_1_FADE_1_VOLUME_1: Shader = Shader { name: "variance_signals_1_fade_1_volume_1", spirv: include_bytes!("variance_signals_1_fade_1_volume_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "accumulated_0", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "moments_0", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "estimated_0", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VOLUME_MOTION_RESOLVE_0: Shader = Shader { name: "volume_motion_resolve_0", spirv: include_bytes!("volume_motion_resolve_0.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "previous_points", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "guide", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "claims", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite) },
-    ] };
-pub(crate) static VOLUME_MOTION_RESOLVE_1: Shader = Shader { name: "volume_motion_resolve_1", spirv: include_bytes!("volume_motion_resolve_1.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "previous_points", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "surface_motion", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "claims", kind: BindingKind::SampledImage(Component::Uint) },
-        ShaderBinding { name: "volume_motion", kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly) },
-    ] };
-pub(crate) static VOLUME_POINTS: Shader = Shader { name: "volume_points", spirv: include_bytes!("volume_points.spv"),
-    bindings: &[
-        ShaderBinding { name: "frame", kind: BindingKind::UniformBuffer },
-        ShaderBinding { name: "statistics", kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite) },
-        ShaderBinding { name: "noisy_volume", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "scattering_depth", kind: BindingKind::SampledImage(Component::Float) },
-        ShaderBinding { name: "radiance", kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly) },
-        ShaderBinding { name: "volume_points", kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly) },
-    ] };
+const _: () = assert!(std::mem::offset_of!(FrameConstants, clip_from_view) == 0);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure_ratio) == 488);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 484);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 480);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 464);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 192);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 500);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 496);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 472);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 456);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 256);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 448);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 384);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_clip) == 64);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 320);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 128);
+pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader {
+    stage: Cow::Borrowed("adaptive_alpha"), name: Cow::Borrowed("adaptive_alpha_source_0"), spirv: Cow::Borrowed(include_bytes!("adaptive_alpha_source_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("gradient"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("gradient_scale"), offset: 0, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static ADAPTIVE_ALPHA_SOURCE_1: Shader = Shader {
+    stage: Cow::Borrowed("adaptive_alpha"), name: Cow::Borrowed("adaptive_alpha_source_1"), spirv: Cow::Borrowed(include_bytes!("adaptive_alpha_source_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("confidence"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+    ]),
+    constants: Cow::Borrowed(&[
+    ]),
+};
+pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
+    stage: Cow::Borrowed("atrous"), name: Cow::Borrowed("atrous_signals_1"), spirv: Cow::Borrowed(include_bytes!("atrous_signals_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
+    stage: Cow::Borrowed("atrous"), name: Cow::Borrowed("atrous_signals_2"), spirv: Cow::Borrowed(include_bytes!("atrous_signals_2.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("input_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("output_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
+    stage: Cow::Borrowed("block_difference"), name: Cow::Borrowed("block_difference"), spirv: Cow::Borrowed(include_bytes!("block_difference.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("irradiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("history"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_moments"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 0, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+    ]),
+};
+pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
+    stage: Cow::Borrowed("block_percentiles"), name: Cow::Borrowed("block_percentiles"), spirv: Cow::Borrowed(include_bytes!("block_percentiles.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("irradiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("block_percentiles"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("percentile_low"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("percentile_up"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("ODD_EVEN"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static CHANGE_TEST: Shader = Shader {
+    stage: Cow::Borrowed("change_test"), name: Cow::Borrowed("change_test"), spirv: Cow::Borrowed(include_bytes!("change_test.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("block_difference_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("adaptivity"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("change_threshold"), offset: 8, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static DEBUG_VIEW: Shader = Shader {
+    stage: Cow::Borrowed("debug_view"), name: Cow::Borrowed("debug_view"), spirv: Cow::Borrowed(include_bytes!("debug_view.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("block_percentiles_0"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("block_percentiles_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("history_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("history_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("gradient"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("debug_view"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("percentile_range"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("firefly_bias"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader {
+    stage: Cow::Borrowed("demodulate"), name: Cow::Borrowed("demodulate_signals_1"), spirv: Cow::Borrowed(include_bytes!("demodulate_signals_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
+    stage: Cow::Borrowed("demodulate"), name: Cow::Borrowed("demodulate_signals_2"), spirv: Cow::Borrowed(include_bytes!("demodulate_signals_2.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static EAW_SIGNALS_1: Shader = Shader {
+    stage: Cow::Borrowed("eaw"), name: Cow::Borrowed("eaw_signals_1"), spirv: Cow::Borrowed(include_bytes!("eaw_signals_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_rt"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_rt_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_rt_x"), offset: 12, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("RADIANCE"), id: 1, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("NORMAL"), id: 2, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("POSITION"), id: 3, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 4, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static EAW_SIGNALS_2: Shader = Shader {
+    stage: Cow::Borrowed("eaw"), name: Cow::Borrowed("eaw_signals_2"), spirv: Cow::Borrowed(include_bytes!("eaw_signals_2.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("input_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("output_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_rt"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_rt_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_rt_x"), offset: 12, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("RADIANCE"), id: 1, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("NORMAL"), id: 2, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("POSITION"), id: 3, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 4, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static FIREFLY: Shader = Shader {
+    stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly"), spirv: Cow::Borrowed(include_bytes!("firefly.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("block_percentiles"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("irradiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("percentile_range"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("firefly_bias"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader {
+    stage: Cow::Borrowed("forward_project"), name: Cow::Borrowed("forward_project_resolve_0_forward_motion_0"), spirv: Cow::Borrowed(include_bytes!("forward_project_resolve_0_forward_motion_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("previous_candidates"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("claims"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1: Shader = Shader {
+    stage: Cow::Borrowed("forward_project"), name: Cow::Borrowed("forward_project_resolve_0_forward_motion_1"), spirv: Cow::Borrowed(include_bytes!("forward_project_resolve_0_forward_motion_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("previous_candidates"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("claims"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("forward_motion"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0: Shader = Shader {
+    stage: Cow::Borrowed("forward_project"), name: Cow::Borrowed("forward_project_resolve_1_forward_motion_0"), spirv: Cow::Borrowed(include_bytes!("forward_project_resolve_1_forward_motion_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("previous_candidates"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("claims"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("gradient_samples"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("candidates"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1: Shader = Shader {
+    stage: Cow::Borrowed("forward_project"), name: Cow::Borrowed("forward_project_resolve_1_forward_motion_1"), spirv: Cow::Borrowed(include_bytes!("forward_project_resolve_1_forward_motion_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("previous_candidates"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("claims"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("gradient_samples"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("candidates"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("forward_motion"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static GRADIENT_LUMINANCE_0: Shader = Shader {
+    stage: Cow::Borrowed("gradient"), name: Cow::Borrowed("gradient_luminance_0"), spirv: Cow::Borrowed(include_bytes!("gradient_luminance_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("gradient"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("gradient_samples"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("reshaded_radiance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("sparse_gradient"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SOURCE"), id: 1, scalar: Scalar::Uint, default: 2 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static GRADIENT_LUMINANCE_1: Shader = Shader {
+    stage: Cow::Borrowed("gradient"), name: Cow::Borrowed("gradient_luminance_1"), spirv: Cow::Borrowed(include_bytes!("gradient_luminance_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("gradient"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("gradient_samples"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("reshaded_radiance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("sparse_gradient"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("noisy_luminance"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 14, name: Cow::Borrowed("previous_luminance"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SOURCE"), id: 1, scalar: Scalar::Uint, default: 2 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static GRADIENT_ATROUS: Shader = Shader {
+    stage: Cow::Borrowed("gradient_atrous"), name: Cow::Borrowed("gradient_atrous"), spirv: Cow::Borrowed(include_bytes!("gradient_atrous.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("gradient_in"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("gradient_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
+    stage: Cow::Borrowed("import"), name: Cow::Borrowed("import_surface_id_0"), spirv: Cow::Borrowed(include_bytes!("import_surface_id_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("surface_motion"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("object_normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("object_normal_guide"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
+    stage: Cow::Borrowed("import"), name: Cow::Borrowed("import_surface_id_1"), spirv: Cow::Borrowed(include_bytes!("import_surface_id_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("normal"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("surface_motion"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("object_normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("object_normal_guide"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static MODULATE: Shader = Shader {
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate"), spirv: Cow::Borrowed(include_bytes!("modulate.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static PERCENTILE_RULE: Shader = Shader {
+    stage: Cow::Borrowed("percentile_rule"), name: Cow::Borrowed("percentile_rule"), spirv: Cow::Borrowed(include_bytes!("percentile_rule.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("block_percentiles_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("block_percentiles_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("history_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("percentile_range"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("adaptivity"), offset: 12, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static TAA: Shader = Shader {
+    stage: Cow::Borrowed("taa"), name: Cow::Borrowed("taa"), spirv: Cow::Borrowed(include_bytes!("taa.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("tone_mapped"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("previous_history"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("taa_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("display"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+    ]),
+};
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
+    stage: Cow::Borrowed("temporal_accumulation"), name: Cow::Borrowed("temporal_accumulation_signals_1"), spirv: Cow::Borrowed(include_bytes!("temporal_accumulation_signals_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("volume_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("object_normal"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_object_normal"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("history_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha_moments"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("max_history_length"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
+    stage: Cow::Borrowed("temporal_accumulation"), name: Cow::Borrowed("temporal_accumulation_signals_2"), spirv: Cow::Borrowed(include_bytes!("temporal_accumulation_signals_2.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("volume_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("object_normal"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_object_normal"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("history_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("history_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 14, name: Cow::Borrowed("previous_moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 15, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 16, name: Cow::Borrowed("moments_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha_moments"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("max_history_length"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static TONE_MAP: Shader = Shader {
+    stage: Cow::Borrowed("tone_map"), name: Cow::Borrowed("tone_map"), spirv: Cow::Borrowed(include_bytes!("tone_map.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("tone_mapped"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
+    stage: Cow::Borrowed("variance"), name: Cow::Borrowed("variance_signals_1"), spirv: Cow::Borrowed(include_bytes!("variance_signals_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("accumulated_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("estimated_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("FADE"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
+    stage: Cow::Borrowed("variance"), name: Cow::Borrowed("variance_signals_2"), spirv: Cow::Borrowed(include_bytes!("variance_signals_2.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("accumulated_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("estimated_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("accumulated_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("estimated_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("FADE"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static VOLUME_MOTION_RESOLVE_0: Shader = Shader {
+    stage: Cow::Borrowed("volume_motion"), name: Cow::Borrowed("volume_motion_resolve_0"), spirv: Cow::Borrowed(include_bytes!("volume_motion_resolve_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("previous_points"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("claims"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadWrite), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+    ]),
+    constants: Cow::Borrowed(&[
+    ]),
+};
+pub(crate) static VOLUME_MOTION_RESOLVE_1: Shader = Shader {
+    stage: Cow::Borrowed("volume_motion"), name: Cow::Borrowed("volume_motion_resolve_1"), spirv: Cow::Borrowed(include_bytes!("volume_motion_resolve_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("previous_points"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("claims"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("volume_motion"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+    ]),
+    constants: Cow::Borrowed(&[
+    ]),
+};
+pub(crate) static VOLUME_POINTS: Shader = Shader {
+    stage: Cow::Borrowed("volume_points"), name: Cow::Borrowed("volume_points"), spirv: Cow::Borrowed(include_bytes!("volume_points.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("noisy_volume"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("scattering_depth"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("volume_points"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_0, &ADAPTIVE_HISTORY_SIGNALS_1_RULE_1, &ADAPTIVE_HISTORY_SIGNALS_2_RULE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_BOX_1, &ATROUS_SIGNALS_2_BOX_1, &ATROUS_SIGNALS_1_VOLUME_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES_VOLUME_0, &BLOCK_PERCENTILES_VOLUME_1, &DEBUG_VIEW, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY_VOLUME_0, &FIREFLY_VOLUME_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1, &GRADIENT_SIGNALS_1_SOURCE_0, &GRADIENT_SIGNALS_2_SOURCE_0, &GRADIENT_SIGNALS_1_SOURCE_1, &GRADIENT_SIGNALS_2_SOURCE_1, &GRADIENT_SIGNALS_1_SOURCE_2, &GRADIENT_SIGNALS_2_SOURCE_2, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0, &IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1, &IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1, &MODULATE_SIGNALS_1, &MODULATE_SIGNALS_2, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1, &TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_VOLUME_1, &TONE_MAP_VOLUME_0, &TONE_MAP_VOLUME_1, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VARIANCE_SIGNALS_1_FADE_1, &VARIANCE_SIGNALS_2_FADE_1, &VARIANCE_SIGNALS_1_FADE_1_VOLUME_1, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT_LUMINANCE_0, &GRADIENT_LUMINANCE_1, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -71,9 +71,19 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
         let device = ash::Device::load(instance.fp_v1_0(), info.device);
         let physical_device = info.physical_device;
-        let denoiser = Denoiser::new(crate::Device { instance: &instance, physical_device, device: &device }, config)?;
+        let denoiser = Denoiser::new(crate::Device { instance: &instance, physical_device, device: &device }, config.declare()?)?;
         let frames = vec![None; config.frames_in_flight as usize];
-        Ok(State { instance, device, physical_device, denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })
+        let config = *config;
+        Ok(State {
+            instance,
+            device,
+            physical_device,
+            denoiser,
+            config,
+            tuning: Tuning::for_preset(config.preset),
+            generation: 0,
+            frames,
+        })
     }
 }
 
@@ -94,7 +104,7 @@ pub unsafe extern "C" fn atrous_destroy(denoiser: *mut AtrousDenoiser) -> Atrous
 pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32, height: u32) -> AtrousStatus {
     guard(|| {
         handle::with(denoiser, |state| {
-            let config = Config { allocated_extent: [width, height], ..*state.denoiser.config() };
+            let config = Config { allocated_extent: [width, height], ..state.config };
             // SAFETY: the caller's.
             unsafe { state.recreate(&config) }
         })

@@ -17,6 +17,7 @@ pub(super) struct State {
     pub device: ash::Device,
     pub physical_device: vk::PhysicalDevice,
     pub denoiser: Denoiser,
+    pub config: Config,
     pub tuning: Tuning,
     /// Counts resizes; a frame of an earlier generation is refused.
     pub generation: u64,
@@ -30,7 +31,8 @@ impl State {
     pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
         let host = crate::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
         // SAFETY: the caller's.
-        self.denoiser = unsafe { Denoiser::new(host, config)? };
+        self.denoiser = unsafe { Denoiser::new(host, config.declare()?)? };
+        self.config = *config;
         self.generation += 1;
         self.frames = vec![None; config.frames_in_flight as usize];
         Ok(())

@@ -158,5 +158,5 @@ fn names_and_uses_fit() {
             declaration.resources().iter().map(|r| r.name.as_str()).chain(declaration.passes().iter().map(|p| p.name.as_str()));
         assert!(names.chain(Tuning::FIELDS.iter().map(|f| f.name)).all(|n| n.len() < ATROUS_NAME_SIZE));
     }
-    const { assert!(crate::pipeline::MAX_BINDINGS <= ATROUS_MAX_USES) };
+    const { assert!(crate::shaders::MAX_BINDINGS <= ATROUS_MAX_USES) };
 }

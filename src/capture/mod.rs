@@ -15,7 +15,7 @@
 //! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it, and which pixels
 //! they are at is the same in the replay.
 //!
-//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`], so that
+//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`] of a preset, so that
 //! texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and ids bit by bit. Normalised formats
 //! become 32-bit float. `docs/denoise.md` lists the channels. A replay starts without history: where its output is to be that of the engine from
 //! the first frame on, call `invalidate` before the first captured frame.
@@ -32,7 +32,6 @@ pub(crate) use decode::{texel_bytes, ALLOWED};
 use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
 use crate::error::Error;
 use crate::reference::InstanceTransform;
-use crate::Config;
 use ash::vk;
 use channels::Layer;
 use sequence_json::Head;
@@ -76,7 +75,6 @@ struct First {
 /// Writes a sequence frame by frame. After each, the folder holds a sequence that can be replayed.
 pub struct SequenceWriter {
     folder: PathBuf,
-    config: Config,
     declaration: Declaration,
     first: Option<First>,
     frames: BTreeMap<u64, String>,
@@ -86,12 +84,11 @@ impl SequenceWriter {
     /// Makes the folder where there is none, and proves that files can be made in it.
     ///
     /// # Errors
-    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already; as [`Config::validate`].
-    pub fn new(folder: impl AsRef<Path>, config: &Config) -> Result<Self, Error> {
+    /// [`Error::Capture`] for a folder that cannot be written or that holds a sequence already.
+    pub fn new(folder: impl AsRef<Path>, declaration: &Declaration) -> Result<Self, Error> {
         let folder = folder.as_ref().to_owned();
-        let declaration = config.declare()?;
         exr_file::prepare(&folder)?;
-        Ok(Self { folder, config: *config, declaration, first: None, frames: BTreeMap::new() })
+        Ok(Self { folder, declaration: declaration.clone(), first: None, frames: BTreeMap::new() })
     }
 
     /// Where the sequence is.
@@ -117,7 +114,7 @@ impl SequenceWriter {
 
     pub(crate) fn write_numbered(&mut self, number: u64, frame: &InputFrame<'_>) -> Result<(), Error> {
         let &InputFrame { params, tuning, images, instance_transforms } = frame;
-        params.validate(&self.config)?;
+        params.validate(self.declaration.setup())?;
         tuning.validate()?;
         let names = self.check_names(images)?;
         self.check_like_first(number, params, &names)?;
@@ -135,7 +132,7 @@ impl SequenceWriter {
         let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
         let text =
             |error: serde_json::Error| Error::Capture { path: file(".exr"), problem: format!("cannot be described: {error}") };
-        let head = Head::new(&self.config, &first.tuning).map_err(text)?;
+        let head = Head::new(self.declaration.config(), &self.declaration.setup().conventions, &first.tuning).map_err(text)?;
         let entry = sequence_json::frame(number, params, tuning, &first.tuning).map_err(text)?;
         self.frames.insert(number, entry);
         let text = head.with_frames(self.frames.values());
@@ -203,7 +200,7 @@ impl SequenceWriter {
             to[..row].copy_from_slice(from);
         }
         let planes = decode::planes(image.format, &texels).unwrap_or_default();
-        Ok(Layer::of_input(name, self.config.conventions.motion_depth, planes, (extent[0] * extent[1]) as usize))
+        Ok(Layer::of_input(name, self.declaration.setup().conventions.motion_depth, planes, (extent[0] * extent[1]) as usize))
     }
 
     pub(crate) fn error(&self, problem: String) -> Error {

@@ -1,6 +1,6 @@
 //! The text of `sequence.json`: see docs/denoise.md for its keys.
 
-use crate::config::Config;
+use crate::config::{Config, Conventions};
 use crate::contract::{FrameParams, ResetReason, Tuning};
 use serde::Serialize;
 use serde_json::{Error, Map, Value};
@@ -76,12 +76,16 @@ pub(super) struct Head {
 }
 
 impl Head {
-    pub fn new(config: &Config, tuning: &Tuning) -> Result<Self, Error> {
-        let mut fields: Map<String, Value> = serde_json::from_value(serde_json::to_value(config)?)?;
+    /// `config`: that of a preset; a graph of a host has none, and a replay chooses a preset.
+    pub fn new(config: Option<&Config>, conventions: &Conventions, tuning: &Tuning) -> Result<Self, Error> {
+        let mut fields: Map<String, Value> = match config {
+            Some(config) => serde_json::from_value(serde_json::to_value(config)?)?,
+            None => Map::new(),
+        };
         fields.retain(|name, _| OF_CONFIG.contains(&name.as_str()));
         Ok(Self {
             config: serde_json::to_string(&fields)?,
-            conventions: serde_json::to_string(&config.conventions)?,
+            conventions: serde_json::to_string(conventions)?,
             tuning: serde_json::to_string(&tunables(tuning, None))?,
         })
     }

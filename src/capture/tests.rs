@@ -1,6 +1,7 @@
 //! What a writer refuses, and that it leaves nothing behind.
 
 use super::*;
+use crate::Config;
 
 const EXTENT: [u32; 2] = [3, 2];
 
@@ -34,7 +35,7 @@ fn names_in(folder: &Path) -> Vec<String> {
 fn a_sequence_can_be_replayed_after_every_frame() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("new/folder");
-    let mut writer = SequenceWriter::new(&path, &config()).expect("a writer");
+    let mut writer = SequenceWriter::new(&path, &config().declare().expect("valid")).expect("a writer");
     for count in 1..=2 {
         let bytes = texels();
         let params = FrameParams::new(EXTENT);
@@ -50,7 +51,7 @@ fn a_sequence_can_be_replayed_after_every_frame() {
 #[test]
 fn what_does_not_fit_is_refused_and_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut writer = SequenceWriter::new(folder.path(), &config()).expect("a writer");
+    let mut writer = SequenceWriter::new(folder.path(), &config().declare().expect("valid")).expect("a writer");
     let bytes = texels();
     let mut refused =
         |params: FrameParams, images: &[InputImage]| write(&mut writer, &params, images).expect_err("refused").to_string();
@@ -73,7 +74,7 @@ fn what_does_not_fit_is_refused_and_leaves_nothing() {
 #[test]
 fn later_frames_are_like_the_first() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut writer = SequenceWriter::new(folder.path(), &config()).expect("a writer");
+    let mut writer = SequenceWriter::new(folder.path(), &config().declare().expect("valid")).expect("a writer");
     let bytes = texels();
     let params = FrameParams::new(EXTENT);
     write(&mut writer, &params, &images(&NEEDED, &bytes)).expect("written");
@@ -91,7 +92,7 @@ fn nothing_is_overwritten() {
     for name in ["sequence.json", "frame_0007.exr"] {
         let folder = tempfile::tempdir().expect("a folder");
         std::fs::write(folder.path().join(name), b"kept").expect("a file");
-        let message = SequenceWriter::new(folder.path(), &config()).err().expect("refused").to_string();
+        let message = SequenceWriter::new(folder.path(), &config().declare().expect("valid")).err().expect("refused").to_string();
         assert!(message.contains(name) && message.contains("not overwritten"), "{message}");
         assert_eq!(std::fs::read(folder.path().join(name)).expect("a file"), b"kept");
     }
@@ -102,7 +103,7 @@ fn a_folder_that_cannot_be_made_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("file");
     std::fs::write(&file, b"").expect("a file");
-    let message = SequenceWriter::new(file.join("below"), &config()).err().expect("refused").to_string();
+    let message = SequenceWriter::new(file.join("below"), &config().declare().expect("valid")).err().expect("refused").to_string();
     assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
 }
 
@@ -134,7 +135,7 @@ fn written_before(folder: &Path) -> String {
         conventions,
         ..config()
     };
-    let mut writer = SequenceWriter::new(folder, &config).expect("a writer");
+    let mut writer = SequenceWriter::new(folder, &config.declare().expect("valid")).expect("a writer");
     let bytes = texels();
     let first = Tuning { alpha: 0.05, ..Tuning::default() };
     let later = Tuning { sigma_l: 2.3, ..first };

@@ -135,16 +135,6 @@ impl Config {
     pub(crate) fn has_volume(&self) -> bool {
         self.volume || self.preset == Preset::Volume
     }
-
-    /// Whether any pass reads what the previous frame left.
-    pub(crate) fn has_history(&self) -> bool {
-        self.has_volume() || self.preset != Preset::Eaw
-    }
-
-    /// Whether the host's path tracer has to re-shade the pixels that `forward_project` picks.
-    pub(crate) fn reshades(&self) -> bool {
-        matches!(self.preset, Preset::Asvgf | Preset::Stabilize) && self.gradient_source == GradientSource::ForwardProjected
-    }
 }
 
 pub(crate) fn check_extent(what: &'static str, given: [u32; 2]) -> Result<(), Error> {

@@ -1,6 +1,6 @@
 //! What the stage `debug_view` can show.
 
-use super::{Declaration, Work};
+use super::Declaration;
 use crate::choice::choices;
 
 choices! {
@@ -45,15 +45,16 @@ choices! {
 }
 
 impl DebugView {
-    /// The binding of the shader without which there is nothing to show, as `NEEDED` in `glsl/debug_view.comp`; 0: none.
-    pub(crate) const fn needs(self) -> u32 {
+    /// The binding of the shader without which there is nothing to show, as `NEEDED` in `glsl/debug_view.comp`.
+    const fn needs(self) -> Option<&'static str> {
         match self {
-            Self::HistoryLength | Self::Moments | Self::Alpha | Self::Disocclusion => 4,
-            Self::Percentiles | Self::Fireflies => 6,
-            Self::Variance => 8,
-            Self::Lambda => 10,
-            Self::Gradient => 11,
-            Self::Motion | Self::Normal | Self::Depth | Self::SurfaceId | Self::BadValues => 0,
+            Self::HistoryLength | Self::Moments | Self::Alpha | Self::Disocclusion => Some("moments_0"),
+            Self::Percentiles | Self::Fireflies => Some("block_percentiles_0"),
+            Self::Variance => Some("history_0"),
+            Self::Lambda => Some("history_confidence"),
+            Self::Gradient => Some("gradient"),
+            Self::Motion => Some("surface_motion"),
+            Self::Normal | Self::Depth | Self::SurfaceId | Self::BadValues => None,
         }
     }
 }
@@ -61,11 +62,8 @@ impl DebugView {
 impl Declaration {
     /// The views that this denoiser has something for; none without [`crate::Config::debug_view`].
     pub fn debug_views(&self) -> Vec<DebugView> {
-        let available = self.passes.iter().find_map(|p| match p.work {
-            Work::DebugView { available, .. } => Some(available),
-            _ => None,
-        });
-        let shows = |view: &DebugView| available.is_some_and(|bits| bits >> view.needs() & 1 != 0);
+        let Some(pass) = self.passes.iter().find(|pass| pass.draws_view()) else { return Vec::new() };
+        let shows = |view: &DebugView| view.needs().is_none_or(|binding| pass.use_of(binding).is_some());
         DebugView::ALL.into_iter().filter(shows).collect()
     }
 }

@@ -1,7 +1,8 @@
 //! The declaration of a denoiser: its resources and its passes in order.
 
-use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId};
-use crate::shaders::Shader;
+use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId, Setup, Work};
+use crate::config::Config;
+use crate::error::Error;
 
 /// Where in the host's frame a pass belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -30,7 +31,7 @@ pub enum UseFrame {
     Previous = 1,
 }
 
-/// How a pass uses one resource. The order of a pass's uses is the order of its bindings.
+/// How a pass uses one resource. The order of a pass's uses is that of the numbers of its bindings, and what a host binds follows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
     /// Which resource.
@@ -53,41 +54,12 @@ pub struct PassDecl {
     pub(crate) work: Work,
 }
 
-/// What a pass records.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Work {
-    /// Uploads [`crate::FrameConstants`] to binding 0 and fills binding 1 with zeros.
-    StartFrame,
-    /// Fills binding 0, an image of unsigned integers, with zeros.
-    Clear,
-    /// One dispatch that covers the render extent.
-    Dispatch {
-        shader: &'static Shader,
-        /// À-trous level, or what else the shader's first push constant means.
-        level: u32,
-        grid: Grid,
-    },
-    /// The same, with the view of the frame for the first push constant.
-    DebugView {
-        shader: &'static Shader,
-        /// Bit i: binding i is what the shader calls it, and does not stand in for an image that the preset lacks.
-        available: u32,
-    },
-}
-
-/// Invocations of a dispatch.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Grid {
-    /// One a pixel of this frame.
-    Pixels,
-    /// One a stratum of so many pixels a side, of this frame and of the previous one, which is walked, too.
-    Strata(u32),
-}
-
 /// Resources and passes: plain data, made without a device.
 #[derive(Clone, Debug)]
 pub struct Declaration {
-    pub(crate) allocated_extent: [u32; 2],
+    pub(crate) setup: Setup,
+    /// What a preset was declared from; `None` for a graph of a host.
+    pub(crate) config: Option<Config>,
     pub(crate) resources: Vec<ResourceDecl>,
     pub(crate) passes: Vec<PassDecl>,
 }
@@ -105,7 +77,33 @@ impl Declaration {
 
     /// The extent that images are allocated with.
     pub fn allocated_extent(&self) -> [u32; 2] {
-        self.allocated_extent
+        self.setup.allocated_extent
+    }
+
+    /// What is fixed for every frame.
+    pub fn setup(&self) -> &Setup {
+        &self.setup
+    }
+
+    /// The configuration that a preset was declared from; `None` for a graph that a host composed.
+    pub fn config(&self) -> Option<&Config> {
+        self.config.as_ref()
+    }
+
+    /// Whether the host's path tracer has to shade the pixels again that `forward_project` picks.
+    pub(crate) fn reshades(&self) -> bool {
+        self.passes.iter().any(|pass| pass.stage() == Some("forward_project"))
+    }
+
+    /// A resource by name.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`] lists the names that exist.
+    pub(crate) fn named(&self, name: &str) -> Result<ResourceId, Error> {
+        self.find(name).ok_or_else(|| Error::UnknownResource {
+            given: name.to_owned(),
+            known: self.resources.iter().map(|r| r.name.as_str()).collect::<Vec<_>>().join(", "),
+        })
     }
 
     /// The declaration of a resource.

@@ -1,15 +1,7 @@
 //! What format an image must have.
 
+use crate::shaders::Component;
 use ash::vk;
-
-/// The numeric class of an image as a shader sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Component {
-    /// Floating point or normalised: `texture2D` in GLSL.
-    Float,
-    /// Unsigned integer: `utexture2D` in GLSL.
-    Uint,
-}
 
 /// What format an image must have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! What a host says once per frame, what is remembered of the frame before, and the block that every pass reads.
 
-use super::{DebugView, Tuning};
+use super::{DebugView, Setup, Tuning};
 use crate::choice::choices;
-use crate::config::{check_extent, Config};
+use crate::config::check_extent;
 use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
 use glam::Mat4;
@@ -83,13 +83,13 @@ impl FrameParams {
         }
     }
 
-    pub(crate) fn validate(&self, config: &Config) -> Result<(), Error> {
+    pub(crate) fn validate(&self, setup: &Setup) -> Result<(), Error> {
         check_extent("FrameParams::render_extent", self.render_extent)?;
-        if (0..2).any(|i| self.render_extent[i] > config.allocated_extent[i]) {
-            return Err(Error::RenderExtent { render: self.render_extent, allocated: config.allocated_extent });
+        if (0..2).any(|i| self.render_extent[i] > setup.allocated_extent[i]) {
+            return Err(Error::RenderExtent { render: self.render_extent, allocated: setup.allocated_extent });
         }
-        if self.frame_slot >= config.frames_in_flight {
-            return Err(Error::FrameSlot { given: self.frame_slot, frames_in_flight: config.frames_in_flight });
+        if self.frame_slot >= setup.frames_in_flight {
+            return Err(Error::FrameSlot { given: self.frame_slot, frames_in_flight: setup.frames_in_flight });
         }
         let invertible = |m: &[[f32; 4]; 4]| {
             let m = Mat4::from_cols_array_2d(m);
@@ -129,6 +129,8 @@ pub struct FrameContext {
     pub debug_view: Option<DebugView>,
     /// What the first pass uploads.
     pub constants: FrameConstants,
+    /// The numbers that shaders read as push constants.
+    pub tuning: Tuning,
 }
 
 impl FrameContext {
@@ -150,17 +152,19 @@ impl FrameState {
     ///
     /// # Errors
     /// Names the field of `params` or `tuning` that is unusable; nothing is changed then.
-    pub fn begin(&mut self, config: &Config, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
-        params.validate(config)?;
+    pub fn begin(&mut self, setup: &Setup, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        params.validate(setup)?;
         tuning.validate()?;
         let reset = params.reset.or(if self.last.is_none() { Some(ResetReason::Created) } else { None });
         let before = if reset.is_some() { *params } else { self.last.unwrap_or(*params) };
         let index = self.frames;
-        let constants = constants(config, params, &before, tuning, index, reset.is_some());
+        let constants = constants(setup, params, &before, index, reset.is_some());
         self.last = Some(*params);
         self.frames += 1;
+        // A lower percentile above the upper one would turn the range round.
+        let tuning = Tuning { percentile_low: tuning.percentile_low.min(tuning.percentile_up), ..*tuning };
         let FrameParams { frame_slot: slot, render_extent, debug_view, .. } = *params;
-        Ok(FrameContext { index, slot, render_extent, reset, debug_view, constants })
+        Ok(FrameContext { index, slot, render_extent, reset, debug_view, constants, tuning })
     }
 
     /// The next frame drops all history: after images were re-created or lost.
@@ -169,12 +173,12 @@ impl FrameState {
     }
 }
 
-fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &Tuning, index: u64, reset: bool) -> FrameConstants {
+fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64, reset: bool) -> FrameConstants {
     let mat = |m: &[[f32; 4]; 4]| Mat4::from_cols_array_2d(m);
     let (view, clip) = (mat(&now.view_from_world), mat(&now.clip_from_view));
     let (previous_view, previous_clip) = (mat(&before.view_from_world), mat(&before.clip_from_view));
     let columns = |m: Mat4| m.to_cols_array_2d();
-    let forward = forward::ForwardProjection::new(config, now, before);
+    let forward = forward::ForwardProjection::new(&setup.conventions, now, before);
     FrameConstants {
         clip_from_view: now.clip_from_view,
         world_from_clip: columns(view.inverse() * clip.inverse()),
@@ -188,40 +192,10 @@ fn constants(config: &Config, now: &FrameParams, before: &FrameParams, tuning: &
         jitter: now.jitter,
         previous_jitter: before.jitter,
         frame_index: index as u32,
-        flags: Flags::of(config, reset) | if now.reshaded { Flags::RESHADED } else { 0 },
+        flags: Flags::of(&setup.conventions, reset) | if now.reshaded { Flags::RESHADED } else { 0 },
         exposure_ratio: now.exposure_ratio,
-        background_depth: config.conventions.background_depth,
-        alpha: tuning.alpha,
-        alpha_moments: tuning.alpha_moments,
-        max_history_length: tuning.max_history_length,
-        spatial_variance_frames: tuning.spatial_variance_frames,
-        sigma_l: tuning.sigma_l,
-        sigma_n: tuning.sigma_n,
-        sigma_z: tuning.sigma_z,
-        depth_tolerance: tuning.depth_tolerance,
-        normal_tolerance: tuning.normal_tolerance,
-        edge_falloff: tuning.edge_falloff,
-        percentile_low: tuning.percentile_low.min(tuning.percentile_up),
-        percentile_up: tuning.percentile_up,
-        percentile_range: tuning.percentile_range,
-        adaptivity: tuning.adaptivity,
-        change_threshold: tuning.change_threshold,
-        firefly_bias: tuning.firefly_bias,
-        sigma_rt: tuning.sigma_rt,
-        sigma_rt_n: tuning.sigma_rt_n,
-        sigma_rt_x: tuning.sigma_rt_x,
-        volume_alpha: tuning.volume_alpha,
-        volume_sigma_l: tuning.volume_sigma_l,
-        volume_sigma_z: tuning.volume_sigma_z,
-        volume_depth_tolerance: tuning.volume_depth_tolerance,
-        exposure: tuning.exposure,
-        taa_alpha: tuning.taa_alpha,
-        taa_gamma: tuning.taa_gamma,
-        tone_curve: tuning.tone_curve as u32,
-        stratum_size: config.stratum_size,
+        background_depth: setup.conventions.background_depth,
         previous_clip_w_scale: forward.previous_clip_w[0],
         previous_clip_w_offset: forward.previous_clip_w[1],
-        gradient_scale: tuning.gradient_scale,
-        padding: 0,
     }
 }

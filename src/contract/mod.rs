@@ -6,27 +6,32 @@ mod access;
 mod boundary;
 mod debug_view;
 mod declaration;
+mod dispatch;
 mod format;
 mod frame;
 mod memory;
 mod resource;
+mod setup;
+mod statistics;
 mod tuning;
 
 mod alias;
 
 pub(crate) use alias::{alias, Span};
 
+pub use crate::shaders::Component;
 pub use access::{Access, BufferAccess, ImageAccess};
 pub use boundary::{Boundary, BoundaryUse};
 pub use debug_view::DebugView;
 pub use declaration::{Declaration, PassDecl, Phase, Use, UseFrame};
-pub(crate) use declaration::{Grid, Work};
+pub(crate) use dispatch::{Dispatch, Grid, Parameter, Slot, Work};
 #[cfg(feature = "executor")]
 pub(crate) use format::bytes_per_texel;
-#[cfg(any(test, feature = "executor"))]
 pub(crate) use format::component_of;
-pub use format::{Component, ImageFormat};
+pub use format::ImageFormat;
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};
 pub use memory::{Memory, ResourceMemory};
 pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
+pub use setup::Setup;
+pub(crate) use statistics::STATISTICS_COUNT;
 pub use tuning::{ToneCurve, Tuning, TuningField};

@@ -65,6 +65,11 @@ macro_rules! tuning {
                 match name { $(stringify!($name) => Some(self.$name),)+ _ => None }
             }
 
+            /// What reads the bits of each number, in their order, and of the tone curve behind them.
+            const READERS: &'static [fn(&Tuning) -> u32] = &[$(|t| t.$name.to_bits(),)+ |t| t.tone_curve as u32];
+            /// What sets each number from its bits, in the same order.
+            const WRITERS: &'static [fn(&mut Tuning, u32)] = &[$(|t, bits| t.$name = f32::from_bits(bits),)+ |t, bits| t.tone_curve = ToneCurve::try_from(bits).unwrap_or_default()];
+
             /// Sets a field by its name.
             ///
             /// # Errors
@@ -138,6 +143,27 @@ tuning! {
 }
 
 impl Tuning {
+    /// The name of the one tunable that is no number: a choice of curves.
+    pub(crate) const TONE_CURVE: &'static str = "tone_curve";
+
+    /// The index of a tunable, for [`Self::bits`].
+    pub(crate) fn index(name: &str) -> Option<usize> {
+        let number = Self::FIELDS.iter().position(|field| field.name == name);
+        number.or_else(|| (name == Self::TONE_CURVE).then_some(Self::FIELDS.len()))
+    }
+
+    /// The bits of a tunable as a shader reads them; 0 where the index is none.
+    pub(crate) fn bits(&self, index: usize) -> u32 {
+        Self::READERS.get(index).map_or(0, |read| read(self))
+    }
+
+    /// Sets a tunable from its bits; nothing where the index is none.
+    pub(crate) fn set_bits(&mut self, index: usize, bits: u32) {
+        if let Some(write) = Self::WRITERS.get(index) {
+            write(self, bits);
+        }
+    }
+
     /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF). What was
     /// accumulated with a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has
     /// a `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.

@@ -8,7 +8,7 @@ use crate::config::{NormalEncoding, NormalSpace};
 use crate::error::Error;
 use crate::frame_constants::Flags;
 use crate::reference::{decode_normal, motion_in_pixels, Projections};
-use crate::{Config, FrameConstants, FrameState, Tuning};
+use crate::{FrameConstants, FrameState, Setup, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 /// More pixels than this say nothing new.
@@ -53,7 +53,7 @@ pub(super) struct Scene<'a> {
     pair: &'a Pair<'a>,
     constants: [FrameConstants; 2],
     projections: [Projections; 2],
-    config: Config,
+    setup: Setup,
 }
 
 /// A pixel under one geometry; NaN and `None` where it says nothing.
@@ -93,19 +93,19 @@ impl<'a> Scene<'a> {
     /// # Errors
     /// Names the field of the parameters that is unusable.
     pub fn new(geometry: &Geometry, pair: &'a Pair<'a>) -> Result<Self, Error> {
-        let config = |guides: &Guides| Config { conventions: geometry.conventions, ..Config::new(guides.depth.extent()) };
+        let setup = |guides: &Guides| Setup { conventions: geometry.conventions, ..Setup::new(guides.depth.extent()) };
         let frame = |params: &crate::FrameParams| crate::FrameParams { frame_slot: 0, ..*params };
         let mut state = FrameState::default();
-        let first = state.begin(&config(pair.previous), &frame(&geometry.previous), &Tuning::default())?.constants;
-        let second = state.begin(&config(pair.current), &frame(&geometry.current), &Tuning::default())?.constants;
+        let first = state.begin(&setup(pair.previous), &frame(&geometry.previous), &Tuning::default())?.constants;
+        let second = state.begin(&setup(pair.current), &frame(&geometry.current), &Tuning::default())?.constants;
         let projections = [Projections::new(&first), Projections::new(&second)];
-        Ok(Self { pair, constants: [first, second], projections, config: config(pair.current) })
+        Ok(Self { pair, constants: [first, second], projections, setup: setup(pair.current) })
     }
 
     /// Linear depth; 0 where there is no surface.
     fn depth(&self, frame: usize, p: IVec2) -> f32 {
         let guides = [self.pair.previous, self.pair.current][frame];
-        let background = self.config.conventions.background_depth;
+        let background = self.setup.conventions.background_depth;
         if guides.surface_id.is_some_and(|ids| ids.at(p) == 0) {
             return 0.0;
         }
@@ -180,8 +180,8 @@ impl<'a> Scene<'a> {
 
     /// How a reading turns texels into pixels.
     pub fn affine(&self, reading: MotionReading) -> Affine {
-        let config = Config { conventions: reading.apply(&self.config.conventions), ..self.config };
-        let constants = FrameConstants { flags: Flags::of(&config, false), ..self.constants[1] };
+        let conventions = reading.apply(&self.setup.conventions);
+        let constants = FrameConstants { flags: Flags::of(&conventions, false), ..self.constants[1] };
         let offset = motion_in_pixels(&constants, Vec2::ZERO);
         Affine { scale: motion_in_pixels(&constants, Vec2::ONE) - offset, offset }
     }

@@ -2,7 +2,7 @@
 
 use super::scope::Scope;
 use super::storage::Storage;
-use super::{find, Executor};
+use super::Executor;
 use crate::contract::{Lifetime, Shape};
 use crate::error::Error;
 use ash::vk;
@@ -33,7 +33,7 @@ impl Executor {
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
     pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
         let declaration = self.denoiser.declaration();
-        let id = find(declaration, name)?;
+        let id = declaration.named(name)?;
         let resource = declaration.resource(id);
         let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
             return Err(Error::NotBound(name.to_owned()));
@@ -65,7 +65,7 @@ impl Executor {
         access: vk::AccessFlags2,
     ) -> Result<(), Error> {
         let declaration = self.denoiser.declaration();
-        let id = find(declaration, name)?;
+        let id = declaration.named(name)?;
         let Shape::Buffer { size: needed } = declaration.resource(id).shape else {
             return Err(Error::NotBound(name.to_owned()));
         };
@@ -85,7 +85,7 @@ impl Executor {
     /// # Errors
     /// [`Error::UnknownResource`].
     pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
-        let id = find(self.denoiser.declaration(), name)?;
+        let id = self.denoiser.declaration().named(name)?;
         self.memory.storages.unbind(id);
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! A Vulkan device without a window: for tools, benchmarks and tests.
 
-use crate::denoiser::Device;
+use crate::device::Device;
 use crate::error::Error;
 use ash::vk;
 use std::ffi::{c_void, CStr};

@@ -4,7 +4,7 @@ use super::barriers::WHOLE;
 use super::storage::{Object, Storage, Storages, StoredImage};
 use super::{AllocatedMemory, ExecutorOptions};
 use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
-use crate::denoiser::Device;
+use crate::device::Device;
 use crate::error::Error;
 use ash::vk;
 use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, Allocator, AllocatorCreateDesc};

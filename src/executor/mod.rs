@@ -25,11 +25,11 @@ pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
 
 use crate::binding::Binding;
-use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, Tuning, Work};
-use crate::denoiser::{Denoiser, Device};
+use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Tuning};
+use crate::denoiser::Denoiser;
+use crate::device::Device;
 use crate::error::Error;
 use crate::requirements::Requirements;
-use crate::Config;
 use ash::vk;
 use barriers::Barriers;
 use memory::Memory;
@@ -86,14 +86,18 @@ impl Executor {
     ///
     /// # Safety
     /// As [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is complete.
-    pub unsafe fn new(host: Device<'_>, config: &Config, options: ExecutorOptions) -> Result<Self, Error> {
+    pub unsafe fn new(host: Device<'_>, declaration: Declaration, options: ExecutorOptions) -> Result<Self, Error> {
         // SAFETY: the caller's, for each of these.
         unsafe {
-            Requirements::new(config)?.check_executor_device(host)?;
-            let denoiser = Denoiser::new(host, config)?;
+            Requirements::new(&declaration).check_executor_device(host)?;
+            let denoiser = Denoiser::new(host, declaration)?;
             let memory = Memory::new(host, denoiser.declaration(), &options)?;
             let passes = denoiser.declaration().passes().len();
-            let profiler = if options.timestamps { Some(Profiler::new(host, config.frames_in_flight, passes)?) } else { None };
+            let profiler = if options.timestamps {
+                Some(Profiler::new(host, denoiser.declaration().setup().frames_in_flight, passes)?)
+            } else {
+                None
+            };
             let labels = options.debug_labels.then(|| ash::ext::debug_utils::Device::new(host.instance, host.device));
             Ok(Self {
                 denoiser,
@@ -200,7 +204,7 @@ impl Executor {
     }
 
     /// Records the pass `debug_view` once more, with another view: in a submission after that of the frame. Nothing, without
-    /// [`Config::debug_view`] or a view.
+    /// [`crate::Config::debug_view`] or a view.
     ///
     /// # Errors
     /// As [`Denoiser::record`].
@@ -209,7 +213,7 @@ impl Executor {
     /// As [`Self::record`].
     pub unsafe fn record_debug_view(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) -> Result<(), Error> {
         let passes = self.denoiser.declaration().passes();
-        let Some(pass) = passes.iter().position(|p| matches!(p.work, Work::DebugView { .. })) else { return Ok(()) };
+        let Some(pass) = passes.iter().position(|p| p.draws_view()) else { return Ok(()) };
         if self.is_left_out(frame, pass) {
             return Ok(());
         }
@@ -225,7 +229,7 @@ impl Executor {
     }
 
     fn is_left_out(&self, frame: &FrameContext, pass: usize) -> bool {
-        frame.debug_view.is_none() && matches!(self.denoiser.declaration().passes()[pass].work, Work::DebugView { .. })
+        frame.debug_view.is_none() && self.denoiser.declaration().passes()[pass].draws_view()
     }
 
     pub(crate) unsafe fn record_pass(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, pass: usize) -> Result<(), Error> {
@@ -269,11 +273,4 @@ impl Executor {
         let names = self.denoiser.declaration().passes().iter().map(|p| p.name.as_str());
         self.profiler.as_ref().map_or(Vec::new(), |p| p.times(names))
     }
-}
-
-fn find(declaration: &crate::Declaration, name: &str) -> Result<ResourceId, Error> {
-    declaration.find(name).ok_or_else(|| Error::UnknownResource {
-        given: name.to_owned(),
-        known: declaration.resources().iter().map(|r| r.name.as_str()).collect::<Vec<_>>().join(", "),
-    })
 }

@@ -1,6 +1,6 @@
 //! Time per pass by timestamps, read when a frame slot comes round again, so that nothing waits.
 
-use crate::denoiser::Device;
+use crate::device::Device;
 use crate::error::Error;
 use ash::vk;
 

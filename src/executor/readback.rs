@@ -4,7 +4,7 @@ use super::barriers::buffer_barrier;
 use super::scope::Scope;
 use super::storage::{Object, Storage, StoredImage};
 use super::transfer::{to_floats, whole_image};
-use super::{find, Executor};
+use super::Executor;
 use crate::contract::{bytes_per_texel, FrameContext, Lifetime, ResourceId, UseFrame};
 use crate::error::Error;
 use ash::vk;
@@ -74,7 +74,7 @@ impl Executor {
 
     fn locate(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<(ResourceId, usize), Error> {
         let declaration = self.denoiser.declaration();
-        let id = find(declaration, name)?;
+        let id = declaration.named(name)?;
         let copy = match declaration.resource(id).lifetime {
             Lifetime::History => frame.history_copy(which),
             _ => 0,

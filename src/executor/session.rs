@@ -5,9 +5,8 @@ use super::headless::HeadlessDevice;
 use super::session_objects::{Commands, OwnedImage};
 use super::transfer::{to_floats, Staging};
 use super::{Executor, ExecutorOptions, PassTime, Readback};
-use crate::contract::{DebugView, FrameContext, FrameParams, Tuning, UseFrame};
+use crate::contract::{DebugView, Declaration, FrameContext, FrameParams, Tuning, UseFrame};
 use crate::error::Error;
-use crate::Config;
 use ash::vk;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -47,7 +46,7 @@ impl Session {
     ///
     /// # Errors
     /// As [`Executor::new`].
-    pub fn new(gpu: Arc<HeadlessDevice>, config: &Config, options: SessionOptions) -> Result<Self, Error> {
+    pub fn new(gpu: Arc<HeadlessDevice>, declaration: Declaration, options: SessionOptions) -> Result<Self, Error> {
         let executor_options = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             poison: options.poison,
@@ -57,8 +56,9 @@ impl Session {
             omit_barriers_before: options.omit_barriers_before,
         };
         // SAFETY: the device is live, has synchronization2, and is kept alive by `gpu`, which is dropped last.
-        let (executor, commands) =
-            unsafe { (Executor::new(gpu.host(), config, executor_options)?, Commands::new(gpu.device(), gpu.queue_family())?) };
+        let (executor, commands) = unsafe {
+            (Executor::new(gpu.host(), declaration, executor_options)?, Commands::new(gpu.device(), gpu.queue_family())?)
+        };
         Ok(Self {
             executor,
             inputs: BTreeMap::new(),
@@ -131,7 +131,7 @@ impl Session {
     /// alpha: the number behind it.
     ///
     /// # Errors
-    /// As [`Self::download`]: [`Error::UnknownResource`] without [`Config::debug_view`].
+    /// As [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };

@@ -6,7 +6,7 @@ use super::session::Session;
 use super::session_objects::OwnedImage;
 use super::storage::Storage;
 use super::transfer::{whole_image, Staging, UPLOADED};
-use super::{find, HostImage};
+use super::HostImage;
 use crate::contract::Shape;
 use crate::error::Error;
 use ash::vk;
@@ -34,7 +34,7 @@ impl Session {
     /// [`Error::UnknownResource`], [`Error::NotBound`] for an image, [`Error::Size`].
     pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
-        find(declaration, name)?;
+        declaration.named(name)?;
         let size = bytes.len() as u64;
         // SAFETY: the device outlives the session.
         let mut staging = unsafe { Staging::new(self.gpu.host(), size.max(4))? };
@@ -55,7 +55,7 @@ impl Session {
 
     fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
-        let resource = declaration.resource(find(declaration, name)?);
+        let resource = declaration.resource(declaration.named(name)?);
         let Shape::Image { format: rule, .. } = resource.shape else {
             return Err(Error::NotBound(name.to_owned()));
         };

@@ -86,11 +86,15 @@ impl Graph {
         let node = self.owners[reader].clone();
         match (lifetime, writes.first()) {
             (Lifetime::History | Lifetime::HistoryInPlace, None) => {
-                let problem = "nothing writes this history; give it to the `feedback` of a filter, or make it with `Feedback::Accumulated`";
+                let problem =
+                    "nothing writes this history; give it to the `feedback` of a filter, or make it with `Feedback::Accumulated`";
                 self.fail(&node, &name, problem.to_owned());
             }
             (Lifetime::HistoryInPlace, Some(&write)) if write <= reader => {
-                let problem = format!("`{}` overwrites this history, which has one copy, before it is read; add the reader first", self.owners[write]);
+                let problem = format!(
+                    "`{}` overwrites this history, which has one copy, before it is read; add the reader first",
+                    self.owners[write]
+                );
                 self.fail(&node, &name, problem);
             }
             (Lifetime::History | Lifetime::HistoryInPlace, Some(_)) => {}

@@ -27,6 +27,7 @@
 //! stands twice in a graph for the same signal needs a [`Graph::scope`], whose name goes behind that.
 
 mod check;
+mod matching;
 mod pass;
 mod port;
 mod resources;
@@ -39,8 +40,8 @@ pub use stage::{Stage, StageCall, StageOutputs};
 pub(crate) use pass::Pass;
 pub(crate) use resources::{CONFIDENCE, HDR, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
 
-use crate::config::{check_extent, Config, Conventions};
-use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId};
+use crate::config::{Config, Conventions};
+use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId, Setup};
 use crate::error::Error;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -60,9 +61,7 @@ pub enum Feedback {
 pub struct Graph {
     /// Tells the images of one graph from those of another.
     key: u32,
-    allocated_extent: [u32; 2],
-    frames_in_flight: u32,
-    conventions: Conventions,
+    setup: Setup,
     config: Option<Config>,
     resources: Vec<ResourceDecl>,
     passes: Vec<PassDecl>,
@@ -92,9 +91,7 @@ impl Graph {
         static KEYS: AtomicU32 = AtomicU32::new(0);
         let mut graph = Self {
             key: KEYS.fetch_add(1, Ordering::Relaxed),
-            allocated_extent,
-            frames_in_flight: 2,
-            conventions: Conventions::default(),
+            setup: Setup::new(allocated_extent),
             config: None,
             resources: Vec::new(),
             passes: Vec::new(),
@@ -112,18 +109,17 @@ impl Graph {
 
     /// The graph of a preset: extents, conventions and frames in flight of a configuration.
     pub(crate) fn of_config(config: &Config) -> Self {
-        let graph = Self::new(config.allocated_extent).conventions(config.conventions).frames_in_flight(config.frames_in_flight);
-        Self { config: Some(*config), ..graph }
+        Self { setup: config.setup(), config: Some(*config), ..Self::new(config.allocated_extent) }
     }
 
     /// How the host encodes its guides. Default: [`Conventions::default`].
     pub fn conventions(self, conventions: Conventions) -> Self {
-        Self { conventions, ..self }
+        Self { setup: Setup { conventions, ..self.setup }, ..self }
     }
 
     /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
     pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
-        Self { frames_in_flight, ..self }
+        Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }
     }
 
     /// Nodes of `body` under names of their own: `_name` stands behind the names of their resources and passes. For a node that stands twice in a
@@ -150,22 +146,12 @@ impl Graph {
     /// remedy: an image of another graph, stale content, a read of what nothing writes, a cycle, two writers, a history that nothing writes, a
     /// format that does not fit, a name that is taken.
     pub fn finish(mut self) -> Result<Declaration, Error> {
-        check_extent("allocated_extent", self.allocated_extent)?;
-        Config { frames_in_flight: self.frames_in_flight, ..Config::new(self.allocated_extent) }.validate()?;
-        if !self.conventions.background_depth.is_nan() && self.errors.is_empty() {
+        self.setup.validate()?;
+        if self.errors.is_empty() {
             self.check();
         }
-        match self.errors.into_iter().next() {
-            Some(error) => Err(error),
-            None => Ok(Declaration::new(
-                self.allocated_extent,
-                self.frames_in_flight,
-                self.conventions,
-                self.config,
-                self.resources,
-                self.passes,
-            )),
-        }
+        let Self { setup, config, resources, passes, errors, .. } = self;
+        errors.into_iter().next().map_or(Ok(Declaration { setup, config, resources, passes }), Err)
     }
 
     /// Notes what is wrong with a node. The first error is the one that [`Self::finish`] returns, since later ones may follow from it.

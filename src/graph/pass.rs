@@ -1,9 +1,11 @@
 //! One dispatch of a node: its shader with images on the shader's bindings, by their GLSL names.
 
+use super::matching::{self, Automatic};
 use super::{Graph, Image};
-use crate::contract::{Access, Dispatch, Grid, Lifetime, Member, PassDecl, Phase, ResourceId, Shape, Use, UseFrame, Work};
-use crate::shaders::{BindingKind, ShaderBinding, ShaderRef};
-use crate::Tuning;
+use crate::contract::{Access, Grid, Lifetime, PassDecl, Phase, Shape, Use, UseFrame, Work};
+
+use crate::reference::Twin;
+use crate::shaders::ShaderRef;
 
 /// Where a number of a node comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -17,11 +19,22 @@ pub enum Value {
     Fixed(f32),
 }
 
-/// An image on a binding.
-#[derive(Clone, Copy, Debug)]
+/// A copy of an image, for a binding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Wire {
-    image: Image,
-    frame: UseFrame,
+    pub image: Image,
+    pub frame: UseFrame,
+}
+
+/// Where the push constant `level` comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Level {
+    /// There is none.
+    None,
+    /// This one.
+    Number(u32),
+    /// The view of the frame.
+    View,
 }
 
 /// One dispatch that is being described.
@@ -31,11 +44,13 @@ pub(crate) struct Pass {
     pub name: String,
     pub phase: Phase,
     pub shader: ShaderRef,
-    pub level: u32,
+    pub level: Level,
     pub grid: Grid,
     pub constants: Vec<(String, u32)>,
-    pub values: Vec<(String, Value)>,
+    pub parameters: Vec<(String, Value)>,
     pub wires: Vec<(String, Wire)>,
+    /// The function of a host's stage for the CPU.
+    pub twin: Option<Twin>,
 }
 
 impl Pass {
@@ -46,11 +61,12 @@ impl Pass {
             name: node.to_owned(),
             phase: Phase::AfterLighting,
             shader: shader.into(),
-            level: 0,
+            level: Level::None,
             grid: Grid::Pixels,
             constants: Vec::new(),
-            values: Vec::new(),
+            parameters: Vec::new(),
             wires: Vec::new(),
+            twin: None,
         }
     }
 
@@ -63,8 +79,14 @@ impl Pass {
         Self { phase, ..self }
     }
 
+    /// The push constant `level`.
     pub fn level(self, level: u32) -> Self {
-        Self { level, ..self }
+        Self { level: Level::Number(level), ..self }
+    }
+
+    /// The view of the frame as the push constant `level`. A frame without a view leaves the pass out.
+    pub fn view(self) -> Self {
+        Self { level: Level::View, ..self }
     }
 
     pub fn grid(self, grid: Grid) -> Self {
@@ -79,7 +101,9 @@ impl Pass {
 
     /// Where a member of the push constants comes from, where it is not the tunable of its name.
     pub fn value(mut self, member: &str, value: Value) -> Self {
-        self.values.push((member.to_owned(), value));
+        if value != Value::Own {
+            self.parameters.push((member.to_owned(), value));
+        }
         self
     }
 
@@ -128,42 +152,76 @@ impl Graph {
     /// The first pass of every graph. By `vkCmdUpdateBuffer`, so that no host-visible memory and no copy per slot is needed.
     pub(super) fn start_frame(&mut self) {
         use crate::contract::STATISTICS_COUNT;
-        self.constants = self.buffer("frame_constants", size_of::<crate::FrameConstants>() as u64, Lifetime::Transient);
-        self.statistics = self.buffer("statistics", STATISTICS_COUNT * 4, Lifetime::Output);
-        let uses = [self.constants, self.statistics]
-            .map(|resource| Use { resource, frame: UseFrame::Current, access: Access::Clear })
-            .to_vec();
-        self.push_pass("start_frame", "start_frame".to_owned(), Phase::BeforeLighting, uses, Work::StartFrame);
+        let constants = self.buffer("frame_constants", size_of::<crate::FrameConstants>() as u64, Lifetime::Transient);
+        let statistics = self.buffer("statistics", STATISTICS_COUNT * 4, Lifetime::Output);
+        let uses = [constants, statistics].map(|resource| Use { resource, frame: UseFrame::Current, access: Access::Clear });
+        self.push_pass(
+            "start_frame",
+            PassDecl { name: "start_frame".to_owned(), phase: Phase::BeforeLighting, uses: uses.to_vec(), work: Work::StartFrame },
+        );
+        (self.constants, self.statistics) = (constants, statistics);
     }
 
     /// Fills an image of unsigned integers with zeros.
     pub(crate) fn clear(&mut self, node: &str, name: String, phase: Phase, image: Image) {
         let uses = vec![Use { resource: image.id, frame: UseFrame::Current, access: Access::Clear }];
-        self.push_pass(node, name, phase, uses, Work::Clear);
+        self.push_pass(node, PassDecl { name, phase, uses, work: Work::Clear });
     }
 
     /// Adds a dispatch: matches its images with the bindings of the shader.
     pub(crate) fn add(&mut self, pass: Pass) {
-        if let Some((uses, dispatch)) = self.resolve(&pass) {
-            self.push_pass(&pass.node, pass.name, pass.phase, uses, Work::Dispatch(Box::new(dispatch)));
+        for (binding, wire) in &pass.wires {
+            if let Some(problem) = self.refusal(wire) {
+                return self.fail(&pass.node, binding, problem);
+            }
+            let resource = &mut self.resources[wire.image.id.0 as usize];
+            if wire.frame == UseFrame::Previous && resource.lifetime == Lifetime::Transient {
+                resource.lifetime = Lifetime::History;
+            }
+        }
+        let automatic = Automatic { frame: self.current(self.constants), statistics: self.current(self.statistics) };
+        match matching::declare(&pass, &automatic, &self.resources) {
+            Ok(declared) => {
+                if let Some((binding, problem)) = pass.wires.iter().find_map(|(binding, wire)| self.stale(binding, wire, &declared))
+                {
+                    return self.fail(&pass.node, &binding, problem);
+                }
+                self.push_pass(&pass.node, declared);
+            }
+            Err(matching::Mismatch { port, problem }) => self.fail(&pass.node, &port, problem),
         }
     }
 
-    fn push_pass(&mut self, node: &str, name: String, phase: Phase, uses: Vec<Use>, work: Work) {
-        for u in &uses {
+    /// Why an image cannot be wired, whatever the shader does with it.
+    fn refusal(&self, wire: &Wire) -> Option<String> {
+        (wire.image.graph != self.key).then(|| "the image belongs to another graph; build both parts in one graph".to_owned())
+    }
+
+    /// Why the content of an image that a pass reads is not what it was when the value was made.
+    fn stale(&self, binding: &str, wire: &Wire, pass: &PassDecl) -> Option<(String, String)> {
+        let reads = pass.use_of(binding).is_some_and(|u| u.access.reads());
+        let id = wire.image.id;
+        if wire.frame == UseFrame::Previous || !reads || wire.image.version == self.states[id.0 as usize].version {
+            return None;
+        }
+        let writes = |p: &&PassDecl| p.uses.iter().any(|u| u.resource == id && u.access.writes());
+        let writer = self.passes.iter().zip(&self.owners).rev().find(|(p, _)| writes(p)).map_or("a later node", |(_, node)| node);
+        let name = &self.resources[id.0 as usize].name;
+        Some((binding.to_owned(), format!("`{name}` was overwritten by `{writer}`; take what that node returned")))
+    }
+
+    fn push_pass(&mut self, node: &str, pass: PassDecl) {
+        for u in &pass.uses {
             let resource = &mut self.resources[u.resource.0 as usize];
             match resource.shape {
                 Shape::Image { .. } => resource.image_usage |= u.access.image_usage(),
                 Shape::Buffer { .. } => resource.buffer_usage |= u.access.buffer_usage(),
             }
-            if u.frame == UseFrame::Previous && resource.lifetime == Lifetime::Transient {
-                resource.lifetime = Lifetime::History;
-            }
             if u.access.writes() {
                 self.states[u.resource.0 as usize].version += 1;
             }
         }
-        self.passes.push(PassDecl { name, phase, uses, work });
+        self.passes.push(pass);
         self.owners.push(node.to_owned());
     }
 }

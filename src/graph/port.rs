@@ -177,7 +177,6 @@ impl History {
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {
     pub(crate) image: Image,
-    pub(crate) scratch: Image,
     pub(crate) guide: Image,
     pub(crate) stratum_size: u32,
 }

@@ -1,6 +1,6 @@
 //! Images and buffers of a graph: names, formats, lifetimes, and who reads the previous copy.
 
-use super::{Feedback, Graph, History, Image, Port, Radiance, ResourceState};
+use super::{Feedback, GradientSamples, Graph, History, Image, Port, Radiance, ResourceState};
 use crate::contract::{Component, ImageFormat, Lifetime, ResourceDecl, ResourceId, Shape};
 use ash::vk;
 
@@ -33,7 +33,11 @@ impl Graph {
     pub fn pair<K>(&mut self, first: &Port<K>, second: &Port<K>) -> Port<K> {
         let images: Vec<_> = first.images().iter().chain(second.images()).copied().collect();
         Port::of_images(&images).unwrap_or_else(|| {
-            self.fail("pair", "second", format!("{} signals were given; at most two are filtered in the same passes", images.len()));
+            self.fail(
+                "pair",
+                "second",
+                format!("{} signals were given; at most two are filtered in the same passes", images.len()),
+            );
             *first
         })
     }
@@ -140,7 +144,11 @@ impl Graph {
 
     /// The image with the content that it has now.
     pub(crate) fn refreshed(&self, image: Image) -> Image {
-        if image.graph == self.key { self.current(image.id) } else { image }
+        if image.graph == self.key {
+            self.current(image.id)
+        } else {
+            image
+        }
     }
 
     /// The label of an image's signal.
@@ -153,6 +161,11 @@ impl Graph {
     pub(crate) fn scoped(&self, base: &str, label: &str) -> String {
         let parts = std::iter::once(label).filter(|l| !l.is_empty()).chain(self.scopes.iter().map(String::as_str));
         parts.fold(base.to_owned(), |name, part| format!("{name}_{part}"))
+    }
+
+    /// Gives the host the samples that it shades again, as an output of this name.
+    pub fn output_samples(&mut self, name: &str, samples: &GradientSamples) {
+        self.output_image(name, samples.image);
     }
 
     pub(super) fn output_image(&mut self, name: &str, image: Image) {
@@ -169,7 +182,11 @@ impl Graph {
             }
             lifetime => {
                 let given = resource.name.clone();
-                self.fail("output", name, format!("`{given}` is {lifetime:?}; only what a node writes for this frame alone can be an output"));
+                self.fail(
+                    "output",
+                    name,
+                    format!("`{given}` is {lifetime:?}; only what a node writes for this frame alone can be an output"),
+                );
             }
         }
     }

@@ -3,8 +3,9 @@
 use super::{Graph, Image, Pass, Value};
 use crate::contract::{Grid, Lifetime, Phase};
 use crate::error::Error;
+
 use crate::reference::Twin;
-use crate::shaders::{BindingKind, Shader, ShaderRef};
+use crate::shaders::{vk_format, BindingAccess, BindingKind, Shader, ShaderRef};
 use crate::ImageFormat;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -18,6 +19,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct Stage {
     shader: Arc<Shader>,
+    twin: Option<Twin>,
 }
 
 impl Stage {
@@ -27,13 +29,15 @@ impl Stage {
     /// [`Error::Stage`] for what is no compute shader, has a binding without a name or of a kind that passes cannot have, numbers bindings with a gap or in
     /// another set than 0, or has more than 128 bytes of push constants.
     pub fn new(name: &str, spirv: &[u32]) -> Result<Self, Error> {
-        Ok(Self { shader: Arc::new(Shader::of_host(name, spirv)?) })
+        let failed = |problem: String| Error::Stage { stage: name.to_owned(), problem };
+        let code = spirv.iter().flat_map(|word| word.to_ne_bytes()).collect();
+        let shader = atrous_shader::reflect(name, name, code, spirv, &[]).map_err(failed)?;
+        Ok(Self { shader: Arc::new(shader), twin: None })
     }
 
     /// A function that computes the same on the CPU, for [`crate::reference::Engine`] and for the comparison of both.
     pub fn with_twin(self, twin: Twin) -> Self {
-        let shader = Shader { twin: Some(twin), ..Shader::clone(&self.shader) };
-        Self { shader: Arc::new(shader) }
+        Self { twin: Some(twin), ..self }
     }
 }
 
@@ -66,7 +70,7 @@ impl Graph {
     pub fn stage(&mut self, stage: &Stage) -> StageCall<'_> {
         let node = self.node(&stage.shader.name, "");
         let shader = stage.shader.clone();
-        let pass = Pass::new(&node, ShaderRef::Host(shader.clone()));
+        let pass = Pass { twin: stage.twin, ..Pass::new(&node, ShaderRef::Made(shader.clone())) };
         StageCall { graph: self, shader, pass, given: BTreeMap::new(), divisor: 1 }
     }
 }
@@ -126,14 +130,14 @@ impl StageCall<'_> {
         let mut images = BTreeMap::new();
         for binding in self.shader.bindings.iter() {
             let BindingKind::StorageImage(texel, access) = binding.kind else { continue };
-            if !access.writes() {
+            if access == BindingAccess::ReadOnly {
                 continue;
             }
             let image = match self.given.get(binding.name.as_ref()) {
                 Some(given) => *given,
                 None => {
                     let base = format!("{}_{}", self.shader.name, binding.name);
-                    let format = ImageFormat::Exactly(texel.vk());
+                    let format = ImageFormat::Exactly(vk_format(texel));
                     let image = self.graph.named_image(&base, "", format, self.divisor, Lifetime::Transient);
                     self.pass = self.pass.bind(&binding.name, image);
                     image

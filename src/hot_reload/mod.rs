@@ -8,7 +8,7 @@
 //! [`Error::ShaderInterface`], which names the difference.
 
 use crate::error::Error;
-use atrous_glsl::interface;
+use atrous_shader::interface;
 
 include!(concat!(env!("OUT_DIR"), "/interfaces.rs"));
 

@@ -1,26 +1,34 @@
-//! How far the history of a pixel is still true. \[ASVGF\] 3.5, eq. 14.
+//! How far the history of a pixel is still true, from temporal gradients. \[ASVGF\] 3.5, eq. 14.
 
-use super::{Builder, Frame, HOST_SCALAR};
-use crate::contract::{ImageFormat, Lifetime, Phase, ResourceId};
+use crate::contract::Lifetime;
+use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, CONFIDENCE, HOST_SCALAR};
 use crate::shaders;
-use ash::vk;
 
-/// A number from 0 to 1 that a host may use elsewhere.
-const CONFIDENCE: ImageFormat = ImageFormat::Exactly(vk::Format::R32_SFLOAT);
+impl Graph {
+    /// Confidence in the history, from the reconstructed gradient.
+    pub fn adaptive_alpha(&mut self, gradient: &Gradient) -> Confidence {
+        let node = self.node("adaptive_alpha", "");
+        let confidence = self.confidence_image();
+        let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_0)
+            .constant("STRATUM_SIZE", gradient.stratum_size)
+            .bind("gradient", gradient.image)
+            .bind("history_confidence", confidence);
+        self.add(pass);
+        Port::of(self.refreshed(confidence))
+    }
 
-/// From the reconstructed gradient. Returns `history_confidence`, which is an output as well.
-pub(crate) fn adaptive_alpha(b: &mut Builder, frame: Frame, gradient: ResourceId) -> ResourceId {
-    let confidence = b.image("history_confidence", CONFIDENCE, Lifetime::Output);
-    let uses = vec![frame.constants.uniform(), gradient.sampled(), confidence.written()];
-    b.dispatch("adaptive_alpha", Phase::AfterLighting, &shaders::ADAPTIVE_ALPHA_SOURCE_0, 0, uses);
-    confidence
-}
+    /// Confidence in the history, from the host's own estimate: its input `confidence`.
+    pub fn host_confidence(&mut self) -> Confidence {
+        let node = self.node("adaptive_alpha", "");
+        let confidence = self.confidence_image();
+        let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_1)
+            .bind("confidence", self.input("confidence", HOST_SCALAR, 1, false))
+            .bind("history_confidence", confidence);
+        self.add(pass);
+        Port::of(self.refreshed(confidence))
+    }
 
-/// The same from the host's own estimate.
-pub(crate) fn host_confidence(b: &mut Builder, frame: Frame) -> ResourceId {
-    let host = b.input("confidence", HOST_SCALAR, false);
-    let confidence = b.image("history_confidence", CONFIDENCE, Lifetime::Output);
-    let uses = vec![frame.constants.uniform(), host.sampled(), confidence.written()];
-    b.dispatch("adaptive_alpha", Phase::AfterLighting, &shaders::ADAPTIVE_ALPHA_SOURCE_1, 0, uses);
-    confidence
+    fn confidence_image(&mut self) -> Image {
+        self.named_image("history_confidence", "", CONFIDENCE, 1, Lifetime::Transient)
+    }
 }

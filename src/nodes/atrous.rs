@@ -1,75 +1,146 @@
 //! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
 
-use super::{by_signals, Builder, Frame, Guides, Signal, Volume, HDR};
-use crate::contract::{Lifetime, Phase, ResourceId};
-use crate::shaders;
+use super::by_signals;
+use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeEstimate, HDR};
+use crate::shaders::{self, Shader};
 
 /// The kernel of a level.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kernel {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Kernel {
     /// 5×5 B3 spline \[SVGF\].
+    #[default]
     Spline,
     /// 3×3 box \[ASVGF\].
     Box,
 }
 
-/// Where the last level left each signal.
-pub(crate) type Filtered = Vec<ResourceId>;
-
-const NAMES: [&str; 10] =
-    ["atrous_0", "atrous_1", "atrous_2", "atrous_3", "atrous_4", "atrous_5", "atrous_6", "atrous_7", "atrous_8", "atrous_9"];
-
-/// One pass a level. Level 0 writes the history of the next frame; the levels after it alternate between two transients.
-pub(crate) fn atrous(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], levels: u32, kernel: Kernel) -> Filtered {
-    let shader = match kernel {
-        Kernel::Spline => by_signals(signals, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2),
-        Kernel::Box => by_signals(signals, &shaders::ATROUS_SIGNALS_1_BOX_1, &shaders::ATROUS_SIGNALS_2_BOX_1),
-    };
-    let mut filtered: Filtered = signals.iter().map(|s| s.pong).collect();
-    for (level, name) in (0..levels).zip(NAMES) {
-        let mut uses = vec![frame.constants.uniform(), guides.guide.sampled(), guides.depth_gradient.sampled()];
-        for (signal, from) in signals.iter().zip(&mut filtered) {
-            let to = match level {
-                0 => signal.history,
-                l if l % 2 == 1 => signal.ping,
-                _ => signal.pong,
-            };
-            uses.extend([from.sampled(), to.written()]);
-            *from = to;
-        }
-        b.dispatch(name, Phase::AfterLighting, shader, level, uses);
-    }
-    filtered
+/// Parameters of the node `atrous`.
+#[derive(Clone, Copy, Debug)]
+pub struct Atrous {
+    /// Levels, 1 to 10; taps of level i are 2^i pixels apart. Default: 5.
+    pub levels: u32,
+    /// Default: [`Kernel::Spline`].
+    pub kernel: Kernel,
+    /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
+    pub feedback: Option<History>,
+    /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
+    pub sigma_l: Value,
+    /// Exponent of the cosine between normals. Default: [`crate::Tuning::sigma_n`].
+    pub sigma_n: Value,
+    /// Tolerated departure from the local plane. Default: [`crate::Tuning::sigma_z`].
+    pub sigma_z: Value,
 }
 
-const VOLUME_NAMES: [&str; 10] = [
-    "atrous_volume_0",
-    "atrous_volume_1",
-    "atrous_volume_2",
-    "atrous_volume_3",
-    "atrous_volume_4",
-    "atrous_volume_5",
-    "atrous_volume_6",
-    "atrous_volume_7",
-    "atrous_volume_8",
-    "atrous_volume_9",
-];
-
-/// The same for a volume. At least two levels, since the first one writes the history and the last one the output, which is returned.
-pub(crate) fn volume_atrous(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume, levels: u32) -> ResourceId {
-    let denoised = b.image("denoised_volume", HDR, Lifetime::Output);
-    let last = levels.max(2) - 1;
-    let mut from = volume.signal.pong;
-    for (level, name) in (0..=last).zip(VOLUME_NAMES) {
-        let to = match level {
-            0 => volume.signal.history,
-            l if l == last => denoised,
-            l if l % 2 == 1 => volume.signal.ping,
-            _ => volume.signal.pong,
-        };
-        let uses = vec![frame.constants.uniform(), guides.guide.sampled(), from.sampled(), to.written()];
-        b.dispatch(name, Phase::AfterLighting, &shaders::ATROUS_SIGNALS_1_VOLUME_1, level, uses);
-        from = to;
+impl Default for Atrous {
+    fn default() -> Self {
+        let (sigma_l, sigma_n, sigma_z) = Default::default();
+        Self { levels: 5, kernel: Kernel::default(), feedback: None, sigma_l, sigma_n, sigma_z }
     }
-    denoised
+}
+
+/// Parameters of the node `atrous` for a volume.
+#[derive(Clone, Copy, Debug)]
+pub struct VolumeAtrous {
+    /// Levels, 1 to 10. Default: 5.
+    pub levels: u32,
+    /// The history that the first level writes. Default: none.
+    pub feedback: Option<History>,
+}
+
+impl Default for VolumeAtrous {
+    fn default() -> Self {
+        Self { levels: 5, feedback: None }
+    }
+}
+
+/// What the levels of one filter share.
+pub(super) struct Levels<'a> {
+    pub node: &'a str,
+    pub count: u32,
+    pub feedback: Option<History>,
+}
+
+impl Graph {
+    /// Filters one or two signals level by level, one pass each; they share the geometry weights.
+    pub fn atrous(&mut self, guides: &Guides, estimate: &Estimate, atrous: Atrous) -> Estimate {
+        let node = self.node("atrous", &self.label_of(estimate));
+        let module = by_signals(estimate, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2);
+        let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
+        self.levels(levels, estimate, |name, level| {
+            level_pass(&node, name, module, level)
+                .constant("BOX", u32::from(atrous.kernel == Kernel::Box))
+                .value("sigma_l", atrous.sigma_l)
+                .value("sigma_n", atrous.sigma_n)
+                .value("sigma_z", atrous.sigma_z)
+                .bind("guide", guides.guide)
+                .bind("depth_gradient", guides.depth_gradient)
+        })
+    }
+
+    /// Filters the radiance of a volume: weights by the depth of the surface behind and by luminance \[PSVGF\].
+    pub fn volume_atrous(&mut self, guides: &Guides, estimate: &VolumeEstimate, atrous: VolumeAtrous) -> VolumeEstimate {
+        let node = self.node("atrous", &self.label_of(estimate));
+        let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
+        self.levels(levels, estimate, |name, level| {
+            level_pass(&node, name, &shaders::ATROUS_SIGNALS_1, level)
+                .constant("VOLUME", 1)
+                .value("sigma_l", Value::Tunable("volume_sigma_l"))
+                .bind("guide", guides.guide)
+        })
+    }
+
+    /// The passes of a wavelet filter. The first level may write a history; the last one an image of its own, which can be an output; those between
+    /// alternate between two.
+    pub(super) fn levels<K>(&mut self, levels: Levels, input: &Port<K>, pass: impl Fn(String, u32) -> Pass) -> Port<K> {
+        let Levels { node, count, feedback } = levels;
+        if !(1..=10).contains(&count) {
+            self.fail(node, "levels", format!("{count} levels were given; allowed is 1 to 10"));
+            return *input;
+        }
+        if feedback.is_some_and(|history| history.colour().len() != input.signals()) {
+            self.fail(
+                node,
+                "feedback",
+                format!("the history is not of the {} signals that are filtered; make it of the same port", input.signals()),
+            );
+            return *input;
+        }
+        let feedback = feedback.map(|history| history.colour().to_vec());
+        let mut images = LevelImages { input: *input, scratch: [None, None] };
+        let mut from = *input;
+        for level in 0..count {
+            let to: Port<K> = match &feedback {
+                Some(history) if level == 0 => Port::of_images(history).unwrap_or(*input),
+                _ if level + 1 == count => self.image_each::<K, K>(input, "filtered", HDR, 1),
+                _ => images.scratch(self, level),
+            };
+            // "atrous_volume_2": the level stands behind the whole name.
+            let described = pass(format!("{node}_{level}"), level);
+            self.add(described.each("input", from.images()).each("output", to.images()));
+            from = self.renewed(&to);
+        }
+        from
+    }
+
+    /// Moments with the content that they have now.
+    pub(super) fn current_moments(&self, history: &History) -> Vec<Image> {
+        history.moments().iter().map(|image| self.refreshed(*image)).collect()
+    }
+}
+
+fn level_pass(node: &str, name: String, module: &'static Shader, level: u32) -> Pass {
+    Pass::new(node, module).named(name).level(level)
+}
+
+/// The two images of every signal that the levels between the first and the last write in turn.
+struct LevelImages<K> {
+    input: Port<K>,
+    scratch: [Option<Port<K>>; 2],
+}
+
+impl<K> LevelImages<K> {
+    fn scratch(&mut self, graph: &mut Graph, level: u32) -> Port<K> {
+        let index = (level % 2) as usize;
+        *self.scratch[index].get_or_insert_with(|| graph.image_each(&self.input, ["atrous_even", "atrous_odd"][index], HDR, 1))
+    }
 }

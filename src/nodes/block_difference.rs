@@ -1,28 +1,34 @@
 //! How far a frame departs from its own history, block by block.
 
-use super::{Builder, Frame, Guides, Signal, PACKED_64};
-use crate::contract::{Lifetime, Phase, ResourceId};
+use super::BLOCK_SIZE;
+use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};
 use crate::shaders;
 
-/// One pass and one image for every signal.
-pub(crate) fn block_difference(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal]) -> Vec<ResourceId> {
-    const NAMES: [&str; 3] = ["block_difference", "block_difference_direct", "block_difference_indirect"];
-    let mut images = Vec::with_capacity(signals.len());
-    for (signal, name) in signals.iter().zip(&NAMES[signals.len() - 1..]) {
-        let difference = b.block_image(name, PACKED_64, Lifetime::Transient);
-        let uses = vec![
-            frame.constants.uniform(),
-            guides.guide.sampled(),
-            guides.guide.previous(),
-            guides.surface_motion.sampled(),
-            guides.depth_gradient.sampled(),
-            signal.ping.sampled(),
-            signal.history.previous(),
-            signal.moments.previous(),
-            difference.written(),
-        ];
-        b.dispatch(name, Phase::AfterLighting, &shaders::BLOCK_DIFFERENCE, 0, uses);
-        images.push(difference);
+impl Graph {
+    /// Mean difference from the history with its standard error, one pass and one image for every signal.
+    pub fn block_difference(&mut self, guides: &Guides, irradiance: &Irradiance, history: &History) -> Difference {
+        let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_64, BLOCK_SIZE);
+        for (i, (input, output)) in irradiance.images().iter().zip(difference.images()).enumerate() {
+            let node = self.node("block_difference", &self.label(*input).to_owned());
+            let (Some(colour), Some(moments)) = (history.colour().get(i), history.moments().get(i)) else {
+                self.fail(
+                    &node,
+                    "history",
+                    "the history has fewer signals than the irradiance; make it of the same port".to_owned(),
+                );
+                continue;
+            };
+            let pass = Pass::new(&node, &shaders::BLOCK_DIFFERENCE)
+                .bind("guide", guides.guide)
+                .previous("previous_guide", guides.guide)
+                .bind("surface_motion", guides.surface_motion)
+                .bind("depth_gradient", guides.depth_gradient)
+                .bind("irradiance", *input)
+                .previous("history", *colour)
+                .previous("previous_moments", *moments)
+                .bind("block_difference", *output);
+            self.add(pass);
+        }
+        self.renewed(&difference)
     }
-    images
 }

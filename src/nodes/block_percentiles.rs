@@ -1,37 +1,35 @@
 //! Two percentiles of luminance in every 8×8 pixels. [PSVGF], block percentiles.
 
-use super::{Builder, Frame, Guides, Signal, Volume, PACKED_32};
 use crate::config::BlockSort;
-use crate::contract::{Lifetime, Phase, ResourceId};
+use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance, PACKED_32};
 use crate::shaders;
 
 /// Pixels a side of a block, which is a workgroup.
-pub(crate) const BLOCK_SIZE: u32 = 8;
+pub const BLOCK_SIZE: u32 = 8;
 
-/// One pass and one image for every signal.
-pub(crate) fn block_percentiles(
-    b: &mut Builder,
-    frame: Frame,
-    guides: Guides,
-    signals: &[Signal],
-    sort: BlockSort,
-) -> Vec<ResourceId> {
-    const NAMES: [&str; 3] = ["block_percentiles", "block_percentiles_direct", "block_percentiles_indirect"];
-    let mut images = Vec::with_capacity(signals.len());
-    for (signal, name) in signals.iter().zip(&NAMES[signals.len() - 1..]) {
-        let percentiles = b.block_image(name, PACKED_32, Lifetime::Transient);
-        let uses = vec![frame.constants.uniform(), guides.guide.sampled(), signal.ping.sampled(), percentiles.written()];
-        b.dispatch(name, Phase::AfterLighting, &shaders::BLOCK_PERCENTILES_VOLUME_0, sort as u32, uses);
-        images.push(percentiles);
+impl Graph {
+    /// Percentiles of every signal, one pass and one image each.
+    pub fn block_percentiles(&mut self, guides: &Guides, irradiance: &Irradiance, sort: BlockSort) -> Percentiles {
+        self.percentiles_of(guides, irradiance, sort, false)
     }
-    images
-}
 
-/// The same for a volume, with the background.
-pub(crate) fn volume_percentiles(b: &mut Builder, frame: Frame, volume: &Volume, sort: BlockSort) -> ResourceId {
-    const NAME: &str = "block_percentiles_volume";
-    let percentiles = b.block_image(NAME, PACKED_32, Lifetime::Transient);
-    let uses = vec![frame.constants.uniform(), volume.signal.ping.sampled(), percentiles.written()];
-    b.dispatch(NAME, Phase::AfterLighting, &shaders::BLOCK_PERCENTILES_VOLUME_1, sort as u32, uses);
-    percentiles
+    /// Percentiles of a volume, with the pixels of the background.
+    pub fn volume_percentiles(&mut self, guides: &Guides, radiance: &VolumeRadiance, sort: BlockSort) -> Percentiles {
+        self.percentiles_of(guides, radiance, sort, true)
+    }
+
+    fn percentiles_of<K>(&mut self, guides: &Guides, port: &Port<K>, sort: BlockSort, volume: bool) -> Percentiles {
+        let percentiles: Percentiles = self.image_each(port, "block_percentiles", PACKED_32, BLOCK_SIZE);
+        for (input, output) in port.images().iter().zip(percentiles.images()) {
+            let node = self.node("block_percentiles", &self.label(*input).to_owned());
+            let pass = Pass::new(&node, &shaders::BLOCK_PERCENTILES)
+                .constant("VOLUME", u32::from(volume))
+                .constant("ODD_EVEN", u32::from(sort == BlockSort::OddEven))
+                .bind("guide", guides.guide)
+                .bind("irradiance", *input)
+                .bind("block_percentiles", *output);
+            self.add(pass);
+        }
+        self.renewed(&percentiles)
+    }
 }

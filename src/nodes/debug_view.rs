@@ -1,57 +1,65 @@
 //! What the denoiser knows of each pixel, as a picture. Not a stage of a filter: nothing reads it.
 
-use super::{Builder, Frame, Guides, Signal, HDR, HOST_COLOUR};
-use crate::contract::{Lifetime, Phase, ResourceId};
+use crate::contract::{Lifetime, Phase};
+use crate::graph::{Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, HDR, HOST_COLOUR};
 use crate::shaders;
 
-/// What a preset has beside the guides.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Shown<'a> {
-    /// Lighting components; at least one.
-    pub signals: &'a [Signal],
-    /// They are not divided by the albedo.
-    pub undivided: bool,
-    /// `moments*` are written.
-    pub moments: bool,
-    /// `irradiance_history*` hold the standard deviation.
+/// What a graph has beside the guides; views of what is `None` are a dark chequer.
+#[derive(Clone, Copy, Debug)]
+pub struct Known {
+    /// Noisy radiance of the host, one or two signals.
+    pub noisy: Radiance,
+    /// Whether it is divided by the optional input `albedo`. Default: true.
+    pub albedo: bool,
+    /// What accumulations left.
+    pub history: Option<History>,
+    /// Whether the colour of the history holds the standard deviation of luminance: a filter wrote it.
     pub deviation: bool,
-    /// `history_confidence`.
-    pub confidence: Option<ResourceId>,
-    /// The reconstructed gradients.
-    pub gradient: Option<ResourceId>,
-    /// One image a signal, where there are percentiles.
-    pub percentiles: &'a [ResourceId],
+    /// How far history was still true.
+    pub confidence: Option<Confidence>,
+    /// Reconstructed temporal gradients.
+    pub gradient: Option<Gradient>,
+    /// Percentiles of blocks.
+    pub percentiles: Option<Percentiles>,
 }
 
-/// One shader for every preset: where an image does not exist, another of its kind is bound in its place, and the shader is told so. The
-/// alternative are 15 variants.
-pub(crate) fn debug_view(b: &mut Builder, frame: Frame, guides: Guides, shown: Shown) {
-    let Some(first) = shown.signals.first() else { return };
-    let signal = |i: usize, wanted: bool| shown.signals.get(i).filter(|_| wanted);
-    let albedo = (!shown.undivided).then(|| b.input("albedo", HOST_COLOUR, true));
-    let images = [
-        (Some(guides.guide), guides.guide),
-        (Some(guides.surface_motion), guides.guide),
-        (signal(0, shown.moments).map(|s| s.moments), guides.guide),
-        (signal(1, shown.moments).map(|s| s.moments), guides.guide),
-        (shown.percentiles.first().copied(), guides.guide),
-        (shown.percentiles.get(1).copied(), guides.guide),
-        (signal(0, shown.deviation).map(|s| s.history), first.noisy),
-        (signal(1, shown.deviation).map(|s| s.history), first.noisy),
-        (shown.confidence, first.noisy),
-        (shown.gradient, first.noisy),
-        (Some(first.noisy), first.noisy),
-        (signal(1, true).map(|s| s.noisy), first.noisy),
-        (albedo, first.noisy),
-    ];
-    let output = b.image("debug_view", HDR, Lifetime::Output);
-    let mut uses = vec![frame.constants.uniform(), frame.statistics.storage()];
-    let mut available = 0b11;
-    for (image, stand_in) in images {
-        available |= u32::from(image.is_some()) << uses.len();
-        uses.push(image.unwrap_or(stand_in).sampled());
+impl Known {
+    /// A filter that knows its input alone.
+    pub fn new(noisy: &Radiance) -> Self {
+        Self { noisy: *noisy, albedo: true, history: None, deviation: false, confidence: None, gradient: None, percentiles: None }
     }
-    available |= 1 << uses.len();
-    uses.push(output.written());
-    b.dispatch_debug_view("debug_view", Phase::PostProcess, &shaders::DEBUG_VIEW, available, uses);
+}
+
+impl Graph {
+    /// A picture of what is known, one view a frame: [`crate::FrameParams::debug_view`]. What it shows is kept until then.
+    pub fn debug_view(&mut self, guides: &Guides, known: &Known) -> Display {
+        let node = self.node("debug_view", "");
+        let shown = self.named_image("view", "", HDR, 1, Lifetime::Transient);
+        let mut pass = Pass::new(&node, &shaders::DEBUG_VIEW)
+            .phase(Phase::PostProcess)
+            .view()
+            .bind("guide", guides.guide)
+            .bind("surface_motion", guides.surface_motion)
+            .each("noisy", known.noisy.images())
+            .bind("debug_view", shown)
+            .bind_some("history_confidence", known.confidence.map(|confidence| confidence.image()));
+        if known.albedo {
+            pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
+        }
+        if let Some(history) = &known.history {
+            pass = pass.each("moments", &self.current_moments(history));
+            if known.deviation {
+                let colour: Vec<_> = history.colour().iter().map(|image| self.refreshed(*image)).collect();
+                pass = pass.each("history", &colour);
+            }
+        }
+        if let Some(gradient) = &known.gradient {
+            pass = pass.constant("STRATUM_SIZE", gradient.stratum_size).bind("gradient", gradient.image);
+        }
+        if let Some(percentiles) = &known.percentiles {
+            pass = pass.each("block_percentiles", percentiles.images());
+        }
+        self.add(pass);
+        Port::of(self.refreshed(shown))
+    }
 }

@@ -1,23 +1,45 @@
-//! The edge-avoiding à-trous wavelet transform by radiance, normal and position. [EAW].
+//! The edge-avoiding à-trous wavelet transform by radiance, normal and position. \[EAW\].
 
-use super::{by_signals, Builder, Filtered, Frame, Guides, Signal};
-use crate::contract::Phase;
+use super::atrous::Levels;
+use super::by_signals;
+use crate::config::{EawWeights, Sampling};
+use crate::graph::{Graph, Guides, History, Irradiance, Pass};
 use crate::shaders;
 
-const NAMES: [&str; 10] = ["eaw_0", "eaw_1", "eaw_2", "eaw_3", "eaw_4", "eaw_5", "eaw_6", "eaw_7", "eaw_8", "eaw_9"];
+/// Parameters of the node `eaw`.
+#[derive(Clone, Copy, Debug)]
+pub struct Eaw {
+    /// Levels, 1 to 10. Default: 5.
+    pub levels: u32,
+    /// Edge-stopping functions. Default: all three.
+    pub weights: EawWeights,
+    /// As given to the node `demodulate`: the first levels paint in the holes. Default: none.
+    pub sampling: Sampling,
+    /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
+    pub feedback: Option<History>,
+}
 
-/// One pass a level, each from the image of the level before it.
-pub(crate) fn eaw(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], levels: u32) -> Filtered {
-    let shader = by_signals(signals, &shaders::EAW_SIGNALS_1, &shaders::EAW_SIGNALS_2);
-    let mut filtered: Filtered = signals.iter().map(|s| s.ping).collect();
-    for (level, name) in (0..levels).zip(NAMES) {
-        let mut uses = vec![frame.constants.uniform(), guides.guide.sampled()];
-        for (signal, from) in signals.iter().zip(&mut filtered) {
-            let to = if level % 2 == 0 { signal.pong } else { signal.ping };
-            uses.extend([from.sampled(), to.written()]);
-            *from = to;
-        }
-        b.dispatch(name, Phase::AfterLighting, shader, level, uses);
+impl Default for Eaw {
+    fn default() -> Self {
+        Self { levels: 5, weights: EawWeights::default(), sampling: Sampling::Full, feedback: None }
     }
-    filtered
+}
+
+impl Graph {
+    /// Filters one or two signals level by level, each from the image of the level before it.
+    pub fn eaw(&mut self, guides: &Guides, irradiance: &Irradiance, eaw: Eaw) -> Irradiance {
+        let node = self.node("eaw", &self.label_of(irradiance));
+        let module = by_signals(irradiance, &shaders::EAW_SIGNALS_1, &shaders::EAW_SIGNALS_2);
+        let levels = Levels { node: &node, count: eaw.levels, feedback: eaw.feedback };
+        self.levels(levels, irradiance, |name, level| {
+            Pass::new(&node, module)
+                .named(name)
+                .level(level)
+                .constant("RADIANCE", u32::from(eaw.weights.radiance))
+                .constant("NORMAL", u32::from(eaw.weights.normal))
+                .constant("POSITION", u32::from(eaw.weights.position))
+                .constant("PAINTING", eaw.sampling as u32)
+                .bind("guide", guides.guide)
+        })
+    }
 }

@@ -1,20 +1,33 @@
 //! Scales outliers down before they reach the history. [PSVGF], firefly filter.
 
-use super::{Builder, Frame, Guides, Signal, Volume};
-use crate::contract::{Phase, ResourceId};
+use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance};
 use crate::shaders;
 
-/// One pass for every signal. In place: an invocation touches its own texel of `filter_ping*` alone.
-pub(crate) fn firefly(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], block_percentiles: &[ResourceId]) {
-    const NAMES: [&str; 3] = ["firefly", "firefly_direct", "firefly_indirect"];
-    for ((signal, percentiles), name) in signals.iter().zip(block_percentiles).zip(&NAMES[signals.len() - 1..]) {
-        let uses = vec![frame.constants.uniform(), guides.guide.sampled(), percentiles.sampled(), signal.ping.updated()];
-        b.dispatch(name, Phase::AfterLighting, &shaders::FIREFLY_VOLUME_0, 0, uses);
+impl Graph {
+    /// Irradiance without outliers, in place; one pass for every signal.
+    pub fn firefly(&mut self, guides: &Guides, irradiance: &Irradiance, percentiles: &Percentiles) -> Irradiance {
+        self.without_outliers(guides, irradiance, percentiles, false)
     }
-}
 
-/// The same for a volume, with the background.
-pub(crate) fn volume_firefly(b: &mut Builder, frame: Frame, volume: &Volume, percentiles: ResourceId) {
-    let uses = vec![frame.constants.uniform(), percentiles.sampled(), volume.signal.ping.updated()];
-    b.dispatch("firefly_volume", Phase::AfterLighting, &shaders::FIREFLY_VOLUME_1, 0, uses);
+    /// Radiance of a volume without outliers, in place.
+    pub fn volume_firefly(&mut self, guides: &Guides, radiance: &VolumeRadiance, percentiles: &Percentiles) -> VolumeRadiance {
+        self.without_outliers(guides, radiance, percentiles, true)
+    }
+
+    fn without_outliers<K>(&mut self, guides: &Guides, port: &Port<K>, percentiles: &Percentiles, volume: bool) -> Port<K> {
+        if percentiles.signals() != port.signals() {
+            let problem = format!("percentiles of {} signals were given for {}", percentiles.signals(), port.signals());
+            self.fail("firefly", "percentiles", format!("{problem}; make them of the same port"));
+        }
+        for (image, percentiles) in port.images().iter().zip(percentiles.images()) {
+            let node = self.node("firefly", &self.label(*image).to_owned());
+            let pass = Pass::new(&node, &shaders::FIREFLY)
+                .constant("VOLUME", u32::from(volume))
+                .bind("guide", guides.guide)
+                .bind("block_percentiles", *percentiles)
+                .bind("irradiance", *image);
+            self.add(pass);
+        }
+        self.renewed(port)
+    }
 }

@@ -1,44 +1,67 @@
 //! Picks a pixel in every stratum of the previous frame and finds it in this one, for the host to shade again. \[ASVGF\] 3.1, 3.3.
 
-use super::{Builder, Frame, Guides, Strata, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};
-use crate::config::Config;
-use crate::contract::{Lifetime, Phase, ResourceId};
+use super::gradient::check_stratum_size;
+use crate::contract::{Grid, Lifetime, Phase};
+use crate::graph::{GradientSamples, Graph, Guides, Pass, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Three passes: clear the claims, let the candidates of the previous frame claim strata, write down who won. Returns `gradient_samples`.
-pub(crate) fn forward_project(b: &mut Builder, frame: Frame, guides: Guides, strata: Strata, config: &Config) -> ResourceId {
-    let claims = b.stratum_image("gradient_claims", strata, PACKED_32, Lifetime::Transient);
-    let candidates = b.stratum_image("gradient_candidates", strata, PACKED_64, Lifetime::History);
-    let samples = b.stratum_image("gradient_samples", strata, PACKED_64, Lifetime::Output);
-    let mut shared = vec![
-        frame.constants.uniform(),
-        frame.statistics.updated(),
-        guides.guide.sampled(),
-        guides.guide.previous(),
-        guides.depth_gradient.sampled(),
-        candidates.previous(),
-        b.instance_transforms().storage(),
-    ];
-    if config.forward_motion {
-        shared.push(b.input("forward_motion", HOST_COLOUR, false).sampled());
+/// Parameters of the node `forward_project`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ForwardProject {
+    /// Side of a stratum, 2 to 4 pixels. Default: 3.
+    pub stratum_size: u32,
+    /// Whether the host has an image `forward_motion`, for surfaces that deform. Default: false.
+    pub forward_motion: bool,
+    /// Whether the host has an image `surface_id`, by which `instance_transforms` are found. Default: true.
+    pub surface_id: bool,
+}
+
+impl Default for ForwardProject {
+    fn default() -> Self {
+        Self { stratum_size: 3, forward_motion: false, surface_id: true }
     }
-    b.clear("forward_project_clear", Phase::BeforeLighting, claims);
-    let shader = match config.forward_motion {
-        false => &shaders::FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0,
-        true => &shaders::FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1,
-    };
-    let claim = shared.iter().copied().chain([claims.updated()]).collect();
-    b.dispatch_strata("forward_project_claim", Phase::BeforeLighting, shader, strata, 0, claim);
-    let mut resolve: Vec<_> = shared.into_iter().chain([claims.sampled(), samples.written(), candidates.written()]).collect();
-    if config.surface_id {
-        resolve.push(b.input("surface_id", HOST_ID, false).sampled());
+}
+
+impl Graph {
+    /// Samples that the host shades again. Three passes: clear the claims, let the candidates of the previous frame claim strata, write down who won.
+    ///
+    /// Give the result to the host: `graph.output_samples("gradient_samples", &samples)`.
+    pub fn forward_project(&mut self, guides: &Guides, project: ForwardProject) -> GradientSamples {
+        let node = self.node("forward_project", "");
+        let size = check_stratum_size(self, &node, project.stratum_size);
+        let claims = self.named_image("gradient_claims", "", PACKED_32, size, Lifetime::Transient);
+        let candidates = self.named_image("gradient_candidates", "", PACKED_64, size, Lifetime::History);
+        let samples = self.named_image("projected_samples", "", PACKED_64, size, Lifetime::Transient);
+        let forward_motion = project.forward_motion.then(|| self.input("forward_motion", HOST_COLOUR, 1, false));
+        let surface_id = project.surface_id.then(|| self.input("surface_id", HOST_ID, 1, false));
+        let transforms = self.instance_transforms();
+        let module = |resolve: bool| match (resolve, project.forward_motion) {
+            (false, false) => &shaders::FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0,
+            (false, true) => &shaders::FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1,
+            (true, false) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0,
+            (true, true) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1,
+        };
+        let pass = |resolve: bool, name: &str| {
+            Pass::new(&node, module(resolve))
+                .named(format!("{node}_{name}"))
+                .phase(Phase::BeforeLighting)
+                .grid(Grid::Strata(size))
+                .constant("STRATUM_SIZE", size)
+                .bind("guide", guides.guide)
+                .previous("previous_guide", guides.guide)
+                .bind("depth_gradient", guides.depth_gradient)
+                .previous("previous_candidates", candidates)
+                .bind("instance_transforms", transforms)
+                .bind_some("forward_motion", forward_motion)
+        };
+        self.clear(&node, format!("{node}_clear"), Phase::BeforeLighting, claims);
+        self.add(pass(false, "claim").bind("claims", self.refreshed(claims)));
+        let resolve = pass(true, "resolve")
+            .bind("claims", self.refreshed(claims))
+            .bind("gradient_samples", samples)
+            .bind("candidates", candidates)
+            .bind_some("surface_id", surface_id);
+        self.add(resolve);
+        GradientSamples { image: self.refreshed(samples), stratum_size: size }
     }
-    let shader = match (config.forward_motion, config.surface_id) {
-        (false, false) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_0,
-        (false, true) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0_SURFACE_ID_1,
-        (true, false) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_0,
-        (true, true) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1_SURFACE_ID_1,
-    };
-    b.dispatch_strata("forward_project_resolve", Phase::BeforeLighting, shader, strata, 0, resolve);
-    samples
 }

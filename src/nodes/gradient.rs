@@ -1,74 +1,87 @@
 //! How much the luminance of the same samples changed from the previous frame to this one, per stratum. \[ASVGF\] eq. 2, 3, 13.
 
-use super::{Builder, Frame, Guides, Signal, HDR, HOST_COLOUR, PACKED_32, PACKED_64};
-use crate::contract::{Lifetime, Phase, ResourceId, Use};
+use crate::contract::{Grid, Lifetime};
+use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Pass, Radiance, HDR, HOST_COLOUR, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Blocks of pixels that each own a gradient.
+/// Where temporal gradients come from.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Strata {
-    /// Pixels a side.
-    pub size: u32,
+pub enum Gradients {
+    /// One pixel a stratum is a sample of the previous frame, shaded again by the host.
+    ForwardProjected(GradientSamples),
+    /// The host's image `reshaded_radiance`: paths of the previous frame in the scene of this one.
+    Reshaded {
+        /// Side of a stratum, 2 to 4 pixels.
+        stratum_size: u32,
+    },
+    /// The host's image `sparse_gradient`: δ and Δ, one texel a stratum.
+    Sparse {
+        /// Side of a stratum, 2 to 4 pixels.
+        stratum_size: u32,
+    },
 }
 
-/// Where the gradients come from, with what was made for it before lighting.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Gradients {
-    /// `gradient_samples`, re-shaded by the host.
-    ForwardProjected(ResourceId),
-    Reshaded,
-    Sparse,
-}
-
-/// Gradients before and after an iteration of their reconstruction, and the guide that steers it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct GradientImages {
-    pub ping: ResourceId,
-    pub pong: ResourceId,
-    pub guide: ResourceId,
-}
-
-pub(crate) fn gradient(
-    b: &mut Builder,
-    frame: Frame,
-    guides: Guides,
-    signals: &[Signal],
-    strata: Strata,
-    source: Gradients,
-) -> GradientImages {
-    let images = GradientImages {
-        ping: b.stratum_image("gradient_ping", strata, HDR, Lifetime::Transient),
-        pong: b.stratum_image("gradient_pong", strata, HDR, Lifetime::Transient),
-        guide: b.stratum_image("gradient_guide", strata, PACKED_64, Lifetime::Transient),
-    };
-    let albedo = b.input("albedo", HOST_COLOUR, true);
-    let mut uses = vec![frame.constants.uniform(), guides.guide.sampled(), albedo.sampled()];
-    uses.extend(signals.iter().map(|s| s.noisy.sampled()));
-    uses.extend([images.ping.written(), images.guide.written()]);
-    let one = signals.len() == 1;
-    let shader = match source {
-        Gradients::ForwardProjected(samples) => {
-            uses.extend(luminance(b));
-            uses.push(samples.sampled());
-            [&shaders::GRADIENT_SIGNALS_2_SOURCE_0, &shaders::GRADIENT_SIGNALS_1_SOURCE_0][usize::from(one)]
+impl Gradients {
+    fn stratum_size(&self) -> u32 {
+        match *self {
+            Self::ForwardProjected(GradientSamples { stratum_size, .. }) => stratum_size,
+            Self::Reshaded { stratum_size } | Self::Sparse { stratum_size } => stratum_size,
         }
-        Gradients::Reshaded => {
-            uses.extend(luminance(b));
-            uses.push(b.input("reshaded_radiance", HOST_COLOUR, true).sampled());
-            uses.extend([guides.guide.previous(), guides.surface_motion.sampled(), guides.depth_gradient.sampled()]);
-            [&shaders::GRADIENT_SIGNALS_2_SOURCE_1, &shaders::GRADIENT_SIGNALS_1_SOURCE_1][usize::from(one)]
-        }
-        Gradients::Sparse => {
-            uses.push(b.stratum_input("sparse_gradient", strata, HOST_COLOUR, true).sampled());
-            [&shaders::GRADIENT_SIGNALS_2_SOURCE_2, &shaders::GRADIENT_SIGNALS_1_SOURCE_2][usize::from(one)]
-        }
-    };
-    b.dispatch_strata("gradient", Phase::AfterLighting, shader, strata, 0, uses);
-    images
+    }
 }
 
-/// The luminance of this frame's samples is kept for the next frame, with that of the albedo.
-fn luminance(b: &mut Builder) -> [Use; 2] {
-    let noisy = b.image("noisy_luminance", PACKED_32, Lifetime::History);
-    [noisy.written(), noisy.previous()]
+/// A side that strata can have; a wrong one is noted as an error of the node.
+pub(super) fn check_stratum_size(graph: &mut Graph, node: &str, size: u32) -> u32 {
+    if (2..=4).contains(&size) {
+        return size;
+    }
+    graph.fail(node, "stratum_size", format!("{size} pixels were given; allowed is 2 to 4"));
+    3
+}
+
+impl Graph {
+    /// Gradients of the noisy radiance of one or two signals, and the guide that steers their reconstruction.
+    pub fn gradient(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
+        let node = self.node("gradient", "");
+        let size = check_stratum_size(self, &node, source.stratum_size());
+        let image = self.named_image("gradient", "", HDR, size, Lifetime::Transient);
+        let guide = self.named_image("gradient_guide", "", PACKED_64, size, Lifetime::Transient);
+        let is_sparse = matches!(source, Gradients::Sparse { .. });
+        let module = if is_sparse { &shaders::GRADIENT_LUMINANCE_0 } else { &shaders::GRADIENT_LUMINANCE_1 };
+        let mut pass = Pass::new(&node, module)
+            .grid(Grid::Strata(size))
+            .constant("STRATUM_SIZE", size)
+            .bind("guide", guides.guide)
+            .bind("albedo", self.input("albedo", HOST_COLOUR, 1, true))
+            .each("noisy", noisy.images())
+            .bind("gradient", image)
+            .bind("gradient_guide", guide);
+        if !is_sparse {
+            // The luminance of this frame's samples is kept for the next frame, with that of the albedo.
+            let luminance = self.named_image("noisy_luminance", "", PACKED_32, 1, Lifetime::History);
+            pass = pass.bind("noisy_luminance", luminance).previous("previous_luminance", luminance);
+        }
+        let pass = self.bind_source(pass, guides, source, size);
+        self.add(pass);
+        Gradient { image: self.refreshed(image), guide: self.refreshed(guide), stratum_size: size }
+    }
+
+    fn bind_source(&mut self, pass: Pass, guides: &Guides, source: Gradients, size: u32) -> Pass {
+        match source {
+            Gradients::ForwardProjected(samples) => pass.constant("SOURCE", 0).bind("gradient_samples", samples.image),
+            Gradients::Reshaded { .. } => pass
+                .constant("SOURCE", 1)
+                .bind("reshaded_radiance", self.gradient_input("reshaded_radiance", 1))
+                .previous("previous_guide", guides.guide)
+                .bind("surface_motion", guides.surface_motion)
+                .bind("depth_gradient", guides.depth_gradient),
+            Gradients::Sparse { .. } => {
+                pass.constant("SOURCE", 2).bind("sparse_gradient", self.gradient_input("sparse_gradient", size))
+            }
+        }
+    }
+
+    fn gradient_input(&mut self, name: &str, divisor: u32) -> Image {
+        self.input(name, HOST_COLOUR, divisor, true)
+    }
 }

@@ -1,20 +1,33 @@
 //! Spreads the gradients over strata without a sample, and takes their noise. \[ASVGF\] 3.4, eq. 7 to 12.
 
-use super::gradient::GradientImages;
-use super::{Builder, Frame, Guides, Strata};
-use crate::contract::{Phase, ResourceId};
+use crate::contract::{Grid, Lifetime};
+use crate::graph::{Gradient, Graph, Guides, Pass, HDR};
 use crate::shaders;
 
-const NAMES: [&str; 5] = ["gradient_atrous_0", "gradient_atrous_1", "gradient_atrous_2", "gradient_atrous_3", "gradient_atrous_4"];
+/// Iterations of the reconstruction, as in the paper.
+const ITERATIONS: u32 = 5;
 
-/// Five passes. Returns the image with the last.
-pub(crate) fn gradient_atrous(b: &mut Builder, frame: Frame, guides: Guides, strata: Strata, images: GradientImages) -> ResourceId {
-    let (mut from, mut to) = (images.ping, images.pong);
-    for (level, name) in (0..).zip(NAMES) {
-        let uses =
-            vec![frame.constants.uniform(), images.guide.sampled(), guides.depth_gradient.sampled(), from.sampled(), to.written()];
-        b.dispatch_strata(name, Phase::AfterLighting, &shaders::GRADIENT_ATROUS, strata, level, uses);
-        (from, to) = (to, from);
+impl Graph {
+    /// Reconstructed gradients, in five passes.
+    pub fn gradient_atrous(&mut self, guides: &Guides, gradient: &Gradient) -> Gradient {
+        let node = self.node("gradient_atrous", "");
+        let images = ["gradient_even", "gradient_odd"]
+            .map(|name| self.named_image(name, "", HDR, gradient.stratum_size, Lifetime::Transient));
+        let mut from = gradient.image;
+        for level in 0..ITERATIONS {
+            let to = images[(level % 2) as usize];
+            let pass = Pass::new(&node, &shaders::GRADIENT_ATROUS)
+                .named(format!("{node}_{level}"))
+                .level(level)
+                .grid(Grid::Strata(gradient.stratum_size))
+                .constant("STRATUM_SIZE", gradient.stratum_size)
+                .bind("gradient_guide", gradient.guide)
+                .bind("depth_gradient", guides.depth_gradient)
+                .bind("gradient_in", from)
+                .bind("gradient_out", to);
+            self.add(pass);
+            from = self.refreshed(to);
+        }
+        Gradient { image: from, ..*gradient }
     }
-    from
 }

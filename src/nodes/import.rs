@@ -1,58 +1,59 @@
 //! Turns the host's guides into ours. The only stage that knows the host's encodings.
 
-use super::{Builder, Frame, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
-use crate::config::Config;
-use crate::contract::{Lifetime, Phase, ResourceId};
+use crate::contract::{Lifetime, Phase};
+use crate::graph::{Graph, Guides, Pass, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Packed guides: see `docs/stages.md` for the bits.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Guides {
-    pub guide: ResourceId,
-    pub surface_motion: ResourceId,
-    pub depth_gradient: ResourceId,
-    pub object_normal: Option<ResourceId>,
+/// Parameters of the node `import`. How the host encodes its images, [`Graph::conventions`] says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Import {
+    /// Whether the host has an image `surface_id`. Default: true.
+    pub surface_id: bool,
+    /// Whether the host has an image `object_normal`, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
+    pub object_normal: bool,
 }
 
-pub(crate) fn import(b: &mut Builder, frame: Frame, config: &Config) -> Guides {
-    // A filter without history has no use for the guide of the previous frame.
-    let guide_lifetime = if config.has_history() { Lifetime::History } else { Lifetime::Transient };
-    let guides = Guides {
-        guide: b.image("guide", PACKED_64, guide_lifetime),
-        surface_motion: b.image("surface_motion", PACKED_64, Lifetime::Transient),
-        depth_gradient: b.image("depth_gradient", PACKED_32, Lifetime::Transient),
-        object_normal: config.object_normal.then(|| b.image("object_normal_guide", PACKED_32, Lifetime::History)),
-    };
-    let depth = b.input("depth", HOST_SCALAR, false);
-    let normal = b.input("normal", HOST_COLOUR, false);
-    let motion = b.input("motion", HOST_COLOUR, true);
-    let roughness = b.input("roughness", HOST_SCALAR, true);
-    let transforms = b.instance_transforms();
-    let mut uses = vec![
-        frame.constants.uniform(),
-        frame.statistics.updated(),
-        depth.sampled(),
-        normal.sampled(),
-        motion.sampled(),
-        roughness.sampled(),
-        transforms.storage(),
-        guides.guide.written(),
-        guides.surface_motion.written(),
-        guides.depth_gradient.written(),
-    ];
-    if config.surface_id {
-        uses.push(b.input("surface_id", HOST_ID, false).sampled());
+impl Default for Import {
+    fn default() -> Self {
+        Self { surface_id: true, object_normal: false }
     }
-    if let Some(packed) = guides.object_normal {
-        uses.push(b.input("object_normal", HOST_COLOUR, false).sampled());
-        uses.push(packed.written());
+}
+
+impl Graph {
+    /// Packs depth, normal, roughness, id and motion of the host.
+    ///
+    /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`, `object_normal`.
+    pub fn import(&mut self, import: Import) -> Guides {
+        let node = self.node("import", "");
+        let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);
+        let surface_motion = self.named_image("surface_motion", "", PACKED_64, 1, Lifetime::Transient);
+        let depth_gradient = self.named_image("depth_gradient", "", PACKED_32, 1, Lifetime::Transient);
+        let object_normal =
+            import.object_normal.then(|| self.named_image("object_normal_guide", "", PACKED_32, 1, Lifetime::Transient));
+        let module = [&shaders::IMPORT_SURFACE_ID_0, &shaders::IMPORT_SURFACE_ID_1][usize::from(import.surface_id)];
+        let mut pass = Pass::new(&node, module)
+            .phase(Phase::BeforeLighting)
+            .bind("depth", self.input("depth", HOST_SCALAR, 1, false))
+            .bind("normal", self.input("normal", HOST_COLOUR, 1, false))
+            .bind("motion", self.input("motion", HOST_COLOUR, 1, true))
+            .bind("roughness", self.input("roughness", HOST_SCALAR, 1, true))
+            .bind("instance_transforms", self.instance_transforms())
+            .bind("guide", guide)
+            .bind("surface_motion", surface_motion)
+            .bind("depth_gradient", depth_gradient)
+            .bind_some("object_normal_guide", object_normal);
+        if import.surface_id {
+            pass = pass.bind("surface_id", self.input("surface_id", HOST_ID, 1, false));
+        }
+        if import.object_normal {
+            pass = pass.bind("object_normal", self.input("object_normal", HOST_COLOUR, 1, false));
+        }
+        self.add(pass);
+        Guides {
+            guide: self.refreshed(guide),
+            surface_motion: self.refreshed(surface_motion),
+            depth_gradient: self.refreshed(depth_gradient),
+            object_normal: object_normal.map(|image| self.refreshed(image)),
+        }
     }
-    let shader = match (config.surface_id, config.object_normal) {
-        (false, false) => &shaders::IMPORT_SURFACE_ID_0_OBJECT_NORMAL_0,
-        (true, false) => &shaders::IMPORT_SURFACE_ID_1_OBJECT_NORMAL_0,
-        (false, true) => &shaders::IMPORT_SURFACE_ID_0_OBJECT_NORMAL_1,
-        (true, true) => &shaders::IMPORT_SURFACE_ID_1_OBJECT_NORMAL_1,
-    };
-    b.dispatch("import", Phase::BeforeLighting, shader, 0, uses);
-    guides
 }

@@ -1,23 +1,41 @@
 //! Multiplies the albedo back, adds the signals and the emission.
 
-use super::{by_signals, Builder, Filtered, Frame, Guides, Signal, HDR, HOST_COLOUR};
-use crate::contract::{Lifetime, Phase, ResourceId};
+use crate::contract::Lifetime;
+use crate::graph::{Graph, Guides, Irradiance, Pass, Port, Radiance, HDR, HOST_COLOUR};
 use crate::shaders;
 
-pub(crate) fn modulate(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], filtered: &Filtered) -> ResourceId {
-    let albedo = b.input("albedo", HOST_COLOUR, true);
-    let emission = b.input("emission", HOST_COLOUR, true);
-    let denoised = b.image("denoised_radiance", HDR, Lifetime::Output);
-    let mut uses = vec![
-        frame.constants.uniform(),
-        frame.statistics.updated(),
-        guides.guide.sampled(),
-        albedo.sampled(),
-        emission.sampled(),
-        denoised.written(),
-    ];
-    uses.extend(filtered.iter().map(|f| f.sampled()));
-    let shader = by_signals(signals, &shaders::MODULATE_SIGNALS_1, &shaders::MODULATE_SIGNALS_2);
-    b.dispatch("modulate", Phase::AfterLighting, shader, 0, uses);
-    denoised
+/// Parameters of the node `modulate`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Modulate {
+    /// Whether the optional input `albedo` of the host multiplies the irradiance. As for the node `demodulate`. Default: true.
+    pub albedo: bool,
+    /// Whether the optional input `emission` of the host is added. Default: true.
+    pub emission: bool,
+}
+
+impl Default for Modulate {
+    fn default() -> Self {
+        Self { albedo: true, emission: true }
+    }
+}
+
+impl Graph {
+    /// Radiance of the sum of one or two signals.
+    pub fn modulate(&mut self, guides: &Guides, filtered: &Irradiance, modulate: Modulate) -> Radiance {
+        let label = self.label_of(filtered);
+        let node = self.node("modulate", &label);
+        let denoised = self.named_image("modulated", &label, HDR, 1, Lifetime::Transient);
+        let mut pass = Pass::new(&node, &shaders::MODULATE)
+            .bind("guide", guides.guide)
+            .bind("denoised_radiance", denoised)
+            .each("filtered", filtered.images());
+        if modulate.albedo {
+            pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
+        }
+        if modulate.emission {
+            pass = pass.bind("emission", self.input("emission", HOST_COLOUR, 1, true));
+        }
+        self.add(pass);
+        Port::of(self.refreshed(denoised))
+    }
 }

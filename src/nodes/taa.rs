@@ -1,19 +1,24 @@
 //! Temporal anti-aliasing. \[Karis 2014\]
 
-use super::{Builder, Frame, Guides, HDR};
-use crate::contract::{Lifetime, Phase, ResourceId};
+use crate::contract::{Lifetime, Phase};
+use crate::graph::{Display, Graph, Guides, Pass, Port, HDR};
 use crate::shaders;
 
-pub(crate) fn taa(b: &mut Builder, frame: Frame, guides: Guides, tone_mapped: ResourceId, display: ResourceId) {
-    let history = b.image("taa_history", HDR, Lifetime::History);
-    let uses = vec![
-        frame.constants.uniform(),
-        guides.guide.sampled(),
-        guides.surface_motion.sampled(),
-        tone_mapped.sampled(),
-        history.previous(),
-        history.written(),
-        display.written(),
-    ];
-    b.dispatch("taa", Phase::PostProcess, &shaders::TAA, 0, uses);
+impl Graph {
+    /// Anti-aliased picture, from this frame and its own history.
+    pub fn taa(&mut self, guides: &Guides, tone_mapped: &Display) -> Display {
+        let node = self.node("taa", "");
+        let history = self.named_image("taa_history", "", HDR, 1, Lifetime::History);
+        let display = self.named_image("anti_aliased", "", HDR, 1, Lifetime::Transient);
+        let pass = Pass::new(&node, &shaders::TAA)
+            .phase(Phase::PostProcess)
+            .bind("guide", guides.guide)
+            .bind("surface_motion", guides.surface_motion)
+            .bind("tone_mapped", tone_mapped.image())
+            .previous("previous_history", history)
+            .bind("taa_history", history)
+            .bind("display", display);
+        self.add(pass);
+        Port::of(self.refreshed(display))
+    }
 }

@@ -1,75 +1,84 @@
 //! Blends each pixel with its own past, found by motion and tested tap by tap. \[SVGF\] 4.1.
 
-use super::{Builder, Frame, Guides, Signal, Volume};
-use crate::contract::{Phase, ResourceId};
-use crate::shaders::{self, Shader};
+use super::by_signals;
+use crate::graph::{Confidence, Graph, Guides, History, Irradiance, Pass, Value, VolumeMotion, VolumeRadiance};
+use crate::shaders;
 
-/// What may shorten the history of a pixel.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Adaptation {
-    /// Nothing [SVGF].
-    None,
-    /// `history_confidence`, by which each pixel's alpha rises [ASVGF].
-    Alpha(ResourceId),
-    /// The same, with the repair of disocclusions [PSVGF].
-    Repaired(ResourceId),
+/// Parameters of the node `temporal_accumulation`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Accumulation {
+    /// What may shorten the history of a pixel \[ASVGF\]. Default: nothing \[SVGF\].
+    pub confidence: Option<Confidence>,
+    /// Whether disocclusions borrow the history of pixels nearby \[PSVGF\]. Default: false.
+    pub repair: bool,
+    /// Smallest weight of the new sample in the irradiance. Default: [`crate::Tuning::alpha`].
+    pub alpha: Value,
+    /// Smallest weight of the new sample in the moments. Default: [`crate::Tuning::alpha_moments`].
+    pub alpha_moments: Value,
+    /// Cap of the history length. Default: [`crate::Tuning::max_history_length`].
+    pub max_history_length: Value,
+    /// Largest relative difference of depth. Default: [`crate::Tuning::depth_tolerance`].
+    pub depth_tolerance: Value,
+    /// Smallest cosine between normals. Default: [`crate::Tuning::normal_tolerance`].
+    pub normal_tolerance: Value,
 }
 
-/// Reads and writes `filter_ping*` in place: an invocation touches its own texel alone.
-pub(crate) fn temporal_accumulation(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], adaptation: Adaptation) {
-    let mut uses = vec![
-        frame.constants.uniform(),
-        guides.guide.sampled(),
-        guides.guide.previous(),
-        guides.surface_motion.sampled(),
-        guides.depth_gradient.sampled(),
-    ];
-    for signal in signals {
-        uses.extend([signal.history.previous(), signal.moments.previous(), signal.ping.updated(), signal.moments.written()]);
+impl Graph {
+    /// Accumulates one or two signals in place, and writes their moments into `history`. \[SVGF\] 4.1, \[ASVGF\] 3.5.
+    pub fn temporal_accumulation(
+        &mut self,
+        guides: &Guides,
+        irradiance: &Irradiance,
+        history: &History,
+        accumulation: Accumulation,
+    ) -> Irradiance {
+        let node = self.node("temporal_accumulation", &self.label_of(irradiance));
+        let modules = (&shaders::TEMPORAL_ACCUMULATION_SIGNALS_1, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2);
+        let mut pass = Pass::new(&node, by_signals(irradiance, modules.0, modules.1))
+            .constant("REPAIR", u32::from(accumulation.repair))
+            .value("alpha", accumulation.alpha)
+            .value("alpha_moments", accumulation.alpha_moments)
+            .value("max_history_length", accumulation.max_history_length)
+            .value("depth_tolerance", accumulation.depth_tolerance)
+            .value("normal_tolerance", accumulation.normal_tolerance)
+            .bind("guide", guides.guide)
+            .previous("previous_guide", guides.guide)
+            .bind("surface_motion", guides.surface_motion)
+            .bind("depth_gradient", guides.depth_gradient)
+            .each_previous("history", history.colour())
+            .each_previous("previous_moments", history.moments())
+            .each("irradiance", irradiance.images())
+            .each("moments", history.moments())
+            .bind_some("history_confidence", accumulation.confidence.map(|confidence| confidence.image()));
+        if let Some(normal) = guides.object_normal {
+            pass = pass.bind("object_normal", normal).previous("previous_object_normal", normal);
+        }
+        self.add(pass);
+        self.renewed(irradiance)
     }
-    if let Some(packed) = guides.object_normal {
-        uses.extend([packed.sampled(), packed.previous()]);
-    }
-    let variants: [&'static Shader; 4] = match adaptation {
-        Adaptation::None => [
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1,
-        ],
-        Adaptation::Alpha(_) => [
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1,
-        ],
-        Adaptation::Repaired(_) => [
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_0_ADAPTIVE_1_REPAIR_1,
-            &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2_OBJECT_NORMAL_1_ADAPTIVE_1_REPAIR_1,
-        ],
-    };
-    if let Adaptation::Alpha(confidence) | Adaptation::Repaired(confidence) = adaptation {
-        uses.push(confidence.sampled());
-    }
-    let shader = variants[2 * usize::from(signals.len() == 2) + usize::from(guides.object_normal.is_some())];
-    b.dispatch("temporal_accumulation", Phase::AfterLighting, shader, 0, uses);
-}
 
-/// The same for a volume, along its own motion, tested by the depth of the surface behind alone [PSVGF].
-pub(crate) fn volume_accumulation(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume, volume_motion: ResourceId) {
-    let Signal { history, moments, ping, .. } = volume.signal;
-    let uses = vec![
-        frame.constants.uniform(),
-        guides.guide.sampled(),
-        guides.guide.previous(),
-        volume_motion.sampled(),
-        history.previous(),
-        moments.previous(),
-        ping.updated(),
-        moments.written(),
-    ];
-    let shader = &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1_OBJECT_NORMAL_0_VOLUME_1;
-    b.dispatch("temporal_accumulation_volume", Phase::AfterLighting, shader, 0, uses);
+    /// Accumulates the radiance of a volume in place, along its own motion, tested by the depth of the surface behind alone \[PSVGF\].
+    pub fn volume_accumulation(
+        &mut self,
+        guides: &Guides,
+        radiance: &VolumeRadiance,
+        history: &History,
+        motion: &VolumeMotion,
+    ) -> VolumeRadiance {
+        let node = self.node("temporal_accumulation", &self.label_of(radiance));
+        let pass = Pass::new(&node, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1)
+            .constant("VOLUME", 1)
+            .value("alpha", Value::Tunable("volume_alpha"))
+            .value("alpha_moments", Value::Tunable("volume_alpha"))
+            .value("depth_tolerance", Value::Tunable("volume_depth_tolerance"))
+            .bind("guide", guides.guide)
+            .previous("previous_guide", guides.guide)
+            .bind("volume_motion", motion.image())
+            .each_previous("history", history.colour())
+            .each_previous("previous_moments", history.moments())
+            .each("irradiance", radiance.images())
+            .each("moments", history.moments());
+        self.add(pass);
+        self.renewed(radiance)
+    }
 }

@@ -1,14 +1,19 @@
 //! HDR radiance to display-referred linear values.
 
-use super::{Builder, Frame};
-use crate::contract::{Phase, ResourceId};
+use crate::contract::{Lifetime, Phase};
+use crate::graph::{Display, Graph, Pass, Port, Radiance, HDR};
 use crate::shaders;
 
-/// Of the sum of one or two radiances. Writes `tone_mapped`, a transient before temporal anti-aliasing or the output `display`.
-pub(crate) fn tone_map(b: &mut Builder, frame: Frame, denoised: &[ResourceId], tone_mapped: ResourceId) {
-    let mut uses = vec![frame.constants.uniform()];
-    uses.extend(denoised.iter().map(|radiance| radiance.sampled()));
-    uses.push(tone_mapped.written());
-    let shader = if denoised.len() == 1 { &shaders::TONE_MAP_VOLUME_0 } else { &shaders::TONE_MAP_VOLUME_1 };
-    b.dispatch("tone_map", Phase::PostProcess, shader, 0, uses);
+impl Graph {
+    /// Tone-mapped sum of one or two radiances: of surfaces, and of a volume before them.
+    pub fn tone_map(&mut self, denoised: &Radiance) -> Display {
+        let node = self.node("tone_map", "");
+        let tone_mapped = self.named_image("tone_mapped", "", HDR, 1, Lifetime::Transient);
+        let pass = Pass::new(&node, &shaders::TONE_MAP)
+            .phase(Phase::PostProcess)
+            .each("radiance", denoised.images())
+            .bind("tone_mapped", tone_mapped);
+        self.add(pass);
+        Port::of(self.refreshed(tone_mapped))
+    }
 }

@@ -1,33 +1,57 @@
 //! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings. \[SVGF\] 4.2.
 
-use super::{by_signals, Builder, Frame, Guides, Signal, Volume};
-use crate::contract::Phase;
+use super::by_signals;
+use crate::graph::{Estimate, Graph, Guides, History, Irradiance, Pass, Value, VolumeEstimate, VolumeRadiance, HDR};
 use crate::shaders;
 
-/// Which estimate.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Estimate {
-    /// 7×7 pixels while the past is short [SVGF].
+/// How the variance of a pixel with a short past is estimated.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Estimator {
+    /// Over 7×7 pixels while the past is short \[SVGF\].
+    #[default]
     Switched,
-    /// 5×5 pixels, fading [PSVGF].
+    /// Over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
     Fading,
 }
 
-pub(crate) fn variance(b: &mut Builder, frame: Frame, guides: Guides, signals: &[Signal], estimate: Estimate) {
-    let mut uses = vec![frame.constants.uniform(), guides.guide.sampled(), guides.depth_gradient.sampled()];
-    for signal in signals {
-        uses.extend([signal.ping.sampled(), signal.moments.sampled(), signal.pong.written()]);
-    }
-    let shader = match estimate {
-        Estimate::Switched => by_signals(signals, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2),
-        Estimate::Fading => by_signals(signals, &shaders::VARIANCE_SIGNALS_1_FADE_1, &shaders::VARIANCE_SIGNALS_2_FADE_1),
-    };
-    b.dispatch("variance", Phase::AfterLighting, shader, 0, uses);
+/// Parameters of the node `variance`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Variance {
+    /// Default: [`Estimator::Switched`].
+    pub estimator: Estimator,
+    /// Pixels with a shorter history look at their surroundings. Default: [`crate::Tuning::spatial_variance_frames`].
+    pub spatial_variance_frames: Value,
 }
 
-/// The fading estimate of a volume.
-pub(crate) fn volume_variance(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume) {
-    let Signal { ping, moments, pong, .. } = volume.signal;
-    let uses = vec![frame.constants.uniform(), guides.guide.sampled(), ping.sampled(), moments.sampled(), pong.written()];
-    b.dispatch("variance_volume", Phase::AfterLighting, &shaders::VARIANCE_SIGNALS_1_FADE_1_VOLUME_1, 0, uses);
+impl Graph {
+    /// Puts the standard deviation of luminance into the alpha of one or two signals.
+    pub fn variance(&mut self, guides: &Guides, accumulated: &Irradiance, history: &History, variance: Variance) -> Estimate {
+        let node = self.node("variance", &self.label_of(accumulated));
+        let estimate: Estimate = self.image_each(accumulated, "filter_pong", HDR, 1);
+        let pass = Pass::new(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
+            .constant("FADE", u32::from(variance.estimator == Estimator::Fading))
+            .value("spatial_variance_frames", variance.spatial_variance_frames)
+            .bind("guide", guides.guide)
+            .bind("depth_gradient", guides.depth_gradient)
+            .each("accumulated", accumulated.images())
+            .each("moments", &self.current_moments(history))
+            .each("estimated", estimate.images());
+        self.add(pass);
+        self.renewed(&estimate)
+    }
+
+    /// Puts the standard deviation of luminance into the alpha of a volume's radiance, by the fading estimate.
+    pub fn volume_variance(&mut self, guides: &Guides, accumulated: &VolumeRadiance, history: &History) -> VolumeEstimate {
+        let node = self.node("variance", &self.label_of(accumulated));
+        let estimate: VolumeEstimate = self.image_each(accumulated, "filter_pong", HDR, 1);
+        let pass = Pass::new(&node, &shaders::VARIANCE_SIGNALS_1)
+            .constant("FADE", 1)
+            .constant("VOLUME", 1)
+            .bind("guide", guides.guide)
+            .each("accumulated", accumulated.images())
+            .each("moments", &self.current_moments(history))
+            .each("estimated", estimate.images());
+        self.add(pass);
+        self.renewed(&estimate)
+    }
 }

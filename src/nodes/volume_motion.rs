@@ -1,23 +1,32 @@
 //! Carries the points of a volume forward from the previous frame, for motion vectors of its own. [PSVGF], volumes.
 
-use super::{Builder, Frame, Guides, Volume, PACKED_32};
-use crate::contract::{Lifetime, Phase, ResourceId};
+use super::Volume;
+use crate::contract::{Grid, Lifetime, Phase};
+use crate::graph::{Graph, Guides, Pass, Port, VolumeMotion, PACKED_32};
 use crate::shaders;
 
-/// Three passes: clear the claims, let the points claim pixels, write down the motion of those that won. Returns `volume_motion`.
-pub(crate) fn volume_motion(b: &mut Builder, frame: Frame, guides: Guides, volume: &Volume) -> ResourceId {
-    let claims = b.image("volume_claims", PACKED_32, Lifetime::Transient);
-    let motion = b.image("volume_motion", PACKED_32, Lifetime::Transient);
-    b.clear("volume_motion_clear", Phase::AfterLighting, claims);
-    let claim = vec![frame.constants.uniform(), volume.points.previous(), guides.guide.sampled(), claims.updated()];
-    b.dispatch_either("volume_motion_claim", Phase::AfterLighting, &shaders::VOLUME_MOTION_RESOLVE_0, claim);
-    let resolve = vec![
-        frame.constants.uniform(),
-        volume.points.previous(),
-        guides.surface_motion.sampled(),
-        claims.sampled(),
-        motion.written(),
-    ];
-    b.dispatch("volume_motion_resolve", Phase::AfterLighting, &shaders::VOLUME_MOTION_RESOLVE_1, 0, resolve);
-    motion
+impl Graph {
+    /// Motion of a volume. Three passes: clear the claims, let the points claim pixels, write down the motion of those that won.
+    pub fn volume_motion(&mut self, guides: &Guides, volume: &Volume) -> VolumeMotion {
+        let node = self.node("volume_motion", "");
+        let claims = self.named_image("volume_claims", "", PACKED_32, 1, Lifetime::Transient);
+        let motion = self.named_image("volume_motion", "", PACKED_32, 1, Lifetime::Transient);
+        self.clear(&node, format!("{node}_clear"), Phase::AfterLighting, claims);
+        // Points of the previous frame may lie outside of this one.
+        let claim = Pass::new(&node, &shaders::VOLUME_MOTION_RESOLVE_0)
+            .named(format!("{node}_claim"))
+            .grid(Grid::Strata(1))
+            .previous("previous_points", volume.points)
+            .bind("guide", guides.guide)
+            .bind("claims", self.refreshed(claims));
+        self.add(claim);
+        let resolve = Pass::new(&node, &shaders::VOLUME_MOTION_RESOLVE_1)
+            .named(format!("{node}_resolve"))
+            .previous("previous_points", volume.points)
+            .bind("surface_motion", guides.surface_motion)
+            .bind("claims", self.refreshed(claims))
+            .bind("volume_motion", motion);
+        self.add(resolve);
+        Port::of(self.refreshed(motion))
+    }
 }

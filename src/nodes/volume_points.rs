@@ -1,40 +1,43 @@
 //! Takes in the light that a volume scatters towards the camera, and where. [PSVGF], volumes.
 
-use super::{Builder, Frame, Signal, HDR, HOST_COLOUR, HOST_SCALAR, PACKED_64};
-use crate::contract::{Lifetime, Phase, ResourceId};
+use crate::contract::Lifetime;
+use crate::graph::{Graph, Image, Pass, Port, Radiance, VolumeRadiance, HDR, HOST_SCALAR, PACKED_64};
 use crate::shaders;
 
-/// The resources of the filter of a volume.
+/// A volume of the host: fog, smoke, light shafts.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Volume {
-    /// Radiance, which no albedo divides.
-    pub signal: Signal,
+pub struct Volume {
+    pub(super) noisy: Radiance,
     /// One point a pixel for the next frame: depth and contribution.
-    pub points: ResourceId,
+    pub(super) points: Image,
 }
 
 impl Volume {
-    pub fn declare(b: &mut Builder) -> Self {
-        let signal = Signal {
-            noisy: b.input("noisy_volume", HOST_COLOUR, false),
-            ping: b.image("filter_ping_volume", HDR, Lifetime::Transient),
-            pong: b.image("filter_pong_volume", HDR, Lifetime::Transient),
-            history: b.image("irradiance_history_volume", HDR, Lifetime::HistoryInPlace),
-            moments: b.image("moments_volume", PACKED_64, Lifetime::History),
-        };
-        Self { signal, points: b.image("volume_points", PACKED_64, Lifetime::HistoryInPlace) }
+    /// The noisy radiance of the host.
+    pub fn noisy(&self) -> Radiance {
+        self.noisy
     }
 }
 
-/// The points are written after `volume_motion` has read those of the previous frame.
-pub(crate) fn volume_points(b: &mut Builder, frame: Frame, volume: &Volume) {
-    let uses = vec![
-        frame.constants.uniform(),
-        frame.statistics.updated(),
-        volume.signal.noisy.sampled(),
-        b.input("scattering_depth", HOST_SCALAR, true).sampled(),
-        volume.signal.ping.written(),
-        volume.points.written(),
-    ];
-    b.dispatch("volume_points", Phase::AfterLighting, &shaders::VOLUME_POINTS, 0, uses);
+impl Graph {
+    /// A volume of the host: its input `noisy_volume`, and the points of the previous frame that give it motion.
+    pub fn volume(&mut self) -> Volume {
+        let noisy = self.radiance("noisy_volume");
+        Volume { noisy, points: self.named_image("volume_points", "", PACKED_64, 1, Lifetime::HistoryInPlace) }
+    }
+
+    /// Radiance of a volume, with its points for the next frame from the optional input `scattering_depth`. Behind the node `volume_motion`, which reads
+    /// the points of the previous frame.
+    pub fn volume_points(&mut self, volume: &Volume) -> VolumeRadiance {
+        let node = self.node("volume_points", "");
+        let label = self.label(volume.noisy.image()).to_owned();
+        let radiance = self.named_image("filter_ping", &label, HDR, 1, Lifetime::Transient);
+        let pass = Pass::new(&node, &shaders::VOLUME_POINTS)
+            .bind("noisy_volume", volume.noisy.image())
+            .bind("scattering_depth", self.input("scattering_depth", HOST_SCALAR, 1, true))
+            .bind("radiance", radiance)
+            .bind("volume_points", volume.points);
+        self.add(pass);
+        Port::of(self.refreshed(radiance))
+    }
 }

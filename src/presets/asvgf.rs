@@ -1,31 +1,34 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
-use super::{finish, firefly_filter, gradients};
+use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
-use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Modulate, Variance};
 
-pub(crate) fn asvgf(config: &Config) -> Declaration {
-    let mut b = Builder::new(config.allocated_extent);
-    let frame = nodes::start_frame(&mut b);
-    let guides = nodes::import(&mut b, frame, config);
-    let source = gradients::before_lighting(&mut b, frame, guides, config);
-    let signals = Signal::declare(&mut b, config.signals);
-    let change = gradients::after_lighting(&mut b, frame, guides, config, source, &signals);
-    nodes::demodulate(&mut b, frame, guides, &signals);
-    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::Alpha(change.confidence));
-    nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
-    let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
-    let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    let shown = Shown {
-        signals: &signals,
-        moments: true,
+/// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box. \[ASVGF\] 3.
+///
+/// It reads `signals`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
+/// configuration.
+pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let gradients = gradient_samples(g, guides, config);
+    let noisy = noisy(g, config.signals);
+    let change = change_of_light(g, guides, &noisy, gradients);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let history = g.history(&irradiance, Feedback::Filtered);
+    let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
+    let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
+    let filtered = g.atrous(guides, &estimate, atrous);
+    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let known = Known {
+        history: Some(history),
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,
-        percentiles: &percentiles,
-        ..Shown::default()
+        percentiles,
+        ..Known::new(&noisy)
     };
-    finish(b, frame, guides, config, Some((denoised, shown)))
+    Denoised { radiance, known }
 }

@@ -1,21 +1,19 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::{finish, firefly_filter};
+use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
-use crate::contract::Declaration;
-use crate::nodes::{self, Builder, Shown, Signal};
+use crate::graph::{Graph, Guides};
+use crate::nodes::{Demodulate, Eaw, Known, Modulate};
 
-pub(crate) fn eaw(config: &Config) -> Declaration {
-    // Object-space normals serve the history alone.
-    let config = &Config { object_normal: false, ..*config };
-    let mut b = Builder::new(config.allocated_extent);
-    let frame = nodes::start_frame(&mut b);
-    let guides = nodes::import(&mut b, frame, config);
-    let signals = Signal::declare_without_history(&mut b, config.signals);
-    nodes::demodulate(&mut b, frame, guides, &signals);
-    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
-    let filtered = nodes::eaw(&mut b, frame, guides, &signals, config.levels);
-    let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    let shown = Shown { signals: &signals, percentiles: &percentiles, ..Shown::default() };
-    finish(b, frame, guides, config, Some((denoised, shown)))
+/// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
+///
+/// It reads `signals`, `levels`, `eaw_weights`, `sampling`, `firefly_filter` and `block_sort` of the configuration.
+pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let &Config { levels, eaw_weights: weights, sampling, .. } = config;
+    let noisy = noisy(g, config.signals);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling, ..Demodulate::default() });
+    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let filtered = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
+    let radiance = g.modulate(guides, &filtered, Modulate::default());
+    Denoised { radiance, known: Known { percentiles, ..Known::new(&noisy) } }
 }

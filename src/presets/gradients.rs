@@ -1,47 +1,40 @@
 //! The part that presets with temporal gradients share: before lighting the samples, after it the confidence in each pixel's history.
 
 use crate::config::{Config, GradientSource};
-use crate::contract::ResourceId;
-use crate::nodes::{self, Builder, Frame, Gradients, Guides, Signal, Strata};
+use crate::graph::{Confidence, Gradient, Graph, Guides, Radiance};
+use crate::nodes::{ForwardProject, Gradients};
 
-/// Passes before lighting. `None`: the host's own confidence takes the place of gradients.
-pub(super) fn before_lighting(b: &mut Builder, frame: Frame, guides: Guides, config: &Config) -> Option<Gradients> {
+/// Where gradients come from, by [`Config::gradient_source`]; for [`GradientSource::ForwardProjected`] with the output `gradient_samples`. `None`:
+/// the host's own confidence takes the place of gradients.
+pub fn gradient_samples(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Gradients> {
+    let &Config { stratum_size, forward_motion, surface_id, .. } = config;
     match config.gradient_source {
         GradientSource::ForwardProjected => {
-            let samples = nodes::forward_project(b, frame, guides, strata(config), config);
+            let samples = g.forward_project(guides, ForwardProject { stratum_size, forward_motion, surface_id });
+            g.output_samples("gradient_samples", &samples);
             Some(Gradients::ForwardProjected(samples))
         }
-        GradientSource::Reshaded => Some(Gradients::Reshaded),
-        GradientSource::Sparse => Some(Gradients::Sparse),
+        GradientSource::Reshaded => Some(Gradients::Reshaded { stratum_size }),
+        GradientSource::Sparse => Some(Gradients::Sparse { stratum_size }),
         GradientSource::Confidence => None,
     }
 }
 
 /// How light changed.
-pub(super) struct Change {
-    /// `history_confidence`.
-    pub confidence: ResourceId,
+#[derive(Clone, Copy, Debug)]
+pub struct ChangeOfLight {
+    /// How far history is still true.
+    pub confidence: Confidence,
     /// The reconstructed gradients; `None`: the host's own confidence takes their place.
-    pub gradient: Option<ResourceId>,
+    pub gradient: Option<Gradient>,
 }
 
-/// Passes after lighting. `signals`: those whose noisy radiance is compared.
-pub(super) fn after_lighting(
-    b: &mut Builder,
-    frame: Frame,
-    guides: Guides,
-    config: &Config,
-    gradients: Option<Gradients>,
-    signals: &[Signal],
-) -> Change {
+/// Confidence in the history from the gradients of `noisy`, or from the host where there are none.
+pub fn change_of_light(g: &mut Graph, guides: &Guides, noisy: &Radiance, gradients: Option<Gradients>) -> ChangeOfLight {
     let Some(source) = gradients else {
-        return Change { confidence: nodes::host_confidence(b, frame), gradient: None };
+        return ChangeOfLight { confidence: g.host_confidence(), gradient: None };
     };
-    let images = nodes::gradient(b, frame, guides, signals, strata(config), source);
-    let reconstructed = nodes::gradient_atrous(b, frame, guides, strata(config), images);
-    Change { confidence: nodes::adaptive_alpha(b, frame, reconstructed), gradient: Some(reconstructed) }
-}
-
-fn strata(config: &Config) -> Strata {
-    Strata { size: config.stratum_size }
+    let gradient = g.gradient(guides, noisy, source);
+    let gradient = g.gradient_atrous(guides, &gradient);
+    ChangeOfLight { confidence: g.adaptive_alpha(&gradient), gradient: Some(gradient) }
 }

@@ -1,4 +1,7 @@
-//! Presets: each a short list of nodes.
+//! Presets: each a short list of nodes, in functions that a host can call in a graph of its own, read, copy and cut.
+//!
+//! A preset takes the guides of [`Graph::import`] and the signals that are filtered, and returns [`Denoised`]. [`Config::declare`] puts around it
+//! what a [`Config`] asks for: the inputs of the host, a volume, the post-process, the debug view.
 
 mod asvgf;
 mod eaw;
@@ -8,18 +11,28 @@ mod stabilize;
 mod svgf;
 mod volume;
 
-use asvgf::asvgf;
-use eaw::eaw;
-use percentile::percentile;
-use stabilize::stabilize;
-use svgf::svgf;
-use volume::volume;
-use volume::FilteredVolume;
+pub use asvgf::asvgf;
+pub use eaw::eaw;
+pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
+pub use percentile::percentile;
+pub use stabilize::stabilize;
+pub use svgf::svgf;
+pub use volume::volume;
 
-use crate::config::{Config, PostProcess, Preset};
-use crate::contract::{Declaration, Lifetime, ResourceId};
+use crate::config::{Config, PostProcess, Preset, Signals};
+use crate::contract::Declaration;
 use crate::error::Error;
-use crate::nodes::{self, Builder, Frame, Guides, Shown, Signal, HDR};
+use crate::graph::{Graph, Guides, Irradiance, Percentiles, Radiance};
+use crate::nodes::{Import, Known};
+
+/// What a preset returns.
+#[derive(Clone, Copy, Debug)]
+pub struct Denoised {
+    /// Denoised radiance.
+    pub radiance: Radiance,
+    /// What can be shown of the way there: for [`Graph::debug_view`].
+    pub known: Known,
+}
 
 impl Config {
     /// Declares every resource and pass, without a device.
@@ -28,52 +41,82 @@ impl Config {
     /// As [`Config::validate`].
     pub fn declare(&self) -> Result<Declaration, Error> {
         self.validate()?;
-        Ok(match self.preset {
-            Preset::Svgf => svgf(self),
-            Preset::Percentile => percentile(self),
-            Preset::Eaw => eaw(self),
-            Preset::Asvgf => asvgf(self),
-            Preset::Stabilize => stabilize(self),
-            Preset::Volume => volume(self),
-        })
+        let mut g = Graph::of_config(self);
+        let guides =
+            g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
+        let surfaces = surfaces(&mut g, &guides, self);
+        let fog = self.has_volume().then(|| {
+            let fog = volume(&mut g, &guides, self);
+            g.output("denoised_volume", &fog.radiance);
+            fog
+        });
+        let shown = surfaces.or(fog);
+        let radiance = match (surfaces, fog) {
+            (Some(surfaces), Some(fog)) => Some(g.pair(&surfaces.radiance, &fog.radiance)),
+            _ => shown.map(|shown| shown.radiance),
+        };
+        if let Some(radiance) = radiance {
+            post_process(&mut g, &guides, self.post_process, &radiance);
+        }
+        if let Some(shown) = shown.filter(|_| self.debug_view) {
+            let view = g.debug_view(&guides, &shown.known);
+            g.output("debug_view", &view);
+        }
+        g.finish()
+    }
+
+    /// Whether the preset accumulates surfaces: object-space normals serve that alone.
+    fn has_surface_history(&self) -> bool {
+        !matches!(self.preset, Preset::Eaw | Preset::Volume)
     }
 }
 
-/// What every preset ends with: the volume, where there is one, the post-process over the sum of surfaces and volume, and the debug view.
-/// `surfaces`: where they were denoised, and what can be shown of them.
-fn finish(mut b: Builder, frame: Frame, guides: Guides, config: &Config, surfaces: Option<(ResourceId, Shown)>) -> Declaration {
-    let volume = config.has_volume().then(|| volume::volume_filter(&mut b, frame, guides, config));
-    let denoised: Vec<ResourceId> =
-        surfaces.iter().map(|(denoised, _)| *denoised).chain(volume.as_ref().map(|volume| volume.denoised)).collect();
-    if config.post_process != PostProcess::None {
-        post_process(&mut b, frame, guides, config, &denoised);
+/// The filter of surfaces, with its outputs; nothing for [`Preset::Volume`].
+fn surfaces(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Denoised> {
+    let denoised = match config.preset {
+        Preset::Svgf => svgf(g, guides, config),
+        Preset::Percentile => percentile(g, guides, config),
+        Preset::Eaw => eaw(g, guides, config),
+        Preset::Asvgf => asvgf(g, guides, config),
+        Preset::Stabilize => stabilize(g, guides, config),
+        Preset::Volume => return None,
+    };
+    g.output("denoised_radiance", &denoised.radiance);
+    if let Some(confidence) = &denoised.known.confidence {
+        g.output("history_confidence", confidence);
     }
-    if config.debug_view {
-        let of_volume = volume.as_ref().map(FilteredVolume::shown);
-        if let Some(shown) = surfaces.map(|(_, shown)| shown).or(of_volume) {
-            nodes::debug_view(&mut b, frame, guides, shown);
+    Some(denoised)
+}
+
+/// The host's noisy radiance: `noisy_radiance`, or `noisy_direct` and `noisy_indirect` as a pair.
+pub fn noisy(g: &mut Graph, signals: Signals) -> Radiance {
+    match signals {
+        Signals::Together => g.radiance("noisy_radiance"),
+        Signals::Apart => {
+            let (direct, indirect) = (g.radiance("noisy_direct"), g.radiance("noisy_indirect"));
+            g.pair(&direct, &indirect)
         }
     }
-    b.finish()
 }
 
-fn post_process(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, denoised: &[ResourceId]) {
-    let display = b.image("display", HDR, Lifetime::Output);
-    if config.post_process == PostProcess::ToneMapTaa {
-        let tone_mapped = b.image("tone_mapped", HDR, Lifetime::Transient);
-        nodes::tone_map(b, frame, denoised, tone_mapped);
-        nodes::taa(b, frame, guides, tone_mapped, display);
-    } else {
-        nodes::tone_map(b, frame, denoised, display);
-    }
+/// Tone map and temporal anti-aliasing into the output `display`, where they are wanted.
+pub fn post_process(g: &mut Graph, guides: &Guides, post_process: PostProcess, radiance: &Radiance) {
+    let display = match post_process {
+        PostProcess::None => return,
+        PostProcess::ToneMap => g.tone_map(radiance),
+        PostProcess::ToneMapTaa => {
+            let tone_mapped = g.tone_map(radiance);
+            g.taa(guides, &tone_mapped)
+        }
+    };
+    g.output("display", &display);
 }
 
-/// Outliers leave before the history, where the configuration wants it. Returns the percentiles of every signal, or nothing.
-fn firefly_filter(b: &mut Builder, frame: Frame, guides: Guides, config: &Config, signals: &[Signal]) -> Vec<ResourceId> {
+/// Takes outliers out before the history, where the configuration wants it.
+fn firefly_filter(g: &mut Graph, guides: &Guides, irradiance: Irradiance, config: &Config) -> (Irradiance, Option<Percentiles>) {
     if !config.firefly_filter {
-        return Vec::new();
+        return (irradiance, None);
     }
-    let percentiles = nodes::block_percentiles(b, frame, guides, signals, config.block_sort);
-    nodes::firefly(b, frame, guides, signals, &percentiles);
-    percentiles
+    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
+    (g.firefly(guides, &irradiance, &percentiles), Some(percentiles))
 }

@@ -1,37 +1,40 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
-use super::finish;
+use super::{noisy, Denoised};
 use crate::config::{AdaptiveRule, Config};
-use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
 
-pub(crate) fn percentile(config: &Config) -> Declaration {
-    let mut b = Builder::new(config.allocated_extent);
-    let frame = nodes::start_frame(&mut b);
-    let guides = nodes::import(&mut b, frame, config);
-    let signals = Signal::declare(&mut b, config.signals);
-    nodes::demodulate(&mut b, frame, guides, &signals);
-    let percentiles = nodes::block_percentiles(&mut b, frame, guides, &signals, config.block_sort);
-    nodes::firefly(&mut b, frame, guides, &signals, &percentiles);
+/// Percentile-adaptive SVGF: statistics of 8×8 pixels take out fireflies and say where history is out of date. \[PSVGF\]
+///
+/// It reads `signals`, `levels`, `adaptive_rule` and `block_sort` of the configuration.
+pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let noisy = noisy(g, config.signals);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
+    let irradiance = g.firefly(guides, &irradiance, &percentiles);
+    let history = g.history(&irradiance, Feedback::Filtered);
     let confidence = match config.adaptive_rule {
-        AdaptiveRule::Percentiles => nodes::percentile_rule(&mut b, frame, guides, &signals, &percentiles),
+        AdaptiveRule::Percentiles => g.percentile_rule(guides, &percentiles, &history),
         AdaptiveRule::ChangeTest => {
-            let difference = nodes::block_difference(&mut b, frame, guides, &signals);
-            nodes::change_test(&mut b, frame, &signals, &difference)
+            let difference = g.block_difference(guides, &irradiance, &history);
+            g.change_test(&difference)
         }
     };
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::Repaired(confidence));
-    nodes::variance(&mut b, frame, guides, &signals, Estimate::Fading);
+    let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
+    let estimate = g.variance(guides, &accumulated, &history, variance);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Box);
-    let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    let shown = Shown {
-        signals: &signals,
-        moments: true,
+    let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
+    let filtered = g.atrous(guides, &estimate, atrous);
+    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let known = Known {
+        history: Some(history),
         deviation: true,
         confidence: Some(confidence),
-        percentiles: &percentiles,
-        ..Shown::default()
+        percentiles: Some(percentiles),
+        ..Known::new(&noisy)
     };
-    finish(b, frame, guides, config, Some((denoised, shown)))
+    Denoised { radiance, known }
 }

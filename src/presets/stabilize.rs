@@ -1,31 +1,32 @@
 //! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\] 4).
 
-use super::{finish, firefly_filter, gradients};
+use super::{change_of_light, firefly_filter, gradient_samples, Denoised};
 use crate::config::Config;
-use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Shown, Signal, HOST_COLOUR};
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Demodulate, Known, Modulate};
 
-/// `noisy_radiance` is compared, `other_denoised_radiance` is accumulated: divided by the albedo like every signal, so that textures stay.
-pub(crate) fn stabilize(config: &Config) -> Declaration {
-    let mut b = Builder::new(config.allocated_extent);
-    let frame = nodes::start_frame(&mut b);
-    let guides = nodes::import(&mut b, frame, config);
-    let source = gradients::before_lighting(&mut b, frame, guides, config);
-    let stabilized = [Signal::declare_stabilized(&mut b)];
-    let compared = source.map(|_| Signal { noisy: b.input("noisy_radiance", HOST_COLOUR, false), ..stabilized[0] });
-    let change = gradients::after_lighting(&mut b, frame, guides, config, source, compared.as_slice());
-    nodes::demodulate(&mut b, frame, guides, &stabilized);
-    let percentiles = firefly_filter(&mut b, frame, guides, config, &stabilized);
-    nodes::temporal_accumulation(&mut b, frame, guides, &stabilized, Adaptation::Alpha(change.confidence));
-    let accumulated = vec![stabilized[0].history];
-    let denoised = nodes::modulate(&mut b, frame, guides, &stabilized, &accumulated);
-    let shown = Shown {
-        signals: &stabilized,
-        moments: true,
+/// A-RAE: `noisy_radiance` is compared, `other_denoised_radiance` is accumulated, divided by the albedo like every signal, so that textures stay.
+/// \[ASVGF\] 4
+///
+/// It reads `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the configuration.
+pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let gradients = gradient_samples(g, guides, config);
+    let other = g.radiance("other_denoised_radiance");
+    // A host that knows what changed need not show the noisy picture.
+    let compared = if gradients.is_some() { g.radiance("noisy_radiance") } else { other };
+    let change = change_of_light(g, guides, &compared, gradients);
+    let irradiance = g.demodulate(guides, &other, Demodulate::default());
+    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let history = g.history(&irradiance, Feedback::Accumulated);
+    let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let radiance = g.modulate(guides, &accumulated, Modulate::default());
+    let known = Known {
+        history: Some(history),
         confidence: Some(change.confidence),
         gradient: change.gradient,
-        percentiles: &percentiles,
-        ..Shown::default()
+        percentiles,
+        ..Known::new(&other)
     };
-    finish(b, frame, guides, config, Some((denoised, shown)))
+    Denoised { radiance, known }
 }

@@ -1,21 +1,21 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
-use super::{finish, firefly_filter};
+use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
-use crate::contract::Declaration;
-use crate::nodes::{self, Adaptation, Builder, Estimate, Kernel, Shown, Signal};
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Known, Modulate, Variance};
 
-pub(crate) fn svgf(config: &Config) -> Declaration {
-    let mut b = Builder::new(config.allocated_extent);
-    let frame = nodes::start_frame(&mut b);
-    let guides = nodes::import(&mut b, frame, config);
-    let signals = Signal::declare(&mut b, config.signals);
-    nodes::demodulate(&mut b, frame, guides, &signals);
-    let percentiles = firefly_filter(&mut b, frame, guides, config, &signals);
-    nodes::temporal_accumulation(&mut b, frame, guides, &signals, Adaptation::None);
-    nodes::variance(&mut b, frame, guides, &signals, Estimate::Switched);
-    let filtered = nodes::atrous(&mut b, frame, guides, &signals, config.levels, Kernel::Spline);
-    let denoised = nodes::modulate(&mut b, frame, guides, &signals, &filtered);
-    let shown = Shown { signals: &signals, moments: true, deviation: true, percentiles: &percentiles, ..Shown::default() };
-    finish(b, frame, guides, config, Some((denoised, shown)))
+/// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
+///
+/// It reads `signals`, `levels`, `firefly_filter` and `block_sort` of the configuration.
+pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let noisy = noisy(g, config.signals);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let history = g.history(&irradiance, Feedback::Filtered);
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
+    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
+    let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, feedback: Some(history), ..Atrous::default() });
+    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    Denoised { radiance, known: Known { history: Some(history), deviation: true, percentiles, ..Known::new(&noisy) } }
 }

@@ -17,7 +17,7 @@ pub struct Bindings<'a> {
     stage: &'a str,
     /// Constants of the frame.
     pub frame: &'a FrameConstants,
-    /// Tunables as the pass sees them: for a volume see [`super::volume_tuning`].
+    /// Tunables as the pass sees them: one may come from a tunable of another name, as those of a volume do.
     pub tuning: &'a Tuning,
     /// À-trous level; of the stage `debug_view` the number of the view.
     pub level: u32,

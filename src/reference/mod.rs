@@ -5,7 +5,7 @@
 //! [`Bindings`] by the names of the shader, and its rules say when what the GPU wrote is equal. [`STAGES`] lists them all.
 //!
 //! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
-//! [`Denoiser`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an
+//! [`Engine`] runs a declaration pass by pass over a sequence of frames and checks its inputs; a stage that is called by itself panics on an
 //! image that is smaller than the render extent.
 //!
 //! | tag | source |
@@ -31,8 +31,8 @@ mod compare;
 mod conventions;
 mod debug_view;
 mod demodulate;
-mod denoiser;
 mod eaw;
+mod engine;
 mod firefly;
 mod forward_project;
 mod forward_projection;
@@ -78,8 +78,8 @@ pub use change_test::{change_test, CHANGE_EPSILON};
 pub use compare::{Per, Rule, Tolerance, Values, When};
 pub use debug_view::{debug_view, DebugViewInputs};
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
-pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources, VolumeInputs};
 pub use eaw::{eaw, EawInputs, HOLE};
+pub use engine::Engine;
 pub use firefly::{firefly, FireflyInputs};
 pub use forward_project::{
     forward_project_claim, forward_project_resolve, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates,
@@ -98,7 +98,7 @@ pub use nearest_history::HistoryGuides;
 #[cfg(test)]
 pub(crate) use octahedral::to_square;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
-pub use pass::StagePass;
+pub use pass::Written;
 pub use percentile_rule::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
 pub(crate) use projection::Projections;
 pub(crate) use reprojection::motion_in_pixels;
@@ -117,7 +117,6 @@ pub use temporal_accumulation::{
 pub use texels::Texels;
 pub use tone_map::tone_map;
 pub use variance::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
-pub use volume::volume_tuning;
 pub use volume_motion::{pack_volume_motion, unpack_volume_motion, volume_motion_claim, volume_motion_resolve};
 pub use volume_points::{
     pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,

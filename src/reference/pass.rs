@@ -1,83 +1,131 @@
-//! A pass of a declaration as its twin sees it: a stage with parameters and names.
+//! One pass of a declaration on the CPU: its twin, with texels by the names of the shader's bindings.
 
-use super::table::Stage;
-use crate::config::{Config, Preset};
-use crate::contract::{PassDecl, Work};
-use crate::shaders::Shader;
-use crate::DebugView;
+use super::bindings::{Bindings, Twin};
+use super::table::{compare_host_stage, Stage};
+use super::texels::Texels;
+use crate::contract::{Declaration, Dispatch, FrameContext, Parameter, PassDecl, Shape, Tuning, Use};
+use crate::error::Error;
+use crate::shaders::LEVEL;
 
-/// A pass that runs a stage.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct StagePass {
-    /// Name of the stage, see [`Stage::find`].
-    pub stage: String,
-    /// À-trous level, or the number of the view that is shown.
-    pub level: u32,
-    /// Specialisation constants by name.
-    pub constants: Vec<(String, u32)>,
-    /// For every use of the pass the name of its binding; `None` where an image only stands in for one that the graph does not
-    /// have.
-    pub names: Vec<Option<String>>,
-}
+impl Dispatch {
+    /// The function that computes the same on the CPU.
+    fn twin(&self) -> Option<Twin> {
+        self.twin.or_else(|| Stage::find(&self.shader.stage).map(|stage| stage.twin))
+    }
 
-impl StagePass {
-    /// The stage that a pass runs; `None` where it clears or uploads. `view` is the one that the frame shows.
-    pub fn of(pass: &PassDecl, config: &Config, view: Option<DebugView>) -> Option<Self> {
-        let (shader, level, available) = match pass.work {
-            Work::Dispatch { shader, level, .. } => (shader, level, u32::MAX),
-            Work::DebugView { shader, available } => (shader, view.unwrap_or_default() as u32, available),
-            Work::StartFrame | Work::Clear => return None,
-        };
-        let (stage, mut constants) = variant(shader);
-        for (name, value) in configured(config) {
-            constants.push((name.to_owned(), value));
+    /// Every specialisation constant by name, with the value that the pass has.
+    fn named_constants(&self) -> Vec<(&str, u32)> {
+        let value = |id: u32| self.constants.iter().find(|c| c.0 == id).map(|c| c.1);
+        self.shader.constants.iter().map(|c| (&*c.name, value(c.id).unwrap_or(c.default))).collect()
+    }
+
+    /// The tunables as the push constants have them: a pass may have another number under a name.
+    fn tuning(&self, frame: &FrameContext) -> Tuning {
+        let mut tuning = frame.tuning;
+        for (member, parameter) in self.shader.members.iter().zip(&self.parameters) {
+            let bits = match *parameter {
+                Parameter::Fixed(bits) => bits,
+                Parameter::Tuning(index) => frame.tuning.bits(index),
+                Parameter::Present | Parameter::View => continue,
+            };
+            if let Some(index) = Tuning::index(&member.name) {
+                tuning.set_bits(index, bits);
+            }
         }
-        let bindings = shader.bindings.iter().enumerate();
-        let names = bindings.map(|(i, b)| (available >> i & 1 == 1).then(|| renamed(&stage, b.name).to_owned())).collect();
-        Some(Self { stage, level, constants, names })
+        tuning
+    }
+
+    /// The push constant `level`.
+    fn level(&self, frame: &FrameContext) -> u32 {
+        let level = self.shader.members.iter().zip(&self.parameters).find(|(member, _)| member.name == LEVEL);
+        match level.map(|(_, parameter)| *parameter) {
+            Some(Parameter::Fixed(level)) => level,
+            Some(Parameter::View) => frame.debug_view.unwrap_or_default() as u32,
+            _ => 0,
+        }
     }
 }
 
-/// The stage of a module, and the constants that its variant stands for.
-fn variant(shader: &Shader) -> (String, Vec<(String, u32)>) {
-    const SWITCHES: [&str; 4] = ["VOLUME", "BOX", "REPAIR", "FADE"];
-    const RULES: [&str; 2] = ["percentile_rule", "change_test"];
-    let stages = super::table::STAGES.iter().map(|stage| stage.name).chain(["adaptive_history"]);
-    let stage = stages.filter(|name| shader.name.starts_with(name)).max_by_key(|name| name.len()).unwrap_or(shader.name);
-    let value_of = |name: &str| {
-        let rest = shader.name[stage.len()..].split_once(&format!("_{}_", name.to_lowercase()))?.1;
-        rest.split('_').next()?.parse().ok()
-    };
-    let mut constants: Vec<(String, u32)> = SWITCHES.map(|name| (name.to_owned(), value_of(name).unwrap_or(0))).into();
-    constants.extend(value_of("SOURCE").map(|source| ("SOURCE".to_owned(), source)));
-    let rule = value_of("RULE").and_then(|rule| RULES.get(rule as usize));
-    (rule.map_or(stage, |rule| *rule).to_owned(), constants)
-}
+/// What a twin wrote: the use of the pass, by index, and its texels.
+pub type Written = Vec<(usize, Texels)>;
 
-/// Constants that the configuration settles for every pass.
-fn configured(config: &Config) -> [(&'static str, u32); 5] {
-    let is_eaw = config.preset == Preset::Eaw;
-    let weights = config.eaw_weights;
-    [
-        ("STRATUM_SIZE", config.stratum_size),
-        ("PAINTING", if is_eaw { config.sampling as u32 } else { 0 }),
-        ("RADIANCE", weights.radiance.into()),
-        ("NORMAL", weights.normal.into()),
-        ("POSITION", weights.position.into()),
-    ]
-}
+impl Declaration {
+    /// Runs the twin of a pass on texels that `read` gives for its uses, and returns what it wrote. `None` where the pass runs no shader.
+    ///
+    /// # Errors
+    /// [`Error::Twin`] where the stage has no twin, or where an image is missing or of another kind; [`Error::Size`] for another extent.
+    pub fn run_twin<'t>(
+        &self,
+        frame: &FrameContext,
+        pass: usize,
+        read: impl Fn(&Use) -> Option<&'t Texels>,
+    ) -> Result<Option<Written>, Error> {
+        let Some((pass, dispatch)) = self.passes().get(pass).and_then(|p| Some((p, p.dispatch()?))) else { return Ok(None) };
+        let stage = &*dispatch.shader.stage;
+        let twin = dispatch.twin().ok_or_else(|| without_twin(stage))?;
+        let (constants, tuning) = (dispatch.named_constants(), dispatch.tuning(frame));
+        let names: Vec<&str> = pass.bindings().map(|(_, name)| name).collect();
+        let bindings = Bindings::new(stage, &frame.constants, &tuning).with_level(dispatch.level(frame)).with_constants(&constants);
+        let mut bindings = bindings;
+        for (name, u) in names.iter().zip(&pass.uses) {
+            if let Some(texels) = read(u).filter(|_| u.access.reads()) {
+                bindings.reads(name, texels);
+            }
+            if u.access.writes() {
+                bindings.writes(name, self.texel_extent(u));
+            }
+        }
+        twin(&mut bindings)?;
+        let place = |name: &str| names.iter().position(|n| *n == name);
+        Ok(Some(bindings.into_written().into_iter().filter_map(|(name, texels)| Some((place(name)?, texels))).collect()))
+    }
 
-fn renamed<'a>(stage: &str, binding: &'a str) -> &'a str {
-    match (stage, binding) {
-        ("tone_map", "denoised_radiance") => "radiance_0",
-        ("tone_map", "denoised_volume") => "radiance_1",
-        _ => binding,
+    /// Compares what the GPU and the twin wrote to a use of a pass, by the rules of its stage; of a stage of a host as half floats.
+    ///
+    /// # Errors
+    /// A message that names stage and binding, with the number of texels that differ and the first of them.
+    pub fn compare_pass(
+        &self,
+        frame: &FrameContext,
+        pass: &PassDecl,
+        index: usize,
+        gpu: &Texels,
+        twin: &Texels,
+    ) -> Result<(), String> {
+        let (Some(dispatch), Some((_, binding))) = (pass.dispatch(), pass.bindings().nth(index)) else {
+            return Err(format!("pass `{}` has no use {index}", pass.name));
+        };
+        let constants = dispatch.named_constants();
+        match Stage::find(&dispatch.shader.stage).filter(|_| dispatch.twin.is_none()) {
+            Some(stage) => stage.compare(binding, &constants, frame.render_extent, gpu, twin),
+            None => {
+                let divisor = match self.resource(pass.uses[index].resource).shape {
+                    Shape::Image { divisor, .. } => divisor,
+                    Shape::Buffer { .. } => 1,
+                };
+                let compared = compare_host_stage(divisor, frame.render_extent, gpu, twin);
+                compared.map_err(|message| format!("{}, {binding}: {message}", pass.name))
+            }
+        }
+    }
+
+    /// Texels of the allocated extent that a use has; a buffer has its bytes in one row.
+    pub(super) fn texel_extent(&self, u: &Use) -> [u32; 2] {
+        let resource = self.resource(u.resource);
+        match resource.shape {
+            Shape::Image { .. } => resource.extent(self.allocated_extent()).unwrap_or([1, 1]),
+            Shape::Buffer { size } => [size as u32, 1],
+        }
+    }
+
+    /// The first dispatch whose stage has no twin.
+    pub(super) fn stage_without_twin(&self) -> Option<Error> {
+        let lacks = |pass: &PassDecl| pass.dispatch().filter(|d| d.twin().is_none()).map(|d| without_twin(&d.shader.stage));
+        self.passes().iter().find_map(lacks)
     }
 }
 
-impl Stage {
-    /// The stage that a pass runs.
-    pub fn of(pass: &StagePass) -> Option<&'static Self> {
-        Self::find(&pass.stage)
-    }
+fn without_twin(stage: &str) -> Error {
+    let given = "none; give the stage one by Stage::with_twin".to_owned();
+    Error::Twin { stage: stage.to_owned(), binding: "the stage itself".to_owned(), needed: "a function for the CPU", given }
 }

@@ -131,6 +131,12 @@ const fn stage(name: &'static str, twin: Twin, rules: &'static [Rule]) -> Stage 
     Stage { name, twin, rules }
 }
 
+/// How what a stage of a host writes is compared, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the device's
+/// own precision.
+pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+    strata("its output", WEIGHTED).compare(divisor, render_extent, gpu, twin)
+}
+
 /// Every stage that has a twin.
 pub static STAGES: &[Stage] = &[
     stage("import", import::twin, IMPORT),

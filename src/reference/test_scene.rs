@@ -12,8 +12,8 @@ pub(super) fn frame(extent: [u32; 2]) -> FrameConstants {
 /// The second of two frames.
 pub(super) fn frame_with(config: &Config, before: &FrameParams, now: &FrameParams) -> FrameConstants {
     let mut state = FrameState::default();
-    state.begin(config, before, &Tuning::default()).expect("first frame");
-    state.begin(config, now, &Tuning::default()).expect("second frame").constants
+    state.begin(&config.setup(), before, &Tuning::default()).expect("first frame");
+    state.begin(&config.setup(), now, &Tuning::default()).expect("second frame").constants
 }
 
 /// The frame as one that drops all history.

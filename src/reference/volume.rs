@@ -2,18 +2,6 @@
 //! of it.
 
 use super::guide::unpack_guide;
-use crate::Tuning;
-
-/// Tunables as the passes of a volume see them: those of its own in the place of those of surfaces.
-pub fn volume_tuning(tuning: &Tuning) -> Tuning {
-    Tuning {
-        alpha: tuning.volume_alpha,
-        alpha_moments: tuning.volume_alpha,
-        sigma_l: tuning.volume_sigma_l,
-        depth_tolerance: tuning.volume_depth_tolerance,
-        ..*tuning
-    }
-}
 
 /// Depth where nothing is hit: beyond every surface, and finite.
 const FAR: f32 = 1e30;

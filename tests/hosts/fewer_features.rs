@@ -28,14 +28,15 @@ pub fn a_device_without_synchronization2_runs_the_nodes_and_not_the_executor() {
         for config in super::configurations() {
             // SAFETY: the handles are live and belong together.
             unsafe {
-                let requirements = Requirements::new(&config).expect("valid");
+                let declaration = config.declare().expect("valid");
+                let requirements = Requirements::new(&declaration);
                 requirements.check(host.instance, host.physical_device).expect("the nodes need nothing beyond Vulkan 1.1");
-                Denoiser::new(host, &config).expect("a denoiser");
+                Denoiser::new(host, declaration.clone()).expect("a denoiser");
                 let error = requirements.check_executor_device(host).expect_err("the executor needs more");
                 let Error::Unsupported { missing } = &error else { panic!("{error}") };
                 assert_eq!(missing.len(), 1, "{missing:?}");
                 assert!(missing[0].contains("synchronization2"), "{error}");
-                let opened = atrous::executor::Executor::new(host, &config, Default::default());
+                let opened = atrous::executor::Executor::new(host, declaration, Default::default());
                 assert_eq!(opened.err(), Some(error));
             }
         }
@@ -44,7 +45,7 @@ pub fn a_device_without_synchronization2_runs_the_nodes_and_not_the_executor() {
 
 pub fn a_device_with_everything_is_told_nothing() {
     let gpu = crate::support::gpu();
-    let requirements = Requirements::new(&Config::new([64, 36])).expect("valid");
+    let requirements = Requirements::new(&Config::new([64, 36]).declare().expect("valid"));
     // SAFETY: the handles are live and belong together.
     unsafe { requirements.check_executor_device(gpu.host()) }.expect("the executor's own device");
 }

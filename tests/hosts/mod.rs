@@ -94,7 +94,7 @@ fn missing_barrier() -> Result<(), Box<dyn std::error::Error>> {
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions::default())?);
     let config = Config::new(synthetic::EXTENT);
     let pass = config.declare()?.passes().iter().position(|p| p.name == "atrous_2");
-    let mut s = Session::new(gpu, &config, SessionOptions { omit_barriers_before: pass, ..Default::default() })?;
+    let mut s = Session::new(gpu, config.declare()?, SessionOptions { omit_barriers_before: pass, ..Default::default() })?;
     executor_frames(&mut s);
     Ok(())
 }

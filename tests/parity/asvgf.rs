@@ -23,7 +23,7 @@ fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let exposure_ratio = if i == 3 { 1.5 } else { 1.0 };
         let params = FrameParams { jitter, reset, exposure_ratio, reshaded: i != 5, ..scene.params(i) };
-        run(&mut s, config, &params, &Tuning::for_preset(config.preset));
+        run(&mut s, &params, &Tuning::for_preset(config.preset));
     }
     assert_valid();
 }
@@ -126,7 +126,7 @@ pub fn other_resolutions() {
     for (i, extent) in (0..).zip([[64, 48], [40, 31], [64, 48], [33, 20], [33, 20]]) {
         let scene = Scene { allocated: [64, 48], ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
-        run(&mut s, &config, &FrameParams { reshaded: true, ..scene.params(i) }, &Tuning::for_preset(config.preset));
+        run(&mut s, &FrameParams { reshaded: true, ..scene.params(i) }, &Tuning::for_preset(config.preset));
     }
     assert_valid();
 }

@@ -31,7 +31,7 @@ pub fn every_view() {
                 s.upload("other_denoised_radiance", &guides.noisy_radiance).expect("other_denoised_radiance");
             }
             let params = FrameParams { debug_view: Some(view), reshaded: true, ..scene.params(i) };
-            run(&mut s, &config, &params, &Tuning::for_preset(config.preset));
+            run(&mut s, &params, &Tuning::for_preset(config.preset));
             shows_something(&mut s, view);
         }
     }

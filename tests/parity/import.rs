@@ -46,7 +46,7 @@ pub fn instance_transforms() {
                 s.upload(name, texels).expect(name);
             }
             s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
-            run(&mut s, &config, &scene.params(i), &Tuning::default());
+            run(&mut s, &scene.params(i), &Tuning::default());
         }
     }
     assert_valid();
@@ -69,7 +69,7 @@ fn encoded(conventions: Conventions, with_motion: bool) {
             s.upload("motion", &g.motion).expect("motion");
         }
         s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
-        run(&mut s, &config, &params, &Tuning::default());
+        run(&mut s, &params, &Tuning::default());
     }
 }
 

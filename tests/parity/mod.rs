@@ -15,8 +15,7 @@ use super::support::{
 use super::GpuTest;
 use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
-use ::atrous::reference::{volume_tuning, Bindings, Stage, StagePass};
-use ::atrous::{Config, FrameContext, FrameParams, PassDecl, ResetReason, Tuning};
+use ::atrous::{Config, Declaration, FrameContext, FrameParams, ResetReason, Tuning, Use};
 use captured::{capture, Captured};
 
 pub const TESTS: &[GpuTest] = &[
@@ -96,7 +95,7 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
         let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
         let reset = (i == 4).then_some(ResetReason::CameraCut);
         let params = FrameParams { jitter, reset, exposure_ratio: if i == 3 { 1.5 } else { 1.0 }, ..scene.params(i) };
-        run(&mut s, &config, &params, &tuning);
+        run(&mut s, &params, &tuning);
     }
     assert_valid();
 }
@@ -115,7 +114,8 @@ fn leave_holes(config: &Config, guides: &mut Guides) {
 }
 
 /// One frame, every pass against its twin.
-pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuning) {
+pub fn run(s: &mut Session, params: &FrameParams, tuning: &Tuning) {
+    let declaration = s.executor().denoiser().declaration().clone();
     let mut before = Captured::new();
     let trace = &mut |s: &mut Session, frame: &FrameContext, pass: usize, done: bool| {
         if !done {
@@ -123,40 +123,26 @@ pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuni
             return Ok(());
         }
         let after = capture(s, pass, |access| access.writes())?;
-        let pass = &s.executor().denoiser().declaration().passes()[pass];
-        if let Some(runs) = StagePass::of(pass, config, frame.debug_view) {
-            check(pass, &runs, frame, tuning, &before, &after);
-        }
+        check(&declaration, frame, pass, &before, &after);
         Ok(())
     };
     s.run_traced(params, tuning, trace).expect("frame");
 }
 
 /// What the GPU wrote in a pass, against what the twin makes of the same inputs.
-fn check(pass: &PassDecl, runs: &StagePass, frame: &FrameContext, tuning: &Tuning, before: &Captured, after: &Captured) {
-    let stage = Stage::find(&runs.stage).unwrap_or_else(|| panic!("{} has no twin", runs.stage));
-    let constants: Vec<_> = runs.constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    let tuning = if constants.contains(&("VOLUME", 1)) { volume_tuning(tuning) } else { *tuning };
-    let mut bindings = Bindings::new(&runs.stage, &frame.constants, &tuning).with_level(runs.level).with_constants(&constants);
-    let names = || runs.names.iter().zip(before.iter().zip(after)).filter_map(|(name, texels)| Some((name.as_deref()?, texels)));
-    for (name, (read, written)) in names() {
-        if let Some(texels) = read {
-            bindings.reads(name, texels);
-        }
-        if let Some(texels) = written {
-            bindings.writes(name, texels.extent());
-        }
-    }
-    let what = format!("{}, frame {} (reset: {:?})", pass.name, frame.index, frame.reset);
-    (stage.twin)(&mut bindings).unwrap_or_else(|error| panic!("{what}: {error}"));
-    let twin = bindings.into_written();
-    assert!(!twin.is_empty(), "{what}: the twin wrote nothing");
-    for (name, (read, written)) in names() {
-        let Some(gpu) = written else { continue };
+fn check(declaration: &Declaration, frame: &FrameContext, pass: usize, before: &Captured, after: &Captured) {
+    let decl = &declaration.passes()[pass];
+    let what = format!("{}, frame {} (reset: {:?})", decl.name, frame.index, frame.reset);
+    let place = |u: &Use| decl.uses.iter().position(|other| other == u).expect("a use of the pass");
+    let written =
+        declaration.run_twin(frame, pass, |u| before[place(u)].as_ref()).unwrap_or_else(|error| panic!("{what}: {error}"));
+    let Some(written) = written else { return };
+    assert!(!written.is_empty(), "{what}: the twin wrote nothing");
+    for (index, gpu) in after.iter().enumerate().filter_map(|(index, gpu)| Some((index, gpu.as_ref()?))) {
         // What is updated in place, and was not, is what it was.
-        let ours = twin.iter().find(|(written, _)| *written == name).map(|(_, texels)| texels).or(read.as_ref());
-        let ours = ours.unwrap_or_else(|| panic!("{what}: the twin did not write {name}"));
-        let equal = stage.compare(name, &constants, frame.render_extent, gpu, ours);
+        let twin = written.iter().find(|(i, _)| *i == index).map(|(_, texels)| texels).or(before[index].as_ref());
+        let twin = twin.unwrap_or_else(|| panic!("{what}: the twin did not write use {index}"));
+        let equal = declaration.compare_pass(frame, decl, index, gpu, twin);
         equal.unwrap_or_else(|message| panic!("{what}: {message}"));
     }
 }

@@ -16,7 +16,7 @@ pub fn curves() {
         let ramp = |i: usize| 2f32.powf((i % 64) as f32 / 3.0 - 8.0) * if i.is_multiple_of(64) { 0.0 } else { 1.0 };
         g.noisy_radiance.iter_mut().enumerate().for_each(|(i, t)| *t = [ramp(i), 0.5 * ramp(i), 2.0 * ramp(i), 1.0]);
         upload(&mut s, &g);
-        run(&mut s, &config, &scene.params(0), &Tuning { tone_curve, exposure: 1.7, ..Tuning::default() });
+        run(&mut s, &scene.params(0), &Tuning { tone_curve, exposure: 1.7, ..Tuning::default() });
     }
     assert_valid();
 }

@@ -15,7 +15,7 @@ pub fn other_resolutions() {
         let scene = Scene { speed: 0.1, allocated, ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
         let params = FrameParams { jitter: [0.25, -0.4], ..scene.params(i) };
-        run(&mut s, &config, &params, &Tuning::default());
+        run(&mut s, &params, &Tuning::default());
     }
     assert_valid();
 }
@@ -28,7 +28,7 @@ pub fn without_depths() {
     for i in 0..3 {
         upload(&mut s, &scene.frame(i, i));
         s.unbind("scattering_depth").expect("known");
-        run(&mut s, &config, &scene.params(i), &Tuning::default());
+        run(&mut s, &scene.params(i), &Tuning::default());
         let motion = s.download_bytes("volume_motion", UseFrame::Current).expect("kept");
         let surfaces = s.download_bytes("surface_motion", UseFrame::Current).expect("kept");
         assert!(motion.chunks(4).eq(surfaces.chunks(8).map(|texel| &texel[..4])));

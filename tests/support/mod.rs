@@ -6,6 +6,7 @@ pub mod rig;
 pub use atrous_synthetic::scene::{self, pixels, random};
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
+use atrous::reference::Engine;
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
 use scene::Guides;
 use std::cell::RefCell;
@@ -59,7 +60,7 @@ pub fn session(config: &Config) -> Session {
 }
 
 pub fn session_with(config: &Config, options: SessionOptions) -> Session {
-    Session::new(gpu(), config, options).expect("session")
+    Session::new(gpu(), config.declare().expect("valid"), options).expect("session")
 }
 
 /// No error of the validation layer so far.
@@ -68,16 +69,25 @@ pub fn assert_valid() {
     assert!(errors.is_empty(), "{} validation messages, the first:\n{}", errors.len(), errors[0]);
 }
 
-/// Uploads what a frame of the synthetic scene has, for the inputs that the configuration declares.
+/// Uploads what a frame of the synthetic scene has, for the inputs that are declared.
 pub fn upload(session: &mut Session, guides: &Guides) {
     let declaration = session.executor().denoiser().declaration().clone();
-    for (name, texels) in guides.images() {
-        if declaration.find(name).is_some() {
-            session.upload(name, texels).expect(name);
-        }
+    for (name, texels) in guides.images().into_iter().filter(|(name, _)| declaration.find(name).is_some()) {
+        session.upload(name, texels).expect(name);
     }
     if declaration.find("surface_id").is_some() {
         session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
+    }
+}
+
+/// Gives the CPU engine what [`upload`] gives a session.
+pub fn upload_to_engine(engine: &mut Engine, guides: &Guides) {
+    let declaration = engine.declaration().clone();
+    for (name, texels) in guides.images().into_iter().filter(|(name, _)| declaration.find(name).is_some()) {
+        engine.upload(name, texels).expect(name);
+    }
+    if declaration.find("surface_id").is_some() {
+        engine.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
     }
 }
 
@@ -86,7 +96,7 @@ pub fn frame(session: &mut Session, guides: &Guides, params: &FrameParams, tunin
     upload(session, guides);
     let context = session.run(params, tuning).expect("frame");
     let image = session.download("denoised_radiance").expect("denoised_radiance");
-    assert_finite(&image, context.render_extent, session.executor().denoiser().config().allocated_extent);
+    assert_finite(&image, context.render_extent, session.executor().denoiser().declaration().allocated_extent());
     assert_valid();
     (context, image)
 }

@@ -36,7 +36,7 @@ impl Rig {
             let pool = device.create_command_pool(&info, None).expect("pool");
             let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(commands);
             let commands = device.allocate_command_buffers(&info).expect("command buffers");
-            (Executor::new(gpu.host(), config, options).expect("executor"), pool, commands)
+            (Executor::new(gpu.host(), config.declare().expect("valid"), options).expect("executor"), pool, commands)
         };
         let (views, buffers, memory) = (Vec::new(), Vec::new(), Vec::new());
         let mut rig = Self { executor, commands, images: BTreeMap::new(), gpu, pool, views, buffers, memory };

@@ -1,9 +1,10 @@
-//! What filters frames: the GPU, or the CPU twin. Frames come in order, since both keep a history.
+//! What filters frames: the GPU, or the CPU engine. Frames come in order, since both keep a history.
 
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
-use atrous::{Config, DebugView, Lifetime, Shape};
+use atrous::reference::Engine;
+use atrous::{Config, DebugView, Declaration, Error, FrameParams, Lifetime, Shape, Tuning};
 use atrous_picture::Picture;
 use std::sync::Arc;
 
@@ -24,84 +25,142 @@ pub trait Backend {
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs>;
 }
 
-/// The passes on a Vulkan device.
-pub struct GpuBackend {
-    session: Session,
+/// What the library returns.
+type Outcome<T> = std::result::Result<T, Error>;
+
+/// Runs a declaration from slices to slices: the methods that a session on a GPU and the CPU engine have in common.
+trait Runner {
+    fn declaration(&self) -> &Declaration;
+    fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Outcome<()>;
+    fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Outcome<()>;
+    fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Outcome<()>;
+    fn unbind(&mut self, name: &str) -> Outcome<()>;
+    fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Outcome<()>;
+    fn download(&mut self, name: &str) -> Outcome<Vec<[f32; 4]>>;
+    fn debug_view(&mut self, view: DebugView) -> Outcome<Vec<[f32; 4]>>;
+}
+
+macro_rules! runner {
+    ($type:ty, |$runner:ident| $declaration:expr) => {
+        impl Runner for $type {
+            fn declaration(&self) -> &Declaration {
+                let $runner = self;
+                $declaration
+            }
+            fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Outcome<()> {
+                <$type>::upload(self, name, texels)
+            }
+            fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Outcome<()> {
+                <$type>::upload_ids(self, name, texels)
+            }
+            fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Outcome<()> {
+                <$type>::upload_buffer(self, name, bytes)
+            }
+            fn unbind(&mut self, name: &str) -> Outcome<()> {
+                <$type>::unbind(self, name)
+            }
+            fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Outcome<()> {
+                <$type>::run(self, params, tuning).map(|_| ())
+            }
+            fn download(&mut self, name: &str) -> Outcome<Vec<[f32; 4]>> {
+                <$type>::download(self, name)
+            }
+            fn debug_view(&mut self, view: DebugView) -> Outcome<Vec<[f32; 4]>> {
+                <$type>::debug_view(self, view)
+            }
+        }
+    };
+}
+
+runner!(Session, |session| session.executor().denoiser().declaration());
+runner!(Engine, |engine| Engine::declaration(engine));
+
+/// The passes of a configuration.
+pub struct Passes {
+    runner: Box<dyn Runner>,
     name: String,
-    /// Input images, and whether they are optional.
-    inputs: Vec<(String, bool)>,
-    has_transforms: bool,
-    /// Surfaces and volume, which together are the picture.
-    results: Vec<&'static str>,
 }
 
 const TRANSFORMS: &str = "instance_transforms";
 
-impl GpuBackend {
-    /// Opens a device, by index or part of its name.
-    pub fn new(device: Option<String>, config: &Config) -> Result<Self> {
+impl Passes {
+    /// The passes on a Vulkan device, by index or part of its name.
+    pub fn gpu(device: Option<String>, config: &Config) -> Result<Self> {
         let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?);
         let name = gpu.name().to_owned();
-        let session = Session::new(gpu, config, SessionOptions::default())?;
-        let declaration = config.declare()?;
-        let image = |shape: &Shape| matches!(shape, Shape::Image { .. });
-        let inputs = declaration.resources().iter().filter(|r| image(&r.shape)).filter_map(|r| match r.lifetime {
-            Lifetime::Input { optional } => Some((r.name.clone(), optional)),
-            _ => None,
-        });
-        let results =
-            ["denoised_radiance", "denoised_volume"].into_iter().filter(|name| declaration.find(name).is_some()).collect();
-        Ok(Self { inputs: inputs.collect(), results, has_transforms: declaration.find(TRANSFORMS).is_some(), session, name })
+        let session = Session::new(gpu, config.declare()?, SessionOptions::default())?;
+        Ok(Self { runner: Box::new(session), name })
+    }
+
+    /// The passes on the CPU: slow, and the measure of what a GPU should give.
+    pub fn reference(config: &Config) -> Result<Self> {
+        let engine = Engine::new(config.declare()?)?;
+        // Views are drawn behind the frame, from what would be freed by then.
+        let engine = if config.debug_view { engine.keep_transients() } else { engine };
+        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into() })
+    }
+
+    fn upload(&mut self, frame: &FrameInputs) -> Result<()> {
+        for (name, shape, optional) in inputs(self.runner.declaration()) {
+            let is_image = matches!(shape, Shape::Image { .. });
+            let transforms = frame.instance_transforms.as_ref().filter(|_| name == TRANSFORMS);
+            match (name.as_str(), &frame.surface_id, frame.images.get(name.as_str()), transforms) {
+                ("surface_id", Some(ids), ..) => self.runner.upload_ids(&name, ids)?,
+                (_, _, Some(texels), _) if is_image => self.runner.upload(&name, texels)?,
+                (.., Some(transforms)) => self.runner.upload_buffer(&name, bytemuck::cast_slice(transforms))?,
+                // A required one that is absent is named when the frame runs.
+                _ if optional => self.runner.unbind(&name)?,
+                _ => {}
+            }
+        }
+        Ok(())
     }
 }
 
-impl Backend for GpuBackend {
+impl Backend for Passes {
     fn name(&self) -> String {
         self.name.clone()
     }
 
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs> {
-        for (name, optional) in &self.inputs {
-            match (name.as_str(), &frame.surface_id, frame.images.get(name.as_str())) {
-                ("surface_id", Some(ids), _) => self.session.upload_ids(name, ids)?,
-                (_, _, Some(texels)) => self.session.upload(name, texels)?,
-                // A required one that is absent is named by the executor.
-                _ if *optional => self.session.unbind(name)?,
-                _ => {}
-            }
-        }
-        if self.has_transforms {
-            match &frame.instance_transforms {
-                Some(transforms) => self.session.upload_buffer(TRANSFORMS, bytemuck::cast_slice(transforms))?,
-                None => self.session.unbind(TRANSFORMS)?,
-            }
-        }
-        self.session.run(&frame.params, &frame.tuning)?;
+        self.upload(frame)?;
+        self.runner.run(&frame.params, &frame.tuning)?;
         let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
-        for name in &self.results {
-            add(&mut radiance, &self.session.download(name)?);
+        // Surfaces and volume are the picture together.
+        for name in ["denoised_radiance", "denoised_volume"] {
+            if self.runner.declaration().find(name).is_some() {
+                add(&mut radiance, &self.runner.download(name)?);
+            }
         }
         let mut outputs = FrameOutputs { radiance, views: Vec::new() };
         if views {
-            let declaration = self.session.executor().denoiser().declaration();
-            let extent = declaration.allocated_extent();
-            for view in declaration.debug_views() {
-                outputs.views.push((view, view_picture(extent, &self.session.debug_view(view)?)?));
+            let extent = self.runner.declaration().allocated_extent();
+            for view in self.runner.declaration().debug_views() {
+                outputs.views.push((view, view_picture(extent, &self.runner.debug_view(view)?)?));
             }
         }
         Ok(outputs)
     }
 }
 
+/// Name, shape and whether it is optional, of every input.
+fn inputs(declaration: &Declaration) -> Vec<(String, Shape, bool)> {
+    let input = |r: &atrous::ResourceDecl| match r.lifetime {
+        Lifetime::Input { optional } => Some((r.name.clone(), r.shape, optional)),
+        _ => None,
+    };
+    declaration.resources().iter().filter_map(input).collect()
+}
+
 /// Adds a part of the picture.
-pub fn add(radiance: &mut [[f32; 3]], part: &[[f32; 4]]) {
+fn add(radiance: &mut [[f32; 3]], part: &[[f32; 4]]) {
     for (sum, texel) in radiance.iter_mut().zip(part) {
         *sum = std::array::from_fn(|c| sum[c] + texel[c]);
     }
 }
 
-/// As a picture: the alpha channel holds the numbers behind the colours.
-pub fn view_picture([width, height]: [u32; 2], texels: &[[f32; 4]]) -> Result<Picture> {
+/// A view as a picture: the alpha channel holds the numbers behind the colours.
+fn view_picture([width, height]: [u32; 2], texels: &[[f32; 4]]) -> Result<Picture> {
     let colours: Vec<_> = texels.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
     Picture::from_display(width, height, &colours).map_err(|e| ToolError::Usage(e.to_string()))
 }

@@ -5,7 +5,6 @@
 #![forbid(unsafe_code)]
 
 pub mod backend;
-pub mod backend_reference;
 pub mod camera;
 mod captured_config;
 pub mod check;

@@ -1,7 +1,6 @@
 //! The run from options to the last line printed.
 
-use crate::backend::{Backend, GpuBackend};
-use crate::backend_reference::ReferenceBackend;
+use crate::backend::{Backend, Passes};
 use crate::check;
 use crate::cli::Cli;
 use crate::error::{Result, ToolError};
@@ -62,7 +61,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     };
     let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
     let start = Instant::now();
-    let result = pipeline::run(&steps, &setup, backend.as_mut(), cli.views, &mut saver);
+    let result = pipeline::run(&steps, &setup, &mut backend, cli.views, &mut saver);
     saver.finish();
     // What is finished is told even where the run failed.
     summary(cli, &saver, start.elapsed().as_secs_f64(), steps.len());
@@ -73,12 +72,12 @@ pub fn run(cli: &Cli) -> Result<()> {
     Ok(())
 }
 
-fn open(cli: &Cli, setup: &Setup) -> Result<Box<dyn Backend>> {
+fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {
     let config = Config { debug_view: cli.views, ..setup.config };
-    if cli.device.as_deref() == Some("reference") {
-        return Ok(Box::new(ReferenceBackend::new(&config)?));
+    match cli.device.as_deref() {
+        Some("reference") => Passes::reference(&config),
+        _ => Passes::gpu(cli.device.clone(), &config),
     }
-    Ok(Box::new(GpuBackend::new(cli.device.clone(), &config)?))
 }
 
 /// On stderr, and hidden where that is no terminal.

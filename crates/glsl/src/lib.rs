@@ -3,14 +3,10 @@
 
 #![forbid(unsafe_code)]
 
-#[cfg(feature = "compile")]
 mod compile;
-#[cfg(feature = "reflect")]
-mod interface;
+mod table;
 
-#[cfg(feature = "compile")]
+pub use atrous_shader::{interface, Interface};
 pub use compile::{resolve, shaders, Glsl, Kept, Variant};
-#[cfg(feature = "reflect")]
-pub use interface::{interface, Interface};
-#[cfg(feature = "compile")]
 pub use shaderc::Compiler;
+pub use table::write_table;

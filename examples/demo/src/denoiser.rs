@@ -78,6 +78,7 @@ impl Default for DenoiserOptions {
 /// that motion is from has to be [`Self::reset`]. Keep the tracer as long: the denoiser reads its images.
 pub struct FrameDenoiser {
     executor: Executor,
+    preset: Preset,
     /// For presets whose gradient samples the tracer shades again; others pay nothing.
     reshading: Option<Reshading>,
     gpu: Gpu,
@@ -100,7 +101,7 @@ impl FrameDenoiser {
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
-        let mut executor = unsafe { Executor::new(host, &config, wanted)? };
+        let mut executor = unsafe { Executor::new(host, config.declare()?, wanted)? };
         for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }
@@ -113,7 +114,7 @@ impl FrameDenoiser {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;
         }
-        Ok(Self { executor, reshading, gpu: gpu.clone(), tuning: options.tuning, reset: None, frame: None })
+        Ok(Self { executor, preset: options.preset, reshading, gpu: gpu.clone(), tuning: options.tuning, reset: None, frame: None })
     }
 
     /// Renders and denoises the frame that the tracer was set to, and waits for it.
@@ -224,7 +225,7 @@ impl FrameDenoiser {
 
     /// The filter.
     pub fn preset(&self) -> Preset {
-        self.executor.denoiser().config().preset
+        self.preset
     }
 
     /// Texels of one of the denoiser's outputs or histories in the last frame: `display`, `denoised_radiance`, ...

@@ -1,7 +1,7 @@
 //! The matrices by which `forward_project` carries a pixel of the previous frame to this one without a division.
 
 use super::FrameParams;
-use crate::config::{Config, ViewForward};
+use crate::config::{Conventions, ViewForward};
 use glam::{DMat2, DMat4, DVec2, DVec4};
 
 /// Computed in double precision: both matrices hold what is otherwise a chain of inverses in the shader.
@@ -16,8 +16,8 @@ pub(super) struct ForwardProjection {
 }
 
 impl ForwardProjection {
-    pub fn new(config: &Config, now: &FrameParams, before: &FrameParams) -> Self {
-        let forward = match config.conventions.view_forward {
+    pub fn new(conventions: &Conventions, now: &FrameParams, before: &FrameParams) -> Self {
+        let forward = match conventions.view_forward {
             ViewForward::NegativeZ => -1.0,
             ViewForward::PositiveZ => 1.0,
         };

@@ -182,7 +182,7 @@ fn frames(config: &Config, broken: Option<usize>) -> Vec<String> {
     let mut state = FrameState::default();
     let mut hazards = Vec::new();
     for _ in 0..4 {
-        let frame = state.begin(config, &FrameParams::new(config.allocated_extent), &Tuning::default()).expect("valid");
+        let frame = state.begin(&config.setup(), &FrameParams::new(config.allocated_extent), &Tuning::default()).expect("valid");
         for pass in 0..tracker.declaration.passes().len() {
             hazards.extend(tracker.pass(&frame, pass, broken == Some(pass)));
         }

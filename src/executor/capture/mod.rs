@@ -208,7 +208,7 @@ impl Executor {
                 check_format(name, image.format)?;
             }
         }
-        let writer = SequenceWriter::new(folder, self.denoiser.config())?;
+        let writer = SequenceWriter::new(folder, self.denoiser.declaration())?;
         self.capture.failure = None;
         (self.capture.first_index, self.capture.writer, self.capture.remaining) = (None, Some(writer), frames);
         Ok(())

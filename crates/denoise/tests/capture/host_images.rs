@@ -155,7 +155,7 @@ fn range(format: vk::Format) -> vk::ImageSubresourceRange {
 
 fn executor(config: &Config) -> Executor {
     // SAFETY: the device outlives every test, and the tests wait for their work.
-    unsafe { Executor::new(gpu().host(), config, ExecutorOptions::default()) }.expect("an executor")
+    unsafe { Executor::new(gpu().host(), config.declare().expect("valid"), ExecutorOptions::default()) }.expect("an executor")
 }
 
 /// Name, format, and colour in a frame.

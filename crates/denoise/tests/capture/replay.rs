@@ -5,8 +5,7 @@ use super::GpuTest;
 use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, MotionUnit, Preset, Sampling, Signals};
 use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
-use atrous_denoise::backend::{Backend, GpuBackend};
-use atrous_denoise::backend_reference::ReferenceBackend;
+use atrous_denoise::backend::{Backend, Passes};
 use atrous_denoise::setup::{Setup, Wishes};
 use atrous_denoise::{frame, frame_files};
 use atrous_synthetic::scene::{random, Guides, Scene};
@@ -90,11 +89,11 @@ fn replayed(backend: &mut dyn Backend, frames: &[frame::FrameInputs]) -> Vec<Pic
 
 fn assert_replays(folder: &Path, pictures: &[Picture]) {
     let (setup, frames) = load(folder);
-    let mut gpu = GpuBackend::new(None, &setup.config).expect("a device");
+    let mut gpu = Passes::gpu(None, &setup.config).expect("a device");
     for (i, (again, before)) in replayed(&mut gpu, &frames).iter().zip(pictures).enumerate() {
         assert!(again == before, "frame {i} differs on the GPU, RMSE {}", rmse(again, before));
     }
-    let mut twin = ReferenceBackend::new(&setup.config).expect("the twin");
+    let mut twin = Passes::reference(&setup.config).expect("the twin");
     for (i, (again, before)) in replayed(&mut twin, &frames).iter().zip(pictures).enumerate() {
         let error = rmse(again, before);
         assert!(error < 2e-3, "frame {i} differs on the CPU twin, RMSE {error}");

@@ -19,7 +19,7 @@ pub fn gpu() -> Arc<HeadlessDevice> {
 
 /// A session with poison: transients and previous copies hold NaN before they are written.
 pub fn session(config: &Config) -> Session {
-    Session::new(gpu(), config, SessionOptions { poison: true, ..Default::default() }).expect("session")
+    Session::new(gpu(), config.declare().expect("valid"), SessionOptions { poison: true, ..Default::default() }).expect("session")
 }
 
 /// No error of the validation layer so far.

@@ -1,0 +1,164 @@
+//! Every variant of every shader to SPIR-V, with a table of what they are. A module is compiled when one of its sources changed.
+
+use crate::compile::{resolve, shaders, Glsl, Kept, Variant};
+use atrous_shader::{entry_point, interface, reflect, BindingKind, Shader};
+use spirq::{ty::Type, var::Variable};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{env, error::Error, fs, time::UNIX_EPOCH};
+
+/// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module is kept in
+/// `modules` beside it from build to build.
+pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
+    let kept = out.with_file_name("modules");
+    fs::create_dir_all(out)?;
+    fs::create_dir_all(&kept)?;
+    let includes = [glsl.join("include")];
+    let compiler = shaderc::Compiler::new()?;
+    let (mut modules, mut asserts, mut interfaces, mut names) = (String::new(), BTreeSet::new(), String::new(), Vec::new());
+    for file in shaders(glsl)? {
+        let source = Glsl::read(&file, &includes)?;
+        let optional = optional(&fs::read_to_string(&file)?);
+        let mut of_file = String::new();
+        for variant in source.variants() {
+            let key = key(&file, &includes, &variant)?;
+            let parts = ["key", "rs", "asserts", "interface"].map(|part| kept.join(format!("{}.{part}", variant.name)));
+            let spirv = out.join(format!("{}.spv", variant.name));
+            if !spirv.is_file() || fs::read_to_string(&parts[0]).ok().as_ref() != Some(&key) {
+                let stage = file.file_stem().unwrap_or_default().to_string_lossy();
+                let module = module(&source, &compiler, &stage, &variant, &optional)?;
+                fs::write(&spirv, &module.bytes)?;
+                for (path, text) in parts.iter().skip(1).zip([&module.entry, &module.asserts, &module.interface]) {
+                    fs::write(path, text)?;
+                }
+                // Last, so that a build that was broken off is not taken for a whole one.
+                fs::write(&parts[0], key)?;
+            }
+            of_file += &fs::read_to_string(&parts[1])?;
+            asserts.extend(fs::read_to_string(&parts[2])?.lines().map(str::to_owned));
+            interfaces += &fs::read_to_string(&parts[3])?;
+            names.push(variant.name);
+        }
+        if let Some(unknown) = optional.iter().find(|name| !of_file.contains(&format!("{name:?}"))) {
+            return Err(format!("{}: `// optional: {unknown}`, but there is no such binding", file.display()).into());
+        }
+        modules += &of_file;
+    }
+    for entry in fs::read_dir(out)?.flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !names.iter().any(|n| name == format!("{n}.spv")) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    let mut table: String = asserts.into_iter().map(|line| line + "\n").collect();
+    let constants: String = names.iter().map(|n| format!("&{}, ", n.to_uppercase())).collect();
+    write!(table, "{modules}#[cfg(test)]\npub(crate) static ALL: &[&Shader] = &[{constants}];\n")?;
+    fs::write(out.join("shaders.rs"), table)?;
+    let interfaces = format!("pub(super) static INTERFACES: &[(&str, &[(&str, &str)])] = &[\n{interfaces}];\n");
+    fs::write(out.with_file_name("interfaces.rs"), interfaces)?;
+    Ok(())
+}
+
+/// What a module leaves: its code, and lines of the tables.
+struct Module {
+    bytes: Vec<u8>,
+    entry: String,
+    asserts: String,
+    interface: String,
+}
+
+fn module(
+    source: &Glsl,
+    compiler: &shaderc::Compiler,
+    stage: &str,
+    variant: &Variant,
+    optional: &[String],
+) -> Result<Module, Box<dyn Error>> {
+    let name = &variant.name;
+    let compile = |kept| source.compile(compiler, variant, kept).map_err(|e| format!("{name}:\n{e}"));
+    let bytes: Vec<u8> = compile(Kept::Code)?.iter().flat_map(|word| word.to_ne_bytes()).collect();
+    let named = compile(Kept::Everything)?;
+    let shader = reflect(stage, name, Vec::new(), &named, optional)?;
+    let interface = format!("({name:?}, &{:?}),\n", interface(&named)?);
+    Ok(Module { bytes, entry: entry(&shader)?, asserts: asserts(&named)?, interface })
+}
+
+/// Names after `// optional:`, of every such line.
+fn optional(source: &str) -> Vec<String> {
+    let lines = source.lines().filter_map(|line| line.strip_prefix("// optional:"));
+    lines.flat_map(|names| names.split(',')).map(|name| name.trim().to_owned()).collect()
+}
+
+/// What a module is made of: the shader and every file that it includes, the macros, and this program.
+fn key(file: &Path, includes: &[PathBuf], variant: &Variant) -> Result<String, Box<dyn Error>> {
+    let program = fs::metadata(env::current_exe()?)?;
+    let mut key = format!("{} {:?} {}\n", program.len(), program.modified()?.duration_since(UNIX_EPOCH)?, variant.name);
+    let (mut found, mut left) = (BTreeSet::new(), vec![file.to_owned()]);
+    while let Some(path) = left.pop() {
+        let text = fs::read_to_string(&path).unwrap_or_default();
+        let named = text.lines().filter_map(|line| line.trim_start().strip_prefix("#include")?.split('"').nth(1));
+        left.extend(named.map(|name| resolve(name, includes)).filter(|path| !found.contains(path)));
+        found.insert(path);
+    }
+    for path in found {
+        writeln!(key, "{}\n{}", path.display(), fs::read_to_string(&path).unwrap_or_default())?;
+    }
+    Ok(key)
+}
+
+/// The table entry of one module.
+fn entry(shader: &Shader) -> Result<String, std::fmt::Error> {
+    let Shader { stage, name, workgroup, bindings, members, constants, .. } = shader;
+    let mut text = format!(
+        "pub(crate) static {}: Shader = Shader {{\n    stage: Cow::Borrowed({stage:?}), name: Cow::Borrowed({name:?}), \
+         spirv: Cow::Borrowed(include_bytes!({:?})), workgroup: {workgroup:?},\n    bindings: Cow::Borrowed(&[\n",
+        name.to_uppercase(),
+        format!("{name}.spv")
+    );
+    for b in bindings.iter() {
+        let (number, name, kind, optional) = (b.number, &b.name, kind(b.kind), b.optional);
+        writeln!(
+            text,
+            "        ShaderBinding {{ number: {number}, name: Cow::Borrowed({name:?}), kind: {kind}, optional: {optional} }},"
+        )?;
+    }
+    text += "    ]),\n    members: Cow::Borrowed(&[\n";
+    for m in members.iter() {
+        let (name, offset, scalar) = (&m.name, m.offset, m.scalar);
+        writeln!(text, "        PushMember {{ name: Cow::Borrowed({name:?}), offset: {offset}, scalar: Scalar::{scalar:?} }},")?;
+    }
+    text += "    ]),\n    constants: Cow::Borrowed(&[\n";
+    for c in constants.iter() {
+        let (name, id, scalar, default) = (&c.name, c.id, c.scalar, c.default);
+        let of = format!("name: Cow::Borrowed({name:?}), id: {id}, scalar: Scalar::{scalar:?}, default: {default}");
+        writeln!(text, "        SpecialisationConstant {{ {of} }},")?;
+    }
+    text += "    ]),\n};\n";
+    Ok(text)
+}
+
+fn kind(kind: BindingKind) -> String {
+    match kind {
+        BindingKind::SampledImage(component) => format!("BindingKind::SampledImage(Component::{component:?})"),
+        BindingKind::StorageImage(format, access) => {
+            format!("BindingKind::StorageImage(TexelFormat::{format:?}, BindingAccess::{access:?})")
+        }
+        BindingKind::UniformBuffer => "BindingKind::UniformBuffer".into(),
+        BindingKind::StorageBuffer(access) => format!("BindingKind::StorageBuffer(BindingAccess::{access:?})"),
+    }
+}
+
+/// A block named like a Rust struct of the crate must have its layout.
+fn asserts(spirv: &[u32]) -> Result<String, Box<dyn Error>> {
+    const TWIN: &str = "FrameConstants";
+    let mut text = String::new();
+    for variable in &entry_point(spirv)?.vars {
+        let Variable::Descriptor { ty: Type::Struct(block), .. } = variable else { continue };
+        for member in block.members.iter().filter(|_| block.name() == Some(TWIN)) {
+            let (field, offset) = (member.name.as_deref().unwrap_or_default(), member.offset.unwrap_or(0));
+            writeln!(text, "const _: () = assert!(std::mem::offset_of!({TWIN}, {field}) == {offset});")?;
+        }
+    }
+    Ok(text)
+}

@@ -1,0 +1,102 @@
+//! What a dispatch records: the shader, and where everything that it reads comes from. Made once, so that recording looks nothing up.
+
+use super::{PassDecl, Use};
+
+use crate::reference::Twin;
+use crate::shaders::{Shader, ShaderRef};
+
+/// What a pass records.
+#[derive(Clone, Debug)]
+pub(crate) enum Work {
+    /// Uploads [`crate::FrameConstants`] to binding 0 and fills binding 1 with zeros.
+    StartFrame,
+    /// Fills binding 0, an image of unsigned integers, with zeros.
+    Clear,
+    /// Runs a shader.
+    Dispatch(Dispatch),
+}
+
+/// One run of a shader.
+#[derive(Clone, Debug)]
+pub(crate) struct Dispatch {
+    pub shader: ShaderRef,
+    /// Identifier and bits of each specialisation constant that is set, by identifier.
+    pub constants: Vec<(u32, u32)>,
+    /// One for each binding of the shader, in their order.
+    pub slots: Vec<Slot>,
+    /// One for each member of the push constants, in their order.
+    pub parameters: Vec<Parameter>,
+    pub grid: Grid,
+    /// The function of a host's stage for the CPU.
+    pub twin: Option<Twin>,
+}
+
+/// What stands at a binding of a shader.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Slot {
+    /// The use of the pass; `None`: the graph has nothing for it.
+    pub wired: Option<usize>,
+    /// The use whose descriptor stands here where there is none: the shader does not read it.
+    pub stand_in: usize,
+}
+
+/// Where a push constant comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Parameter {
+    /// These bits, in every frame.
+    Fixed(u32),
+    /// A tunable of the frame, by its index.
+    Tuning(usize),
+    /// Which bindings the host bound.
+    Present,
+    /// The view of the frame.
+    View,
+}
+
+/// Invocations of a dispatch.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Grid {
+    /// One a pixel of this frame.
+    Pixels,
+    /// One a stratum of so many pixels a side, of this frame and of the previous one, which is walked, too.
+    Strata(u32),
+}
+
+impl PassDecl {
+    pub(crate) fn dispatch(&self) -> Option<&Dispatch> {
+        match &self.work {
+            Work::Dispatch(dispatch) => Some(dispatch),
+            Work::StartFrame | Work::Clear => None,
+        }
+    }
+
+    pub(crate) fn shader(&self) -> Option<&Shader> {
+        self.dispatch().map(|d| &*d.shader)
+    }
+
+    /// Whether it draws a view, so that a frame without one leaves it out.
+    pub(crate) fn draws_view(&self) -> bool {
+        self.dispatch().is_some_and(|d| d.parameters.contains(&Parameter::View))
+    }
+
+    /// The SPIR-V that a dispatch was built with, `None` for a pass that is no dispatch: for tools that reflect or profile it.
+    pub fn spirv(&self) -> Option<&[u8]> {
+        self.shader().map(|s| &*s.spirv)
+    }
+
+    /// The stage that a dispatch runs, which is the file of its shader without `.comp`; `None` for a pass that is no dispatch.
+    pub fn stage(&self) -> Option<&str> {
+        self.shader().map(|s| &*s.stage)
+    }
+
+    /// Number and GLSL name of the binding at which each use stands, in the order of the uses; empty for a pass that is no dispatch.
+    pub fn bindings(&self) -> impl Iterator<Item = (u32, &str)> {
+        let slots = self.dispatch().into_iter().flat_map(|d| d.slots.iter().zip(d.shader.bindings.iter()));
+        slots.filter(|(slot, _)| slot.wired.is_some()).map(|(_, binding)| (binding.number, &*binding.name))
+    }
+
+    /// The use that stands at a binding, by its GLSL name.
+    pub fn use_of(&self, binding: &str) -> Option<&Use> {
+        self.bindings().zip(&self.uses).find(|((_, name), _)| *name == binding).map(|(_, u)| u)
+    }
+}

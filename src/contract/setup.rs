@@ -1,0 +1,43 @@
+//! What is fixed for every frame of a denoiser.
+
+use crate::config::{check_extent, Config, Conventions};
+use crate::error::Error;
+
+/// What is fixed for every frame of a denoiser, whatever its passes are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setup {
+    /// Width and height that images are allocated with; each frame renders into its top left part.
+    pub allocated_extent: [u32; 2],
+    /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
+    pub frames_in_flight: u32,
+    /// How the host encodes its guides. Default: [`Conventions::default`].
+    pub conventions: Conventions,
+}
+
+impl Setup {
+    /// Defaults for an extent.
+    pub fn new(allocated_extent: [u32; 2]) -> Self {
+        Self { allocated_extent, frames_in_flight: 2, conventions: Conventions::default() }
+    }
+
+    /// Checks every field.
+    ///
+    /// # Errors
+    /// [`Error::Extent`] or [`Error::Config`] for the first field that is out of range.
+    pub fn validate(&self) -> Result<(), Error> {
+        check_extent("Config::allocated_extent", self.allocated_extent)?;
+        let (given, min, max) = (self.frames_in_flight, 1, 8);
+        if !(min..=max).contains(&given) {
+            return Err(Error::Config { name: "frames_in_flight", given, min, max });
+        }
+        Ok(())
+    }
+}
+
+impl Config {
+    /// What is fixed for every frame.
+    pub fn setup(&self) -> Setup {
+        let &Self { allocated_extent, frames_in_flight, conventions, .. } = self;
+        Setup { allocated_extent, frames_in_flight, conventions }
+    }
+}

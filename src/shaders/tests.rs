@@ -1,0 +1,188 @@
+use super::*;
+use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, Signals};
+use crate::contract::{Dispatch, ImageFormat, PassDecl, Shape, Use};
+use crate::{Declaration, UseFrame};
+use std::collections::BTreeSet;
+
+const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
+    (GradientSource::ForwardProjected, false),
+    (GradientSource::ForwardProjected, true),
+    (GradientSource::Reshaded, false),
+    (GradientSource::Sparse, false),
+    (GradientSource::Confidence, false),
+];
+
+/// Every structural configuration that changes a declaration.
+fn declarations() -> Vec<Declaration> {
+    let mut all = Vec::new();
+    for (debug_view, signals) in
+        [(false, Signals::Together), (false, Signals::Apart), (true, Signals::Together), (true, Signals::Apart)]
+    {
+        add_declarations(&mut all, Config { signals, debug_view, ..Config::new([64, 36]) });
+    }
+    all
+}
+
+fn add_declarations(all: &mut Vec<Declaration>, base: Config) {
+    for (surface_id, object_normal) in [(false, false), (true, false), (false, true), (true, true)] {
+        for post_process in [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa] {
+            for levels in [1, 2, 5, 10] {
+                let config = Config { surface_id, object_normal, post_process, levels, ..base };
+                all.push(config.declare().expect("valid"));
+            }
+            let config = Config { surface_id, object_normal, post_process, ..base };
+            all.push(Config { preset: Preset::Eaw, object_normal: false, ..config }.declare().expect("valid"));
+            for (preset, levels) in [(Preset::Volume, 1), (Preset::Volume, 10), (Preset::Svgf, 5), (Preset::Eaw, 5)] {
+                for firefly_filter in [false, true] {
+                    let config = Config { preset, levels, firefly_filter, volume: true, object_normal: false, ..config };
+                    all.push(config.declare().expect("valid"));
+                }
+            }
+            all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
+            for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
+                all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
+            }
+            for preset in [Preset::Asvgf, Preset::Stabilize] {
+                for (gradient_source, forward_motion) in GRADIENT_SOURCES {
+                    all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));
+                    let with_all = Config { preset, gradient_source, firefly_filter: true, volume: true, ..config };
+                    all.push(with_all.declare().expect("valid"));
+                }
+            }
+        }
+    }
+}
+
+fn dispatches(declaration: &Declaration) -> impl Iterator<Item = (&PassDecl, &Dispatch)> {
+    declaration.passes().iter().filter_map(|p| p.dispatch().map(|d| (p, d)))
+}
+
+/// Each binding of a pass, with what is wired to it.
+fn wired(pass: &PassDecl) -> impl Iterator<Item = (&ShaderBinding, Option<&Use>)> {
+    let dispatch = pass.dispatch().expect("a dispatch");
+    let slots = dispatch.shader.bindings.iter().zip(&dispatch.slots);
+    slots.map(|(binding, slot)| (binding, slot.wired.map(|i| &pass.uses[i])))
+}
+
+#[test]
+fn uses_equal_the_bindings_in_order_access_and_format() {
+    for declaration in declarations() {
+        for (pass, dispatch) in dispatches(&declaration) {
+            let numbers: Vec<u32> = pass.bindings().map(|(number, _)| number).collect();
+            assert_eq!(numbers.len(), pass.uses.len(), "{}", pass.name);
+            assert!(numbers.is_sorted() && dispatch.shader.bindings.len() <= MAX_BINDINGS, "{}", pass.name);
+            for (binding, used) in wired(pass) {
+                let Some(used) = used else {
+                    assert!(binding.optional, "{}: {}", pass.name, binding.name);
+                    continue;
+                };
+                let resource = declaration.resource(used.resource);
+                let what = format!("{}: {} bound to {}", pass.name, resource.name, binding.name);
+                assert_eq!(used.access, access(binding.kind), "{what}");
+                match (binding.kind, resource.shape) {
+                    (BindingKind::SampledImage(component), Shape::Image { format, .. }) => {
+                        assert_eq!(crate::contract::component_of(format.preferred()), Some(component), "{what}");
+                    }
+                    (BindingKind::StorageImage(texel, _), Shape::Image { format, .. }) => {
+                        assert_eq!(format, ImageFormat::Exactly(vk_format(texel)), "{what}");
+                    }
+                    (BindingKind::UniformBuffer | BindingKind::StorageBuffer(_), Shape::Buffer { .. }) => {}
+                    _ => panic!("{what}: an image and a buffer"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
+    for declaration in declarations() {
+        for (pass, dispatch) in dispatches(&declaration) {
+            for (binding, slot) in dispatch.shader.bindings.iter().zip(&dispatch.slots).filter(|(b, _)| b.optional) {
+                let (other, used) = wired(pass).find(|(_, u)| u.is_some_and(|u| *u == pass.uses[slot.stand_in])).expect("a use");
+                let lifetime = declaration.resource(used.expect("a use").resource).lifetime;
+                assert!(other.kind.stands_in_for(binding.kind), "{}: {} for {}", pass.name, other.name, binding.name);
+                assert_ne!(lifetime, crate::Lifetime::Input { optional: true }, "{}: {}", pass.name, other.name);
+            }
+        }
+    }
+}
+
+/// What may differ between the name of a binding and that of the resource at it: signals by number, ports of filters, images in place.
+#[test]
+fn names_of_bindings_match_those_of_resources() {
+    const RENAMED: [(&str, &[&str]); 9] = [
+        ("frame", &["frame_constants"]),
+        ("input", &["filter_"]),
+        ("output", &["filter_", "irradiance_history", "denoised_volume"]),
+        ("irradiance", &["filter_ping", "irradiance_history"]),
+        ("history", &["irradiance_history"]),
+        ("radiance", &["denoised_", "filter_ping"]),
+        ("filtered", &["filter_", "irradiance_history"]),
+        ("accumulated", &["filter_ping"]),
+        ("estimated", &["filter_pong"]),
+    ];
+    for declaration in declarations() {
+        for (pass, _) in dispatches(&declaration) {
+            for ((_, binding), used) in pass.bindings().zip(&pass.uses) {
+                let name = binding.trim_end_matches("_0").trim_end_matches("_1");
+                let previous = name.strip_prefix("previous_").filter(|_| used.frame == UseFrame::Previous);
+                let resource = &declaration.resource(used.resource).name;
+                let name = previous.unwrap_or(name);
+                let renamed = RENAMED.iter().any(|(of, to)| *of == name && to.iter().any(|to| resource.starts_with(to)));
+                let same = resource.starts_with(name) || resource.ends_with(name);
+                let special = [("noisy", "other_denoised_radiance"), ("gradient_in", "gradient_p"), ("gradient_out", "gradient_p")];
+                let special = special.iter().any(|(of, to)| *of == name && resource.starts_with(to));
+                let packed = name == "object_normal" && resource == "object_normal_guide";
+                let display = name == "tone_mapped" && resource == "display";
+                assert!(renamed || same || special || packed || display, "{}: {resource} bound to {binding}", pass.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_variant_belongs_to_a_configuration() {
+    let used: BTreeSet<_> =
+        declarations().iter().flat_map(|d| dispatches(d).map(|(_, d)| d.shader.name.clone()).collect::<Vec<_>>()).collect();
+    let all: BTreeSet<_> = ALL.iter().map(|s| s.name.clone()).collect();
+    assert_eq!(used, all);
+}
+
+#[test]
+fn a_pass_is_free_of_hazards_inside() {
+    for declaration in declarations() {
+        for pass in declaration.passes() {
+            for (i, a) in pass.uses.iter().enumerate() {
+                for b in &pass.uses[..i] {
+                    let in_place = declaration.resource(a.resource).lifetime == crate::Lifetime::HistoryInPlace;
+                    let same_copy = a.resource == b.resource && (a.frame == b.frame || in_place);
+                    let same_copy = same_copy && (a.access.writes() || b.access.writes());
+                    assert!(!same_copy, "{} uses {} twice", pass.name, declaration.resource(a.resource).name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn histories_and_transients_live_as_declared() {
+    for declaration in declarations() {
+        for (i, resource) in declaration.resources().iter().enumerate() {
+            let uses: Vec<_> = declaration.passes().iter().flat_map(|p| &p.uses).filter(|u| u.resource.0 as usize == i).collect();
+            let first = uses.first().unwrap_or_else(|| panic!("{} is never used", resource.name));
+            let previous_after_write = uses.iter().skip_while(|u| !u.access.writes()).any(|u| u.frame == UseFrame::Previous);
+            match resource.lifetime {
+                crate::Lifetime::Input { .. } => assert!(uses.iter().all(|u| !u.access.writes()), "{}", resource.name),
+                crate::Lifetime::Output | crate::Lifetime::Transient => {
+                    assert!(!first.access.reads(), "{} is read before it is written", resource.name);
+                }
+                crate::Lifetime::HistoryInPlace => assert!(!previous_after_write, "{}", resource.name),
+                crate::Lifetime::History => assert!(uses.iter().any(|u| u.frame == UseFrame::Previous), "{}", resource.name),
+            }
+            if !resource.lifetime.is_history() {
+                assert!(uses.iter().all(|u| u.frame == UseFrame::Current), "{}", resource.name);
+            }
+        }
+    }
+}
