@@ -6,7 +6,7 @@
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::{Config, Error, FrameParams, Shape, Tuning};
-use clap::{Parser, ValueEnum};
+use clap::Parser;
 use std::sync::Arc;
 
 /// Times every pass of a preset on synthetic input.
@@ -21,31 +21,18 @@ struct Options {
     /// Index or a part of the name of the device
     #[arg(long)]
     device: Option<String>,
-    /// Filter
-    #[arg(long, value_enum, default_value_t = PresetName::Svgf)]
-    preset: PresetName,
-    /// Signals that are filtered apart: 1 or 2
-    #[arg(long, value_enum, default_value_t = SignalsName::Together)]
-    signals: SignalsName,
+    /// Filter: svgf, asvgf (with forward-projected gradients), percentile or eaw
+    #[arg(long, default_value_t)]
+    preset: Preset,
+    /// Signals: together or apart
+    #[arg(long, default_value_t)]
+    signals: Signals,
     /// À-trous levels
     #[arg(long, default_value_t = 5)]
     levels: u32,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     post_process: bool,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum SignalsName {
-    Together,
-    Apart,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum PresetName {
-    Svgf,
-    /// With forward-projected gradients
-    Asvgf,
 }
 
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
@@ -64,14 +51,8 @@ fn main() {
 
 fn bench(options: &Options) -> Result<(), Error> {
     let config = Config {
-        signals: match options.signals {
-            SignalsName::Together => Signals::Together,
-            SignalsName::Apart => Signals::Apart,
-        },
-        preset: match options.preset {
-            PresetName::Svgf => Preset::Svgf,
-            PresetName::Asvgf => Preset::Asvgf,
-        },
+        signals: options.signals,
+        preset: options.preset,
         levels: options.levels,
         post_process: if options.post_process { PostProcess::ToneMapTaa } else { PostProcess::None },
         ..Config::new(options.size)

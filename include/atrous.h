@@ -55,7 +55,8 @@ typedef uint32_t AtrousStatus;
 // A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 typedef struct AtrousDenoiser AtrousDenoiser;
 
-// What is decided once; `atrous_config_default` fills it. The numbers are those of the enums of `atrous::config`.
+// What is decided once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
+// parentheses.
 typedef struct AtrousConfig {
   // sizeof(AtrousConfig).
   uint32_t struct_size;
@@ -65,9 +66,9 @@ typedef struct AtrousConfig {
   uint32_t height;
   // Frames that the host records before it waits for the oldest, 1 to 8.
   uint32_t frames_in_flight;
-  // 0: SVGF; 1: A-SVGF; 2: stabilise the output of another denoiser; 3: percentile; 4: EAW; 5: a volume alone.
+  // Filter: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume).
   uint32_t preset;
-  // 0: one signal, `noisy_radiance`; 1: two, `noisy_direct` and `noisy_indirect`.
+  // Signals: 0 (together), 1 (apart). Together one image, `noisy_radiance`; apart two, `noisy_direct` and `noisy_indirect`.
   uint32_t signals;
   // À-trous levels, 1 to 10.
   uint32_t levels;
@@ -75,17 +76,17 @@ typedef struct AtrousConfig {
   uint32_t volume;
   // 1: fireflies are removed before accumulation; the percentile preset always does.
   uint32_t firefly_filter;
-  // How the percentile preset sees changed light. 0: change test; 1: percentiles.
+  // How the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
   uint32_t adaptive_rule;
-  // How percentiles are found. 0: counting; 1: odd-even transposition.
+  // How percentiles are found: 0 (counting), 1 (odd_even).
   uint32_t block_sort;
   // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
   uint32_t eaw_weights;
-  // How many pixels of EAW's input have a sample. 0: all; 1: one of 2×2; 2: one of 4×4.
+  // How many pixels of EAW's input have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
   uint32_t sampling;
   // Side of the strata of temporal gradients, 2 to 4 pixels.
   uint32_t stratum_size;
-  // Where gradients come from. 0: forward projection; 1: `reshaded_radiance`; 2: `sparse_gradient`; 3: `confidence`.
+  // Where gradients come from: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
   uint32_t gradient_source;
   // 1: the host has an image of forward motion.
   uint32_t forward_motion;
@@ -93,25 +94,26 @@ typedef struct AtrousConfig {
   uint32_t surface_id;
   // 1: the host has object-space normals.
   uint32_t object_normal;
-  // 0: nothing; 1: tone map; 2: tone map and temporal anti-aliasing.
+  // Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
   uint32_t post_process;
-  // 0: linear; 1: what a depth buffer holds; 2: length of the ray.
+  // What depth is: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
   uint32_t depth;
-  // 0: xyz; 1: xyz·0.5 + 0.5; 2: octahedral; 3: octahedral·0.5 + 0.5.
+  // How normals are encoded: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
   uint32_t normal;
-  // 0: world space; 1: view space.
+  // Space of the normals: 0 (world), 1 (view).
   uint32_t normal_space;
-  // 0: pixels; 1: uv; 2: ndc.
+  // Unit of the motion: 0 (pixels), 1 (uv), 2 (ndc).
   uint32_t motion_unit;
-  // 0: previous − current; 1: current − previous.
+  // Sign of the motion: 0 (previous_minus_current), 1 (current_minus_previous).
   uint32_t motion_direction;
   // 1: y of the motion points up.
   uint32_t motion_y_up;
   // 1: the motion includes the change of jitter.
   uint32_t motion_jittered;
-  // z of the motion. 0: nothing; 1: previous depth − depth; 2: previous depth.
+  // What z of the motion is: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
+  // depth.
   uint32_t motion_depth;
-  // 0: the camera looks along −z of view space; 1: along +z.
+  // Which way the camera looks in view space: 0 (negative_z), 1 (positive_z).
   uint32_t view_forward;
   // Linear depths from here on are background.
   float background_depth;
@@ -125,7 +127,8 @@ typedef struct AtrousFrameParams {
   uint32_t struct_size;
   // Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
   uint32_t frame_slot;
-  // 0: keep the history. Else drop it: 2 camera cut, 3 resize, 4 scene load, 5 origin shift, 6 exposure jump.
+  // Why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift), 6
+  // (exposure_jump). A host need not say that it is created.
   uint32_t reset;
   // Width rendered this frame, anchored top left.
   uint32_t render_width;
@@ -141,7 +144,10 @@ typedef struct AtrousFrameParams {
   float exposure_ratio;
   // 1: the host re-shades this frame's `gradient_samples`.
   uint32_t reshaded;
-  // What the pass `debug_view` shows: a number of `atrous::DebugView` plus 1. 0: the host leaves the pass out.
+  // What the pass `debug_view` shows; without one the host leaves the pass out.
+  //
+  // 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
+  // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values).
   uint32_t debug_view;
 } AtrousFrameParams;
 
@@ -280,8 +286,8 @@ typedef struct AtrousFrame {
   uint32_t reset;
 } AtrousFrame;
 
-// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional input that is
-// absent.
+// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
+// input that is absent.
 typedef struct AtrousBinding {
   // The image of the view: a transfer write has no use for a view.
   VkImage image;

@@ -40,10 +40,9 @@ fn the_guide_shows_parts_of_the_hosts() {
 /// What a host can configure, as far as it changes the declaration.
 fn configurations() -> Vec<Config> {
     let mut all = Vec::new();
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume] {
-        for signals in [Signals::Together, Signals::Apart] {
-            use GradientSource as G;
-            for gradient_source in [G::ForwardProjected, G::Reshaded, G::Sparse, G::Confidence] {
+    for preset in Preset::ALL {
+        for signals in Signals::ALL {
+            for gradient_source in GradientSource::ALL {
                 let base = Config { preset, signals, gradient_source, ..Config::new([1920, 1080]) };
                 all.push(base);
                 all.push(Config {

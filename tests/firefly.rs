@@ -16,7 +16,6 @@ pub const TESTS: &[GpuTest] = &[
 ];
 
 const EXTENT: [u32; 2] = [96, 54];
-const PRESETS: [Preset; 6] = [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Eaw, Preset::Volume];
 
 fn output(preset: Preset) -> &'static str {
     if preset == Preset::Volume {
@@ -85,7 +84,7 @@ fn with_outliers(i: u32) -> Guides {
 /// Most of the error that outliers add.
 fn outliers_go_in_every_preset() {
     let scene = Scene::new(EXTENT).frame(0, 0);
-    for preset in PRESETS {
+    for preset in Preset::ALL {
         let clean = if preset == Preset::Volume { &scene.clean_volume } else { &scene.clean };
         let least = rmse(&denoised(preset, false, (0..6).map(|i| Scene::new(EXTENT).frame(0, i))), clean);
         let added = |filter| rmse(&denoised(preset, filter, (0..6).map(with_outliers)), clean) - least;

@@ -27,7 +27,7 @@ inline int check_conventions() {
         config.motion_direction = direction;
         as_expected &= atrous_check_conventions(&config, &guides[0], &guides[1], &report) == ATROUS_STATUS_OK;
         as_expected &= report.geometry == 0 && report.motion == direction && report.normals == 0;
-        as_expected &= (std::strstr(report.text, "motion_direction: PreviousMinusCurrent") != nullptr) == (direction == 1);
+        as_expected &= (std::strstr(report.text, "motion_direction: previous_minus_current") != nullptr) == (direction == 1);
         std::printf("motion_direction %u\n%s", direction, report.text);
     }
     return as_expected ? 0 : 1;

@@ -136,5 +136,5 @@ fn evidence_is_in_pixels_and_degrees() {
     assert!(fitting.is_some_and(|f| f < 0.01) && pixels > 3000, "{report}");
     let text = report.to_string();
     assert!(text.contains("motion: MISTAKE: the motion has the opposite sign"), "{text}");
-    assert!(text.contains("change: motion_direction: PreviousMinusCurrent"), "{text}");
+    assert!(text.contains("change: motion_direction: previous_minus_current"), "{text}");
 }
