@@ -198,7 +198,7 @@ unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropert
 }
 
 /// Runs the sequence and prints a checksum of every frame.
-pub fn main() -> Result<()> {
+fn main() -> Result<()> {
     // SAFETY: every pointer lives until its call returns; handles are live, and what is destroyed is idle.
     unsafe {
         let entry = ash::Entry::load()?;
