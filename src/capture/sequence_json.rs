@@ -1,6 +1,6 @@
 //! The text of `sequence.json`: see docs/denoise.md for its keys.
 
-use crate::config::{Config, Conventions};
+use crate::config::Config;
 use crate::contract::{FrameParams, ResetReason, Tuning};
 use serde::Serialize;
 use serde_json::{Error, Map, Value};
@@ -77,12 +77,11 @@ pub(super) struct Head {
 
 impl Head {
     pub fn new(config: &Config, tuning: &Tuning) -> Result<Self, Error> {
-        let Config { conventions, .. } = config;
         let mut fields: Map<String, Value> = serde_json::from_value(serde_json::to_value(config)?)?;
         fields.retain(|name, _| OF_CONFIG.contains(&name.as_str()));
         Ok(Self {
             config: serde_json::to_string(&fields)?,
-            conventions: serde_json::to_string::<Conventions>(conventions)?,
+            conventions: serde_json::to_string(&config.conventions)?,
             tuning: serde_json::to_string(&tunables(tuning, None))?,
         })
     }

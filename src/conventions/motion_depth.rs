@@ -30,7 +30,7 @@ impl Reading {
             MotionDepth::Absolute => "z of the motion is the previous depth",
             _ => "z of the motion is a difference of depths",
         };
-        let mut remedies = vec![format!("motion_depth: {:?}", self.kind)];
+        let mut remedies = vec![format!("motion_depth: {}", self.kind)];
         if !self.negated {
             return (vec![what.to_owned()], remedies);
         }

@@ -39,8 +39,8 @@ impl MotionReading {
     /// Every reading, this one first, and those before others that differ less from it.
     pub fn all(self) -> Vec<Self> {
         let mut all = Vec::new();
-        for unit in [MotionUnit::Pixels, MotionUnit::Uv, MotionUnit::Ndc] {
-            for direction in [MotionDirection::PreviousMinusCurrent, MotionDirection::CurrentMinusPrevious] {
+        for unit in MotionUnit::ALL {
+            for direction in MotionDirection::ALL {
                 for (y_up, jittered) in [(false, false), (false, true), (true, false), (true, true)] {
                     all.push(Self { unit, direction, y_up, jittered });
                 }
@@ -63,7 +63,7 @@ impl MotionReading {
             remedies.push(remedy);
         };
         if self.direction != other.direction {
-            change("the motion has the opposite sign", format!("motion_direction: {:?}", other.direction));
+            change("the motion has the opposite sign", format!("motion_direction: {}", other.direction));
         }
         if self.unit != other.unit {
             let mistake = match other.unit {
@@ -71,7 +71,7 @@ impl MotionReading {
                 MotionUnit::Uv => "the motion is in fractions of the image",
                 MotionUnit::Ndc => "the motion is in normalised device coordinates",
             };
-            change(mistake, format!("motion_unit: {:?}", other.unit));
+            change(mistake, format!("motion_unit: {}", other.unit));
         }
         if self.y_up != other.y_up {
             let mistake = if other.y_up { "y of the motion points up" } else { "y of the motion points down" };
@@ -104,10 +104,9 @@ impl NormalReading {
 
     /// Every reading, this one first, and those before others that differ less from it.
     pub fn all(self) -> Vec<Self> {
-        use NormalEncoding as E;
         let mut all = Vec::new();
-        for encoding in [E::Xyz, E::XyzUnorm, E::Octahedral, E::OctahedralUnorm] {
-            for space in [NormalSpace::World, NormalSpace::View] {
+        for encoding in NormalEncoding::ALL {
+            for space in NormalSpace::ALL {
                 for negated in 0..8_u32 {
                     let signs = std::array::from_fn(|i| if negated >> i & 1 == 1 { -1.0 } else { 1.0 });
                     all.push(Self { encoding, space, signs });
@@ -129,13 +128,12 @@ impl NormalReading {
     pub fn changes(self, other: Self) -> (Vec<String>, Vec<String>) {
         let (mut mistakes, mut remedies) = (Vec::new(), Vec::new());
         if self.encoding != other.encoding {
-            mistakes.push(format!("the normals are encoded as {:?}", other.encoding));
-            remedies.push(format!("normal: {:?}", other.encoding));
+            mistakes.push(format!("the normals are encoded as {}", other.encoding));
+            remedies.push(format!("normal: {}", other.encoding));
         }
         if self.space != other.space {
-            let space = if other.space == NormalSpace::World { "world" } else { "view" };
-            mistakes.push(format!("the normals are in {space} space"));
-            remedies.push(format!("normal_space: {:?}", other.space));
+            mistakes.push(format!("the normals are in {} space", other.space));
+            remedies.push(format!("normal_space: {}", other.space));
         }
         let negated: Vec<&str> = ["x", "y", "z"].into_iter().zip(other.signs).filter(|n| n.1 < 0.0).map(|n| n.0).collect();
         match negated.len() {

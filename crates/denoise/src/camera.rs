@@ -3,7 +3,8 @@
 use crate::captured_config::CapturedConfig;
 use crate::error::{Result, ToolError};
 use atrous::ResetReason;
-use serde::Deserialize;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -47,7 +48,7 @@ pub struct SequenceFile {
 struct Json {
     frames: Vec<JsonFrame>,
     #[serde(default)]
-    conventions: BTreeMap<String, serde_json::Value>,
+    conventions: BTreeMap<String, Value>,
     #[serde(default)]
     config: CapturedConfig,
     #[serde(default)]
@@ -65,8 +66,8 @@ struct JsonFrame {
     jitter: [f32; 2],
     #[serde(default = "one")]
     exposure_ratio: f32,
-    #[serde(default)]
-    reset: JsonReset,
+    #[serde(default, deserialize_with = "reset")]
+    reset: Option<ResetReason>,
     #[serde(default)]
     reshaded: bool,
     #[serde(default)]
@@ -74,43 +75,10 @@ struct JsonFrame {
 }
 
 /// `true`, or the reason.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum JsonReset {
-    Flag(bool),
-    Reason(Reason),
-}
-
-#[derive(Clone, Copy, Deserialize)]
-#[serde(rename_all = "snake_case")]
-enum Reason {
-    Created,
-    CameraCut,
-    Resize,
-    SceneLoad,
-    OriginShift,
-    ExposureJump,
-}
-
-impl Default for JsonReset {
-    fn default() -> Self {
-        Self::Flag(false)
-    }
-}
-
-impl JsonReset {
-    fn reason(&self) -> Option<ResetReason> {
-        match self {
-            Self::Flag(flag) => flag.then_some(ResetReason::CameraCut),
-            Self::Reason(reason) => Some(match reason {
-                Reason::Created => ResetReason::Created,
-                Reason::CameraCut => ResetReason::CameraCut,
-                Reason::Resize => ResetReason::Resize,
-                Reason::SceneLoad => ResetReason::SceneLoad,
-                Reason::OriginShift => ResetReason::OriginShift,
-                Reason::ExposureJump => ResetReason::ExposureJump,
-            }),
-        }
+fn reset<'de, D: Deserializer<'de>>(from: D) -> std::result::Result<Option<ResetReason>, D::Error> {
+    match Value::deserialize(from)? {
+        Value::Bool(flag) => Ok(flag.then_some(ResetReason::CameraCut)),
+        reason => ResetReason::deserialize(reason).map(Some).map_err(serde::de::Error::custom),
     }
 }
 
@@ -148,7 +116,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             clip_from_view: transposed(&frame.proj),
             jitter: frame.jitter,
             exposure_ratio: frame.exposure_ratio,
-            reset: frame.reset.reason(),
+            reset: frame.reset,
             reshaded: frame.reshaded,
             tuning: frame.tuning.clone(),
         };
@@ -156,7 +124,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             return Err(problem(format!("has frame {number} twice")));
         }
     }
-    let text_of = |value: &serde_json::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    let text_of = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
     Ok(SequenceFile { cameras, conventions, config: json.config, tuning: json.tuning, verbatim: json.verbatim })
 }

@@ -1,11 +1,12 @@
 //! Options.
 
-use crate::conventions::KEYS;
+use crate::conventions::keys;
 use crate::roles::Role;
 use crate::setup::Wishes;
-use atrous::config::Signals;
+use atrous::config::{Preset, Signals};
 use atrous::Tuning;
-use clap::{Parser, ValueEnum};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::Parser;
 use std::path::{Path, PathBuf};
 
 /// Denoise a sequence of EXR frames with the filters of atrous, and score the result.
@@ -28,8 +29,12 @@ pub struct Cli {
     pub check: bool,
 
     /// Filter; svgf, or that of a capture, where none is given
-    #[arg(long, value_enum)]
-    pub preset: Option<Preset>,
+    ///
+    /// asvgf reacts to changed light by layers with the samples of the previous frame re-shaded in the scene of this frame (reshade_direct,
+    /// reshade_indirect), percentile by the noisy image alone; best is asvgf where there are such layers, else percentile. eaw filters every frame by
+    /// itself. stabilize accumulates what another denoiser made of the frames (other_denoised), by the gradients of asvgf.
+    #[arg(long, value_parser = filter())]
+    pub preset: Option<Filter>,
 
     /// Score against the reference channels: table, scores.json and scores.png
     #[arg(long)]
@@ -72,8 +77,8 @@ pub struct Cli {
     pub device: Option<String>,
 
     /// Filter direct and indirect light apart or together; apart where the file has both
-    #[arg(long, value_enum)]
-    pub signals: Option<SignalsOption>,
+    #[arg(long, value_parser = signals())]
+    pub signals: Option<Signals>,
 
     /// À-trous levels, 1 to 10
     #[arg(long, value_name = "N")]
@@ -101,7 +106,7 @@ pub struct Cli {
     pub camera: Option<PathBuf>,
 
     /// Say how a guide is encoded, where it differs from what the layout usually means
-    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Say how a guide is encoded, where it differs from what the layout usually means: {KEYS}"))]
+    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Say how a guide is encoded, where it differs from what the layout usually means: {}", keys()))]
     pub conventions: Vec<(String, String)>,
 
     /// Print nothing but errors, warnings and scores
@@ -109,43 +114,28 @@ pub struct Cli {
     pub quiet: bool,
 }
 
-/// Filters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Preset {
-    /// Spatiotemporal variance-guided filtering
-    Svgf,
-    /// Adaptive temporal filtering, by layers with the previous frame's samples re-shaded in this frame's scene (reshade_direct, reshade_indirect)
-    Asvgf,
-    /// Percentile-based adaptive SVGF: reacts to changed light from the noisy image alone
-    Percentile,
-    /// The best of these for what the frames have: asvgf with re-shaded layers, else percentile
+/// A filter of `--preset`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Filter {
+    /// This one.
+    Named(Preset),
+    /// The best for what the frames have.
     Best,
-    /// Edge-avoiding wavelets: every frame by itself
-    Eaw,
-    /// Temporal accumulation over what another denoiser made of the frames (other_denoised), by the gradients of asvgf
-    Stabilize,
 }
 
-impl Preset {
-    fn of_library(self) -> atrous::config::Preset {
-        match self {
-            Self::Svgf => atrous::config::Preset::Svgf,
-            // Chosen once the layers are known.
-            Self::Asvgf | Self::Best => atrous::config::Preset::Asvgf,
-            Self::Percentile => atrous::config::Preset::Percentile,
-            Self::Eaw => atrous::config::Preset::Eaw,
-            Self::Stabilize => atrous::config::Preset::Stabilize,
-        }
-    }
+const BEST: &str = "best";
+
+/// A volume alone comes from captures, which say it themselves.
+fn filter() -> impl TypedValueParser<Value = Filter> {
+    let presets = Preset::ALL.into_iter().filter(|preset| *preset != Preset::Volume);
+    PossibleValuesParser::new(presets.map(Preset::name).chain([BEST])).try_map(|name| match name.as_str() {
+        BEST => Ok(Filter::Best),
+        name => name.parse().map(Filter::Named),
+    })
 }
 
-/// Signals.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum SignalsOption {
-    /// One signal
-    Together,
-    /// Direct and indirect
-    Apart,
+fn signals() -> impl TypedValueParser<Value = Signals> {
+    PossibleValuesParser::new(Signals::ALL.map(Signals::name)).try_map(|name| name.parse::<Signals>())
 }
 
 fn key_value(text: &str) -> Result<(String, String), String> {
@@ -187,13 +177,13 @@ impl Cli {
             view_layer: self.view_layer.clone(),
             camera: self.camera.clone(),
             conventions: self.conventions.clone(),
-            signals: self.signals.map(|s| match s {
-                SignalsOption::Together => Signals::Together,
-                SignalsOption::Apart => Signals::Apart,
-            }),
+            signals: self.signals,
             levels: self.levels,
-            preset: self.preset.map(Preset::of_library),
-            best: self.preset == Some(Preset::Best),
+            preset: self.preset.and_then(|filter| match filter {
+                Filter::Named(preset) => Some(preset),
+                Filter::Best => None,
+            }),
+            best: self.preset == Some(Filter::Best),
             stratum_size: self.stratum_size,
             tunables: self.tunables.clone(),
         }

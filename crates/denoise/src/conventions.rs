@@ -6,6 +6,8 @@ use crate::roles::Role;
 use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
+use atrous::Choice;
+use serde_json::{Map, Value};
 
 /// Depths from here on are background in the data sets of this project, and in Blender, whose sky is at 1e10.
 const ATROUS_BACKGROUND: f32 = 1e4;
@@ -37,44 +39,35 @@ pub fn of_layout(mapping: &Mapping) -> Conventions {
 }
 
 /// Keys and values, for the help and for errors.
-pub const KEYS: &str = "depth=linear|device|ray_length, background_depth=NUMBER, normal=xyz|xyz_unorm|octahedral|octahedral_unorm, \
-     normal_space=world|view, motion_unit=pixels|uv|ndc, motion_direction=previous_minus_current|current_minus_previous, motion_y=down|up, \
-     motion_jittered=true|false, motion_depth=none|difference|absolute, view_forward=negative_z|positive_z";
-
-fn pick<T: Copy>(value: &str, choices: &[(&str, T)]) -> Option<T> {
-    choices.iter().find(|c| c.0 == value).map(|c| c.1)
+pub fn keys() -> String {
+    fn names<T: Choice>() -> String {
+        T::ALL.iter().map(|value| value.name()).collect::<Vec<_>>().join("|")
+    }
+    [
+        ("depth", names::<DepthEncoding>()),
+        ("background_depth", "NUMBER".to_owned()),
+        ("normal", names::<NormalEncoding>()),
+        ("normal_space", names::<NormalSpace>()),
+        ("motion_unit", names::<MotionUnit>()),
+        ("motion_direction", names::<MotionDirection>()),
+        ("motion_y", "down|up".to_owned()),
+        ("motion_jittered", "true|false".to_owned()),
+        ("motion_depth", names::<MotionDepth>()),
+        ("view_forward", names::<ViewForward>()),
+    ]
+    .map(|(key, values)| format!("{key}={values}"))
+    .join(", ")
 }
 
-/// Changes one convention. `None`: no such key or value.
-pub fn set(c: &mut Conventions, key: &str, value: &str) -> Option<()> {
-    use {DepthEncoding as D, MotionDepth as M, MotionDirection as S, MotionUnit as U, NormalEncoding as N};
-    match key {
-        "depth" => c.depth = pick(value, &[("linear", D::Linear), ("device", D::Device), ("ray_length", D::RayLength)])?,
-        "background_depth" => c.background_depth = value.parse().ok().filter(|d: &f32| *d > 0.0)?,
-        "normal" => {
-            let named = [
-                ("xyz", N::Xyz),
-                ("xyz_unorm", N::XyzUnorm),
-                ("octahedral", N::Octahedral),
-                ("octahedral_unorm", N::OctahedralUnorm),
-            ];
-            c.normal = pick(value, &named)?;
-        }
-        "normal_space" => c.normal_space = pick(value, &[("world", NormalSpace::World), ("view", NormalSpace::View)])?,
-        "motion_unit" => c.motion_unit = pick(value, &[("pixels", U::Pixels), ("uv", U::Uv), ("ndc", U::Ndc)])?,
-        "motion_direction" => {
-            let named = [("previous_minus_current", S::PreviousMinusCurrent), ("current_minus_previous", S::CurrentMinusPrevious)];
-            c.motion_direction = pick(value, &named)?;
-        }
-        "motion_y" => c.motion_y_up = pick(value, &[("down", false), ("up", true)])?,
-        "motion_jittered" => c.motion_jittered = value.parse().ok()?,
-        "motion_depth" => {
-            c.motion_depth = pick(value, &[("none", M::None), ("difference", M::Difference), ("absolute", M::Absolute)])?
-        }
-        "view_forward" => {
-            c.view_forward = pick(value, &[("negative_z", ViewForward::NegativeZ), ("positive_z", ViewForward::PositiveZ)])?;
-        }
-        _ => return None,
-    }
-    Some(())
+/// Changes one convention.
+///
+/// # Errors
+/// The key or the value that there is not, as a sentence.
+pub fn set(c: &mut Conventions, key: &str, value: &str) -> std::result::Result<(), serde_json::Error> {
+    let number = || value.parse().ok().and_then(serde_json::Number::from_f64).map(Value::Number);
+    let value = value.parse().ok().map(Value::Bool).or_else(number).unwrap_or_else(|| Value::String(value.to_owned()));
+    let mut fields: Map<String, Value> = serde_json::from_value(serde_json::to_value(*c)?)?;
+    fields.insert(key.to_owned(), value);
+    *c = serde_json::from_value(fields.into())?;
+    Ok(())
 }

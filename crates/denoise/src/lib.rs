@@ -10,7 +10,7 @@ pub mod camera;
 mod captured_config;
 pub mod check;
 pub mod cli;
-mod conventions;
+pub mod conventions;
 pub mod error;
 pub mod exr_header;
 pub mod exr_read;

@@ -144,18 +144,6 @@ impl Setup {
     }
 }
 
-/// For people.
-pub fn preset_name(preset: Preset) -> &'static str {
-    match preset {
-        Preset::Svgf => "SVGF",
-        Preset::Asvgf => "A-SVGF",
-        Preset::Stabilize => "stabilize",
-        Preset::Percentile => "percentile",
-        Preset::Eaw => "EAW",
-        Preset::Volume => "volume",
-    }
-}
-
 /// Roles that the first frame of a sequence need not have.
 pub fn is_about_previous(role: Role) -> bool {
     matches!(role, Role::ReshadeDirect | Role::ReshadeIndirect | Role::ReshadeEmission | Role::Reshaded | Role::ForwardMotion)
@@ -193,7 +181,7 @@ fn signals(mapping: &Mapping, preset: Preset, wish: Option<Signals>) -> Result<S
 fn apply(config: &mut Config, changes: &[(String, String)], error: impl Fn(String) -> ToolError) -> Result<()> {
     for (key, value) in changes {
         conventions::set(&mut config.conventions, key, value)
-            .ok_or_else(|| error(format!("no convention `{key}={value}`; there are: {}", conventions::KEYS)))?;
+            .map_err(|e| error(format!("no convention `{key}={value}`: {e}; there are: {}", conventions::keys())))?;
     }
     Ok(())
 }
@@ -217,7 +205,7 @@ fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
         Signals::Together => "together, as one signal",
         Signals::Apart => "direct and indirect apart",
     };
-    lines.push(format!("  {:<16} {signals}, by {}", "filtered", preset_name(config.preset)));
+    lines.push(format!("  {:<16} {signals}, by {}", "filtered", config.preset.title()));
     lines
 }
 

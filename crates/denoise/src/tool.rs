@@ -13,7 +13,7 @@ use crate::plan::{self, Existing, Step};
 use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
 use crate::score::{self, ScoreBook, NO_FLIP};
-use crate::setup::{preset_name, Setup};
+use crate::setup::Setup;
 use atrous::Config;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
@@ -49,7 +49,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     let mut backend = open(cli, &setup)?;
     let device = backend.name();
     if !cli.quiet {
-        eprintln!("{} on {device}", preset_name(setup.config.preset));
+        eprintln!("{} on {device}", setup.config.preset.title());
     }
     let wanted = Wanted {
         folder: cli.output().to_owned(),
@@ -58,7 +58,7 @@ pub fn run(cli: &Cli) -> Result<()> {
         strip: cli.strip.map(|frame| frame.unwrap_or(last)),
         score: cli.score,
         exposure: cli.exposure,
-        preset: preset_name(setup.config.preset).into(),
+        preset: setup.config.preset.title().into(),
     };
     let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
     let start = Instant::now();
@@ -68,7 +68,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     summary(cli, &saver, start.elapsed().as_secs_f64(), steps.len());
     result?;
     if cli.score {
-        scores(cli, preset_name(setup.config.preset), &saver.book, &device)?;
+        scores(cli, setup.config.preset.title(), &saver.book, &device)?;
     }
     Ok(())
 }

@@ -21,7 +21,7 @@ pub mod volume;
 #[cfg(feature = "window")]
 pub mod window;
 
-pub use denoiser::{DenoiserOptions, FrameDenoiser};
+pub use denoiser::{DenoiserOptions, FrameDenoiser, FILTERS};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};

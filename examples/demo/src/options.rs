@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 
 use atrous::config::{EawWeights, Preset, Signals};
-use atrous::Tuning;
-use atrous_demo::{DenoiserOptions, Error, Result, SceneOptions, TracerOptions};
-use clap::{Parser, ValueEnum};
+use atrous::{Choice, Tuning};
+use atrous_demo::{DenoiserOptions, Error, Result, SceneOptions, TracerOptions, FILTERS};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::Parser;
 
 /// Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
 ///
@@ -23,16 +24,16 @@ pub struct Options {
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: u32,
     /// Filter; default: svgf, in a window asvgf
-    #[arg(long, value_enum)]
-    pub preset: Option<PresetName>,
+    #[arg(long, value_parser = choice(&FILTERS))]
+    pub preset: Option<Preset>,
     /// Every filter on the same frames: one strip and one table. A-SVGF has lighting of its own, since it has some samples shaded again
     #[arg(long, conflicts_with = "preset")]
     pub compare: bool,
     /// Direct and indirect light filtered apart, or their sum; default: apart for svgf, together for the others
-    #[arg(long, value_enum)]
-    pub signals: Option<SignalsName>,
+    #[arg(long, value_parser = choice(&Signals::ALL))]
+    pub signals: Option<Signals>,
     /// Edge-stopping functions of the filter eaw: some of rt (radiance), normal and position, separated by commas, or none
-    #[arg(long, value_name = "WEIGHTS", default_value = "rt,normal,position", value_parser = parse_weights)]
+    #[arg(long, value_name = "WEIGHTS", default_value = "rt,normal,position")]
     pub eaw_weights: EawWeights,
     /// A number of the filter, for example alpha=0.1; may be given several times. Unknown names list the known ones
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse_setting)]
@@ -93,47 +94,9 @@ pub struct Options {
     pub seed: u32,
 }
 
-/// Filters of the demo.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum PresetName {
-    /// Spatiotemporal variance-guided filtering
-    Svgf,
-    /// Adaptive temporal filtering by temporal gradients
-    Asvgf,
-    /// Percentile-based adaptive SVGF
-    Percentile,
-    /// Edge-avoiding à-trous wavelets, frame by frame
-    Eaw,
-}
-
-impl PresetName {
-    /// What to call it in strips and tables.
-    pub fn title(self) -> &'static str {
-        match self {
-            Self::Svgf => "SVGF",
-            Self::Asvgf => "A-SVGF",
-            Self::Percentile => "percentile",
-            Self::Eaw => "EAW",
-        }
-    }
-
-    fn preset(self) -> Preset {
-        match self {
-            Self::Svgf => Preset::Svgf,
-            Self::Asvgf => Preset::Asvgf,
-            Self::Percentile => Preset::Percentile,
-            Self::Eaw => Preset::Eaw,
-        }
-    }
-}
-
-/// What is filtered.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum SignalsName {
-    /// Direct and indirect light, each by itself
-    Apart,
-    /// Their sum
-    Together,
+/// One of some values by its name.
+fn choice<T: Choice>(values: &'static [T]) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(values.iter().map(|value| value.name())).try_map(|name| name.parse::<T>())
 }
 
 impl Options {
@@ -155,7 +118,7 @@ impl Options {
             window_size: self.window_size,
             settings_file: self.settings.clone(),
             scene: self.scenes.first().cloned(),
-            shown: self.preset.map(PresetName::preset),
+            shown: self.preset,
             out: self.out.clone(),
             log: self.window_log.clone(),
             record: self.record.clone(),
@@ -195,28 +158,23 @@ impl Options {
         TracerOptions { jitter: self.taa, seed: self.seed, ..TracerOptions::default() }
     }
 
-    /// The filters that run, in the order of strips and tables. Not A-SVGF last: then the noisy picture is the one that all others had.
-    pub fn presets(&self) -> Vec<PresetName> {
+    /// The filters that run, in the order of strips and tables.
+    pub fn presets(&self) -> Vec<Preset> {
         match self.compare {
-            true => vec![PresetName::Svgf, PresetName::Asvgf, PresetName::Percentile, PresetName::Eaw],
-            false => vec![self.preset.unwrap_or(PresetName::Svgf)],
+            true => FILTERS.to_vec(),
+            false => vec![self.preset.unwrap_or_default()],
         }
     }
 
     /// What the denoiser is asked for.
-    pub fn denoiser(&self, name: PresetName) -> Result<DenoiserOptions> {
-        let defaults = DenoiserOptions::new(name.preset());
-        let signals = match self.signals {
-            Some(SignalsName::Apart) => Signals::Apart,
-            Some(SignalsName::Together) => Signals::Together,
-            None => defaults.signals,
-        };
+    pub fn denoiser(&self, preset: Preset) -> Result<DenoiserOptions> {
+        let defaults = DenoiserOptions::new(preset);
         let mut tuning = defaults.tuning;
         self.set(&mut tuning)?;
         Ok(DenoiserOptions {
             // A strip of several filters has no room for the views of each.
             debug_view: !self.compare,
-            signals,
+            signals: self.signals.unwrap_or(defaults.signals),
             taa: self.taa,
             eaw_weights: self.eaw_weights,
             volume_motion: !self.surface_motion,
@@ -241,17 +199,4 @@ fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
 fn parse_setting(text: &str) -> std::result::Result<(String, f32), String> {
     let parsed = text.split_once('=').and_then(|(name, value)| Some((name.to_owned(), value.parse().ok()?)));
     parsed.ok_or_else(|| format!("\"{text}\" is not a setting: give a name and a number like alpha=0.1"))
-}
-
-fn parse_weights(text: &str) -> std::result::Result<EawWeights, String> {
-    let mut weights = EawWeights::first(0);
-    for name in text.split(',').filter(|_| text != "none") {
-        match name {
-            "rt" => weights.radiance = true,
-            "normal" => weights.normal = true,
-            "position" => weights.position = true,
-            _ => return Err(format!("\"{name}\" is no weight: give some of rt, normal, position, separated by commas, or none")),
-        }
-    }
-    Ok(weights)
 }

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use atrous::config::Preset;
 use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{report, volume, DenoiserOptions, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -27,7 +28,7 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let extent = ash::vk::Extent2D { width, height };
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
     let memory = memory(options, gpu, &tracer)?;
-    let contender = |preset: crate::options::PresetName| {
+    let contender = |preset: Preset| {
         let denoiser = FrameDenoiser::new(gpu, &tracer, &options.denoiser(preset)?)?;
         Ok(Contender { name: preset.title(), denoiser, times: Times::default() })
     };

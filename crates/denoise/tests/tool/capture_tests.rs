@@ -3,11 +3,55 @@
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
+    NormalEncoding, NormalSpace, Preset, Sampling, ViewForward,
 };
-use atrous::{Config, FrameParams, Tuning};
+use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
 use atrous_denoise::setup::{Setup, Wishes};
+use std::path::Path;
+
+/// Written by the first version that wrote the configuration, with nothing at its default.
+#[test]
+fn the_description_of_an_old_capture_is_read() {
+    let text = include_str!("../../../../src/capture/old_sequence.json");
+    let file = atrous_denoise::camera::parse(Path::new("sequence.json"), text).expect("a sequence");
+    let mut config = Config::new([3, 2]);
+    file.config.apply(&mut config);
+    for (key, value) in &file.conventions {
+        atrous_denoise::conventions::set(&mut config.conventions, key, value).expect("a convention");
+    }
+    let conventions = Conventions {
+        depth: DepthEncoding::RayLength,
+        background_depth: 0.1,
+        normal: NormalEncoding::OctahedralUnorm,
+        normal_space: NormalSpace::View,
+        motion_unit: MotionUnit::Ndc,
+        motion_direction: MotionDirection::CurrentMinusPrevious,
+        motion_y_up: true,
+        motion_jittered: true,
+        motion_depth: MotionDepth::Absolute,
+        view_forward: ViewForward::PositiveZ,
+    };
+    let expected = Config {
+        levels: 3,
+        stratum_size: 4,
+        gradient_source: GradientSource::Reshaded,
+        firefly_filter: true,
+        adaptive_rule: AdaptiveRule::Percentiles,
+        block_sort: BlockSort::OddEven,
+        eaw_weights: EawWeights { radiance: true, normal: false, position: true },
+        sampling: Sampling::OneOf2x2,
+        conventions,
+        ..Config::new([3, 2])
+    };
+    assert_eq!(config, expected);
+    assert_eq!((file.config.preset, file.verbatim, file.tuning["alpha"]), (Some(Preset::Percentile), true, 0.05));
+    let [first, second] = [&file.cameras[&0], &file.cameras[&1]];
+    assert_eq!((first.reset, second.reset), (Some(ResetReason::OriginShift), None));
+    assert_eq!((first.jitter, first.exposure_ratio, first.view_from_world[3]), ([0.1, -0.7], 1.1, [0.3, -1e-7, 12345.678, 1.0]));
+    assert_eq!((first.tuning.len(), second.tuning["sigma_l"]), (0, 2.3));
+}
 
 fn variants() -> Vec<Conventions> {
     let base = Conventions::default();

@@ -6,6 +6,7 @@ mod check_tests;
 mod fuzz;
 mod layout_tests;
 mod memory;
+mod name_tests;
 mod reading;
 mod runs;
 mod samples;

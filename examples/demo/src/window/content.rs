@@ -7,13 +7,7 @@ use atrous::config::Preset;
 use atrous::DebugView;
 use serde::{Deserialize, Serialize};
 
-/// The filters of the window, with the names of files, keys and menus.
-pub const FILTERS: [(Preset, &str, &str); 4] = [
-    (Preset::Svgf, "svgf", "SVGF"),
-    (Preset::Asvgf, "asvgf", "A-SVGF"),
-    (Preset::Percentile, "percentile", "percentile"),
-    (Preset::Eaw, "eaw", "EAW"),
-];
+use crate::denoiser::FILTERS;
 
 /// What a half of the split screen shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -43,20 +37,10 @@ impl Content {
         match self {
             Self::Noisy => "noisy".into(),
             Self::Reference => "reference".into(),
-            Self::Filtered(preset) => title_of(preset).into(),
-            Self::Debug(preset, view) => format!("{}: {}", title_of(preset), view.name().replace('_', " ")),
+            Self::Filtered(preset) => preset.title().into(),
+            Self::Debug(preset, view) => format!("{}: {}", preset.title(), view.name().replace('_', " ")),
         }
     }
-}
-
-/// A filter's name in files.
-pub fn name_of(preset: Preset) -> &'static str {
-    FILTERS.iter().find(|f| f.0 == preset).map_or("other", |f| f.1)
-}
-
-/// A filter's name for people.
-pub fn title_of(preset: Preset) -> &'static str {
-    FILTERS.iter().find(|f| f.0 == preset).map_or("other", |f| f.2)
 }
 
 impl fmt::Display for Content {
@@ -64,8 +48,8 @@ impl fmt::Display for Content {
         match self {
             Self::Noisy => f.write_str("noisy"),
             Self::Reference => f.write_str("reference"),
-            Self::Filtered(preset) => f.write_str(name_of(*preset)),
-            Self::Debug(preset, view) => write!(f, "{}/{}", name_of(*preset), view.name()),
+            Self::Filtered(preset) => f.write_str(preset.name()),
+            Self::Debug(preset, view) => write!(f, "{preset}/{view}"),
         }
     }
 }
@@ -88,16 +72,15 @@ impl FromStr for Content {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let preset = |name: &str| FILTERS.iter().find(|f| f.1 == name).map(|f| f.0);
-        let view = |name: &str| DebugView::ALL.into_iter().find(|v| v.name() == name);
+        let preset = |name: &str| name.parse().ok().filter(|preset| FILTERS.contains(preset));
         let parsed = match (text, text.split_once('/')) {
             ("noisy", _) => Some(Self::Noisy),
             ("reference", _) => Some(Self::Reference),
-            (_, Some((filter, shown))) => preset(filter).zip(view(shown)).map(|(p, v)| Self::Debug(p, v)),
+            (_, Some((filter, shown))) => preset(filter).zip(shown.parse().ok()).map(|(p, v)| Self::Debug(p, v)),
             (_, None) => preset(text).map(Self::Filtered),
         };
         parsed.ok_or_else(|| {
-            let filters = FILTERS.map(|f| f.1).join(", ");
+            let filters = FILTERS.map(Preset::name).join(", ");
             let views = DebugView::ALL.map(DebugView::name).join(", ");
             format!(
                 "\"{text}\" is nothing to show: give noisy, reference, a filter ({filters}), or FILTER/VIEW with one of {views}"
@@ -113,7 +96,7 @@ mod tests {
     #[test]
     fn every_content_survives_its_name() {
         let mut all = vec![Content::Noisy, Content::Reference];
-        for (preset, ..) in FILTERS {
+        for preset in FILTERS {
             all.push(Content::Filtered(preset));
             all.extend(DebugView::ALL.map(|view| Content::Debug(preset, view)));
         }

@@ -221,7 +221,7 @@ mod tests {
     fn a_paused_picture_follows_what_the_filters_make_of_it() {
         let plain = Settings::default();
         let made = |settings: &Settings| Made::new(settings, None);
-        let linear = Settings { tone_curve: 2, ..plain.clone() };
+        let linear = Settings { tone_curve: atrous::ToneCurve::Linear, ..plain.clone() };
         assert!(made(&plain) == made(&linear), "the window maps tones");
         let [plain_taa, linear_taa] = [plain.clone(), linear].map(|settings| Settings { taa: true, ..settings });
         assert!(made(&plain_taa) != made(&linear_taa), "the filter maps tones");

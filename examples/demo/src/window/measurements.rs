@@ -4,7 +4,6 @@ use std::collections::VecDeque;
 
 use egui::{Color32, RichText, Ui};
 
-use super::content::title_of;
 use super::shared::{FilterReport, Report};
 
 /// Frames that the plot shows.
@@ -32,7 +31,7 @@ impl Timings {
             return;
         }
         self.last_frame = report.frames;
-        let total = |f: &FilterReport| (title_of(f.preset), f.times.iter().map(|t| t.milliseconds).sum());
+        let total = |f: &FilterReport| (f.preset.title(), f.times.iter().map(|t| t.milliseconds).sum());
         self.times.push_back(report.filters.iter().map(total).collect());
         while self.times.len() > PLOTTED {
             self.times.pop_front();
@@ -46,7 +45,7 @@ impl Timings {
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
         for (i, filter) in report.filters.iter().enumerate() {
-            let title = title_of(filter.preset);
+            let title = filter.preset.title();
             let at = |(x, frame): (usize, &Vec<(&str, f64)>)| {
                 let value = frame.iter().find(|t| t.0 == title)?.1;
                 let x = rect.left() + rect.width() * x as f32 / PLOTTED as f32;
@@ -65,10 +64,10 @@ impl Timings {
 
 fn passes(ui: &mut Ui, filter: &FilterReport, colour: Color32) {
     let total: f64 = filter.times.iter().map(|t| t.milliseconds).sum();
-    egui::CollapsingHeader::new(RichText::new(format!("{}: {total:.2} ms", title_of(filter.preset))).color(colour))
-        .id_salt(("passes", title_of(filter.preset)))
+    egui::CollapsingHeader::new(RichText::new(format!("{}: {total:.2} ms", filter.preset.title())).color(colour))
+        .id_salt(("passes", filter.preset.title()))
         .show(ui, |ui| {
-            egui::Grid::new(("times", title_of(filter.preset))).num_columns(2).show(ui, |ui| {
+            egui::Grid::new(("times", filter.preset.title())).num_columns(2).show(ui, |ui| {
                 for time in &filter.times {
                     ui.label(time.name.replace('_', " "));
                     ui.label(format!("{:.2} ms", time.milliseconds));
@@ -105,7 +104,7 @@ pub fn memory(ui: &mut Ui, report: &Report) {
         }
         ui.end_row();
         for filter in &report.filters {
-            ui.label(title_of(filter.preset));
+            ui.label(filter.preset.title());
             for bytes in [filter.memory.history, filter.memory.transient, filter.memory.output] {
                 ui.label(format!("{}", bytes / 1024));
             }

@@ -4,7 +4,6 @@ use atrous::reference::Reason;
 use atrous::DebugView;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui};
 
-use super::content::title_of;
 use super::input::HELP;
 use super::layout::{Place, GRAB};
 use super::settings::Settings;
@@ -91,7 +90,7 @@ fn text(probe: &Probe) -> String {
     lines.push(format!("left   {}", colour(probe.colours[0])));
     lines.push(format!("right  {}", colour(probe.colours[1])));
     if let Some(preset) = probe.preset {
-        lines.push(format!("-- {}", title_of(preset)));
+        lines.push(format!("-- {}", preset.title()));
     }
     for (view, label, unit) in [
         (DebugView::HistoryLength, "history", " frames"),

@@ -1,14 +1,15 @@
 //! The panel: every choice with its explanation, and what the engine says.
 
-use atrous::{DebugView, Tuning, TuningField};
+use atrous::{DebugView, ToneCurve, Tuning, TuningField};
 use egui::{Color32, RichText, Ui};
 
-use super::content::{Content, FILTERS};
+use super::content::Content;
 use super::input::Action;
 use super::measurements::{histogram, memory, Timings};
 use super::settings::{Settings, SPEEDS};
 use super::shared::Report;
 use super::surface_format::Encoding;
+use crate::denoiser::FILTERS;
 use crate::scene::BUILT_IN;
 
 /// What the panel remembers.
@@ -35,9 +36,9 @@ impl Panel {
             section(ui, "Split screen", true, |ui| split(ui, settings, report, &mut actions));
             section(ui, "Time", true, |ui| time(ui, settings, &mut actions));
             section(ui, "Picture", false, |ui| picture(ui, settings, encoding));
-            for (preset, name, title) in FILTERS {
+            for preset in FILTERS {
                 if [settings.left, settings.right].iter().any(|c| c.preset() == Some(preset)) {
-                    section(ui, &format!("{title}: numbers"), false, |ui| tuning(ui, settings, preset, name));
+                    section(ui, &format!("{}: numbers", preset.title()), false, |ui| tuning(ui, settings, preset));
                 }
             }
             section(ui, "Timings", true, |ui| self.timings.show(ui, report));
@@ -123,8 +124,8 @@ fn content(ui: &mut Ui, side: &str, shown: &mut Content, report: &Report) {
             ui.selectable_value(shown, Content::Noisy, "noisy").on_hover_text("One path a pixel: what the filters are given");
             ui.selectable_value(shown, Content::Reference, "reference")
                 .on_hover_text("All paths since something last moved: what the filters should come to");
-            for (preset, _, title) in FILTERS {
-                ui.selectable_value(shown, Content::Filtered(preset), title).on_hover_text(about(preset));
+            for preset in FILTERS {
+                ui.selectable_value(shown, Content::Filtered(preset), preset.title()).on_hover_text(about(preset));
             }
             for filter in &report.filters {
                 ui.separator();
@@ -192,12 +193,14 @@ fn picture(ui: &mut Ui, settings: &mut Settings, encoding: Encoding) {
     ui.add(egui::Slider::new(&mut settings.exposure, 0.01..=100.0).logarithmic(true).text("exposure"))
         .on_hover_text("Scale of the radiance before the tone curve");
     egui::ComboBox::from_id_salt("curve")
-        .selected_text(["ACES", "Reinhard", "linear"][settings.tone_curve.min(2) as usize])
+        .selected_text(settings.tone_curve.name())
         .show_ui(ui, |ui| {
-            for (i, name) in (0..).zip(["ACES", "Reinhard", "linear"]) {
-                ui.selectable_value(&mut settings.tone_curve, i, name);
+            for curve in ToneCurve::ALL {
+                ui.selectable_value(&mut settings.tone_curve, curve, curve.name());
             }
-        });
+        })
+        .response
+        .on_hover_text("Curve of the tone map");
     ui.checkbox(&mut settings.taa, "temporal anti-aliasing")
         .on_hover_text("Jitters the paths within their pixels and resolves them (Karis 2014)");
     ui.checkbox(&mut settings.vsync, "V-sync").on_hover_text("Waits for the display; off: as fast as possible, may tear");
@@ -207,7 +210,7 @@ fn picture(ui: &mut Ui, settings: &mut Settings, encoding: Encoding) {
 }
 
 /// Every number with its range, and its documentation as a tooltip.
-fn tuning(ui: &mut Ui, settings: &mut Settings, preset: atrous::config::Preset, name: &str) {
+fn tuning(ui: &mut Ui, settings: &mut Settings, preset: atrous::config::Preset) {
     let tuning = settings.tuning(preset);
     for field in Tuning::FIELDS.iter().filter(|f| f.name != "exposure") {
         let mut value = tuning.get(field.name).unwrap_or(field.default);
@@ -217,7 +220,7 @@ fn tuning(ui: &mut Ui, settings: &mut Settings, preset: atrous::config::Preset, 
         }
     }
     if ui.button("Defaults").clicked() {
-        settings.tuning.remove(name);
+        settings.tuning.remove(preset.name());
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use atrous::ToneCurve;
 use atrous_picture::Picture;
 
 use super::content::Content;
@@ -76,13 +77,13 @@ pub fn make(folder: &Path) -> Result<()> {
 }
 
 /// As glsl/window/present.frag for a display that ends at white.
-fn tone_mapped(x: [f32; 3], curve: u32) -> [f32; 3] {
+fn tone_mapped(x: [f32; 3], curve: ToneCurve) -> [f32; 3] {
     let x = x.map(|c| c.max(0.0));
     let luminance = 0.2126 * x[0] + 0.7152 * x[1] + 0.0722 * x[2];
     match curve {
-        0 => x.map(|c| c.min(1e4)).map(|c| c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)),
-        1 => x.map(|c| c / (1.0 + luminance)),
-        _ => x,
+        ToneCurve::Aces => x.map(|c| c.min(1e4)).map(|c| c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)),
+        ToneCurve::Reinhard => x.map(|c| c / (1.0 + luminance)),
+        ToneCurve::Linear => x,
     }
 }
 
@@ -112,7 +113,7 @@ mod tests {
     #[test]
     fn white_is_white_and_black_is_black() {
         assert_eq!([0.0, 1.0, 7.0].map(srgb), [0, 255, 255]);
-        for curve in 0..3 {
+        for curve in ToneCurve::ALL {
             assert_eq!(tone_mapped([0.0; 3], curve), [0.0; 3]);
             assert!(tone_mapped([1e6; 3], curve)[0] > 0.9);
         }

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use atrous::config::Preset;
 use atrous::{ToneCurve, Tuning};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 
-use super::content::{name_of, Content, FILTERS};
+use super::content::Content;
+use crate::denoiser::FILTERS;
 use crate::error::{Error, Result};
 
 /// Slowest and fastest passing of time.
@@ -37,8 +38,9 @@ pub struct Settings {
     pub animate_camera: bool,
     /// Jitter, resolved by temporal anti-aliasing.
     pub taa: bool,
-    /// 0: ACES, 1: Reinhard, 2: linear.
-    pub tone_curve: u32,
+    /// Curve of the tone map.
+    #[serde(deserialize_with = "tone_curve")]
+    pub tone_curve: ToneCurve,
     /// Scale of the radiance before the tone curve.
     pub exposure: f32,
     /// Wait for the display.
@@ -51,6 +53,21 @@ pub struct Settings {
     pub panel: bool,
     /// Numbers that are not at their defaults, by filter.
     pub tuning: BTreeMap<String, BTreeMap<String, f32>>,
+}
+
+/// By its name; by its number in files of older versions.
+fn tone_curve<'de, D: Deserializer<'de>>(from: D) -> std::result::Result<ToneCurve, D::Error> {
+    #[derive(Deserialize)]
+    #[serde(untagged)]
+    enum Given {
+        Number(u32),
+        Name(String),
+    }
+    let curve = match Given::deserialize(from)? {
+        Given::Number(number) => number.try_into(),
+        Given::Name(name) => name.parse(),
+    };
+    curve.map_err(|e: atrous::Error| serde::de::Error::custom(format!("tone_curve: {e}")))
 }
 
 impl Default for Settings {
@@ -66,7 +83,7 @@ impl Default for Settings {
             animate_objects: true,
             animate_camera: true,
             taa: false,
-            tone_curve: 0,
+            tone_curve: ToneCurve::default(),
             exposure: 1.0,
             vsync: true,
             hdr: false,
@@ -81,23 +98,18 @@ impl Settings {
     /// The numbers of a filter.
     pub fn tuning(&self, preset: Preset) -> Tuning {
         let mut tuning = Tuning::for_preset(preset);
-        for (name, value) in self.tuning.get(name_of(preset)).into_iter().flatten() {
+        for (name, value) in self.tuning.get(preset.name()).into_iter().flatten() {
             // Checked when it was set or loaded.
             let _ = tuning.set(name, *value);
         }
         tuning.exposure = self.exposure;
-        tuning.tone_curve = self.curve();
+        tuning.tone_curve = self.tone_curve;
         tuning
-    }
-
-    /// The curve of the tone map.
-    pub fn curve(&self) -> ToneCurve {
-        [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear][self.tone_curve.min(2) as usize]
     }
 
     /// Changes one number of a filter; one at its default is not kept.
     pub fn set_tuning(&mut self, preset: Preset, name: &str, value: f32) {
-        let numbers = self.tuning.entry(name_of(preset).into()).or_default();
+        let numbers = self.tuning.entry(preset.name().into()).or_default();
         if Tuning::for_preset(preset).get(name) == Some(value) {
             numbers.remove(name);
         } else {
@@ -133,7 +145,6 @@ impl Settings {
             ("divider", self.divider, 0.0, 1.0),
             ("speed", self.speed, SPEEDS[0], SPEEDS[1]),
             ("exposure", self.exposure, 0.0, 65504.0),
-            ("tone_curve", self.tone_curve as f32, 0.0, 2.0),
         ];
         for (name, given, min, max) in ranges {
             if !(min..=max).contains(&given) {
@@ -141,8 +152,8 @@ impl Settings {
             }
         }
         for (filter, numbers) in &self.tuning {
-            if !FILTERS.iter().any(|f| f.1 == filter) {
-                return Err(format!("tuning of \"{filter}\": no such filter; there are {}", FILTERS.map(|f| f.1).join(", ")));
+            if !FILTERS.iter().any(|preset| preset.name() == filter) {
+                return Err(format!("tuning of \"{filter}\": no such filter; there are {}", FILTERS.map(Preset::name).join(", ")));
             }
             for (name, value) in numbers {
                 Tuning::default().set(name, *value).map_err(|e| format!("tuning of {filter}: {e}"))?;
@@ -176,10 +187,22 @@ mod tests {
     }
 
     #[test]
+    fn a_tone_curve_is_read_by_name_and_by_number() {
+        for text in ["{\"tone_curve\": \"reinhard\"}", "{\"tone_curve\": 1}"] {
+            assert_eq!(serde_json::from_str::<Settings>(text).expect(text).tone_curve, ToneCurve::Reinhard);
+        }
+        let settings = Settings { tone_curve: ToneCurve::Linear, ..Settings::default() };
+        assert!(serde_json::to_string(&settings).expect("JSON").contains("\"tone_curve\":\"linear\""));
+    }
+
+    #[test]
     fn a_file_that_is_wrong_says_where() {
         for (text, named) in [
             ("{\"divider\": 2}", "divider"),
             ("{\"left\": \"svfg\"}", "svfg"),
+            ("{\"left\": \"volume\"}", "volume"),
+            ("{\"tone_curve\": \"filmic\"}", "reinhard"),
+            ("{\"tone_curve\": 3}", "2 (linear)"),
             ("{\"tuning\": {\"svgf\": {\"alpha\": 7}}}", "alpha"),
             ("{\"tuning\": {\"nrd\": {}}}", "nrd"),
             ("{\"devider\": 0.5}", "devider"),

@@ -156,7 +156,7 @@ impl App {
             divider: self.settings.divider,
             exposure: self.settings.exposure,
             display_referred: report.display_referred,
-            tone_curve: self.settings.tone_curve,
+            tone_curve: self.settings.tone_curve.into(),
             peak: 1.0,
         }
     }
