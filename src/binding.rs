@@ -7,6 +7,8 @@ use crate::shaders::{BindingKind, Shader};
 use ash::vk;
 
 /// What a host binds to one use of a pass.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binding {
     /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`.

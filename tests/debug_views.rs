@@ -47,8 +47,8 @@ impl Twin {
         let (noisy_volume, scattering_depth) = (image(&g.noisy_volume), image(&g.scattering_depth));
         let noisy: &[&Image<_>] = match (self.config.preset, self.config.signals) {
             (Preset::Volume, _) => &[],
-            (_, Signals::Together) => &[&radiance],
             (_, Signals::Apart) => &[&direct, &indirect],
+            _ => &[&radiance],
         };
         let inputs = DenoiserInputs {
             albedo: Some(&albedo),

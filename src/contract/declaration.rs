@@ -4,6 +4,8 @@ use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId};
 use crate::shaders::Shader;
 
 /// Where in the host's frame a pass belongs.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
@@ -21,6 +23,8 @@ impl Phase {
 }
 
 /// Which copy of a history a use means. Everything else is always `Current`.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum UseFrame {

@@ -3,6 +3,8 @@
 use ash::vk;
 
 /// The numeric class of an image as a shader sees it.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Component {
     /// Floating point or normalised: `texture2D` in GLSL.
@@ -12,6 +14,8 @@ pub enum Component {
 }
 
 /// What format an image must have.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageFormat {
     /// This one. Images that we write are declared so, and the shader carries the same format qualifier.

@@ -13,6 +13,7 @@ pub fn check(c: &Captured) {
             let differences: Vec<_> = c.suffixes().iter().map(|s| c.block_packed(&format!("block_difference{s}"))).collect();
             change_test(&c.frame.constants, c.tuning, c.config.allocated_extent, &each(&differences))
         }
+        other => panic!("{other} has no twin"),
     };
     // Slopes are steep: a step of a half float in a percentile or a deviation moves the result by more than one.
     let tolerance = Tolerance { absolute: 5e-3, outliers: 2e-3, ..HALF };

@@ -20,8 +20,8 @@ impl Captured<'_> {
     pub fn noisy(&self) -> &'static [&'static str] {
         match self.config.signals {
             _ if self.config.preset == Preset::Stabilize => &["noisy_radiance"],
-            Signals::Together => &["noisy_radiance"],
             Signals::Apart => &["noisy_direct", "noisy_indirect"],
+            _ => &["noisy_radiance"],
         }
     }
 

@@ -90,8 +90,8 @@ impl Captured<'_> {
     pub fn suffixes(&self) -> &'static [&'static str] {
         match self.config.signals {
             _ if self.config.preset == Preset::Stabilize => &[""],
-            Signals::Together => &[""],
             Signals::Apart => &["_direct", "_indirect"],
+            _ => &[""],
         }
     }
 

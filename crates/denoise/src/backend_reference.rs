@@ -26,8 +26,8 @@ impl ReferenceBackend {
         match self.config.signals {
             _ if self.config.preset == Preset::Volume => &[],
             _ if self.config.preset == Preset::Stabilize && shows_nothing => &[],
-            Signals::Together => &["noisy_radiance"],
             Signals::Apart => &["noisy_direct", "noisy_indirect"],
+            _ => &["noisy_radiance"],
         }
     }
 }
