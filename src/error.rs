@@ -109,6 +109,18 @@ pub enum Error {
         /// Names that exist.
         known: String,
     },
+    /// A CPU twin that was not given what its stage needs.
+    #[error("the CPU twin of stage `{stage}` needs {needed} as `{binding}`, but was given {given}; bind it under the name that the shader has")]
+    Twin {
+        /// Stage.
+        stage: String,
+        /// Name of the binding or of the specialisation constant.
+        binding: String,
+        /// What it needs.
+        needed: &'static str,
+        /// What it was given.
+        given: String,
+    },
     /// An image with a wrong format.
     #[error("resource `{resource}` was given an image of format {given:?}; it takes {allowed}")]
     Format {

@@ -1,9 +1,10 @@
 //! The stage `adaptive_alpha` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
+use super::bindings::Bindings;
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 
-/// Where it is known from.
+/// Source of the confidence.
 #[derive(Clone, Copy, Debug)]
 pub enum AdaptiveAlphaInput<'a> {
     /// The reconstructed gradient.
@@ -39,6 +40,16 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
     } else {
         0.0
     }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let input = match b.optional_colour("confidence")? {
+        Some(host) => AdaptiveAlphaInput::Confidence(host),
+        None => AdaptiveAlphaInput::Gradient { gradient: b.colour("gradient")?, stratum_size: b.stratum_size()? },
+    };
+    let confidence = adaptive_alpha(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
+    b.write("history_confidence", confidence)
 }
 
 #[cfg(test)]

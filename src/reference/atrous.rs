@@ -1,10 +1,11 @@
 //! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::geometry_weights::Geometry;
 use super::luminance::texel_luminance;
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -32,17 +33,19 @@ pub struct AtrousInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
 }
 
-/// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the input.
+/// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the
+/// input.
 pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
     filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), SPLINE, level, inputs.irradiance)
 }
 
-/// The same with a 3×3 box for the kernel \[ASVGF\].
+/// [`atrous`] with a 3×3 box for the kernel \[ASVGF\].
 pub fn box_atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
     filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), BOX, level, inputs.irradiance)
 }
 
-/// The same for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background \[PSVGF\].
+/// [`atrous`] for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background
+/// \[PSVGF\].
 pub fn volume_atrous(
     frame: &FrameConstants,
     tuning: &Tuning,
@@ -140,4 +143,16 @@ fn blurred_deviation(geometry: &Geometry, rect: RenderRect, image: &Image<[f32; 
         variance += weight * deviation * deviation;
     }
     (variance / sum).sqrt()
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = b.packed("guide")?;
+    let geometry = match b.is_on("VOLUME")? {
+        true => Geometry::of_volume(b.frame, b.tuning, guide),
+        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+    };
+    let kernel = if b.is_on("BOX")? { BOX } else { SPLINE };
+    let filtered = filter(b.frame, &geometry, kernel, b.level, &b.colours("input")?);
+    b.write_signals("output", filtered)
 }

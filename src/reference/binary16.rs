@@ -16,7 +16,7 @@ pub fn round_image_to_half(image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     image.map(|texel| texel.map(round_to_half))
 }
 
-/// What a half-float image of irradiance, luminance or deviation keeps: clamped to 0..65504, NaN to 0, rounded.
+/// The value that a half-float image of irradiance, luminance or deviation keeps: clamped to 0..65504, NaN to 0, rounded.
 pub(crate) fn store(x: f32) -> f32 {
     // `clamp` would pass a NaN on.
     if x.is_nan() {

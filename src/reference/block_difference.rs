@@ -1,14 +1,15 @@
 //! The stage `block_difference`: how far the light of a frame departs from its own history, block by block.
 
 use super::binary16::{from_half_bits, half_bits, LARGEST_HALF};
+use super::bindings::Bindings;
 use super::blocks::{allocated_blocks, Blocks};
 use super::luminance::texel_luminance;
 use super::moments::unpack_moments;
 use super::nearest_history::HistoryGuides;
 use super::{Image, SignalHistory};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 
-/// What a block holds of the differences of luminance between its pixels and their history.
+/// Statistics that a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
     /// Their mean, this frame minus the history.
@@ -40,7 +41,7 @@ pub struct BlockDifferenceInputs<'a> {
     pub guides: HistoryGuides<'a>,
     /// rgb: irradiance of one signal, as left by `firefly`.
     pub irradiance: &'a Image<[f32; 4]>,
-    /// What the previous frame left of this signal. Not read in a reset frame.
+    /// History of this signal. Not read in a reset frame.
     pub history: SignalHistory<'a>,
 }
 
@@ -67,4 +68,15 @@ fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
     let (now, before) = (mean(&|pair| pair.0), mean(&|pair| pair.1));
     let variance = mean(&|pair| (pair.0 - pair.1 - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.2));
     Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter: now.max(before) }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = BlockDifferenceInputs {
+        guides: HistoryGuides::of(b)?,
+        irradiance: b.colour("irradiance")?,
+        history: SignalHistory { irradiance: b.colour("history")?, moments: b.packed("previous_moments")? },
+    };
+    let differences = block_difference(b.frame, b.tuning, &inputs);
+    b.write("block_difference", differences)
 }

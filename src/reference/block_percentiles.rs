@@ -1,14 +1,15 @@
 //! The stage `block_percentiles` \[PSVGF\]: two percentiles of luminance in every 8×8 pixels.
 
 use super::binary16::{from_half_bits, half_bits, store};
+use super::bindings::Bindings;
 use super::blocks::{allocated_blocks, Blocks};
 use super::guide::unpack_guide;
 use super::luminance::texel_luminance;
 use super::Image;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
-/// What a block holds, of the luminance of the irradiance of its surface pixels; 0, 0 without any.
+/// Percentiles of the luminance of the irradiance of a block's surface pixels; 0, 0 without any.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Percentiles {
     /// The lower one.
@@ -58,6 +59,13 @@ pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &Block
         let low = tuning.percentile_low.min(tuning.percentile_up);
         pack_percentiles(&Percentiles { low: at(low), up: at(tuning.percentile_up) })
     })
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) };
+    let percentiles = block_percentiles(b.frame, b.tuning, &BlockPercentilesInputs { guide, irradiance: b.colour("irradiance")? });
+    b.write("block_percentiles", percentiles)
 }
 
 #[cfg(test)]

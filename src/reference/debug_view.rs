@@ -13,6 +13,12 @@ use super::{Image, Moments, Statistics, LARGEST_HALF};
 use crate::{DebugView, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
+mod adapter;
+#[cfg(test)]
+mod tests;
+
+pub(super) use adapter::twin;
+
 /// History lengths from here on look alike, frames.
 const LONG_HISTORY: f32 = 32.0;
 /// sRGB colours of the disocclusion reasons: history, off screen, background or id, depth, normal, reset. Okabe and Ito's.
@@ -37,7 +43,8 @@ const VIRIDIS: [[u8; 3]; 9] = [
     [253, 231, 37],
 ];
 
-/// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks and strata.
+/// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks
+/// and strata.
 #[derive(Clone, Copy, Debug)]
 pub struct DebugViewInputs<'a> {
     /// As written by `import`.
@@ -154,7 +161,7 @@ impl DebugViewInputs<'_> {
 
     /// The share of a signal's luminance that is above the firefly filter's limit.
     fn excess(&self, frame: &FrameConstants, tuning: &Tuning, signal: usize, p: IVec2) -> f32 {
-        let texel = self.noisy[signal].at(p);
+        let Some(texel) = self.noisy.get(signal).map(|noisy| noisy.at(p)) else { return 0.0 };
         if texel[..3].iter().any(|c| !c.is_finite()) {
             return 0.0;
         }
@@ -207,69 +214,4 @@ fn false_colour(t: f32) -> [f32; 3] {
     let i = (x as usize).min(7);
     let f = x - i as f32;
     from_srgb([0, 1, 2].map(|c| f32::from(VIRIDIS[i][c]) * (1.0 - f) + f32::from(VIRIDIS[i + 1][c]) * f))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::test_scene::*;
-    use super::super::{pack_moments, Reason};
-    use super::*;
-
-    const EXTENT: [u32; 2] = [16, 14];
-
-    /// A plane whose left half is background.
-    fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f32; 4]> {
-        let guides = guides(EXTENT, |x, _| if x < 8 { surface(0.0) } else { surface(3.0) });
-        let moments = Image::new(EXTENT, pack_moments(moments));
-        let inputs = DebugViewInputs {
-            guide: &guides.guide,
-            surface_motion: &guides.surface_motion,
-            statistics,
-            moments: &[&moments],
-            irradiance_history: &[],
-            history_confidence: None,
-            gradient: None,
-            stratum_size: 3,
-            block_percentiles: &[],
-            noisy: &[],
-            albedo: None,
-        };
-        debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..Tuning::default() }, &inputs, view)
-    }
-
-    #[test]
-    fn alpha_holds_the_number_and_the_background_is_black() {
-        let moments = Moments { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: Reason::Depth as u16 };
-        for (shown, number) in [
-            (DebugView::HistoryLength, 4.0),
-            (DebugView::Moments, 1.0),
-            (DebugView::Alpha, 0.25),
-            (DebugView::Disocclusion, 3.0),
-            (DebugView::Depth, 3.0),
-        ] {
-            let image = view(shown, &moments, &[0; 8]);
-            assert_eq!(image.get(12, 3).map(|t| t[3]), Some(number), "{shown:?}");
-            assert_eq!(image.get(2, 3), Some(&[0.0; 4]), "{shown:?}");
-        }
-    }
-
-    #[test]
-    fn what_the_preset_lacks_is_a_chequer() {
-        for shown in [DebugView::Variance, DebugView::Lambda, DebugView::Gradient, DebugView::Fireflies] {
-            let image = view(shown, &Moments::default(), &[0; 8]);
-            let at = |x, y| image.get(x, y).map(|t| t[0]).expect("inside");
-            assert!(at(0, 0) < at(8, 0) && at(0, 0) == at(8, 8) && at(8, 0) < 0.1, "{shown:?}");
-        }
-    }
-
-    #[test]
-    fn bars_grow_with_the_number_of_bad_values() {
-        let lit = |count: u32| {
-            let image = view(DebugView::BadValues, &Moments::default(), &[count, 0, 0, 0, 0, 0, 0, 0]);
-            assert_eq!(image.get(0, 0).map(|t| t[3]), Some(count as f32));
-            (0..EXTENT[0] as i32).filter(|&x| image.get(x, 0).is_some_and(|t| t[0] > 0.1)).count()
-        };
-        assert_eq!([lit(0), lit(EXTENT[0] * EXTENT[1])], [0, 16]);
-        assert!(lit(1) > 0 && lit(20) > lit(1));
-    }
 }

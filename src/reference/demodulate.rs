@@ -1,10 +1,11 @@
 //! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures \[SVGF 3\].
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::guide::unpack_guide;
 use super::statistics::{count, Counter, Statistics};
 use super::{Image, HOLE};
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 
 #[cfg(test)]
 mod tests;
@@ -34,7 +35,8 @@ pub struct DemodulateOutputs {
     pub statistics: Statistics,
 }
 
-/// What radiance is divided by, and multiplied with again in `modulate`: per component 1 where the albedo is not finite. Also whether it was.
+/// The divisor of radiance, with which `modulate` multiplies again: per component 1 where the albedo is not finite. Also whether a
+/// component was not.
 pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
     let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
     let rgb = [r, g, b];
@@ -64,4 +66,17 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
         irradiance.push(texels.map(|t| t.0));
     }
     DemodulateOutputs { irradiance, statistics }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = DemodulateInputs {
+        guide: b.packed("guide")?,
+        noisy: &b.colours("noisy")?,
+        albedo: b.optional_colour("albedo")?,
+        has_holes: b.is_on("PAINTING")?,
+    };
+    let outputs = demodulate(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write_signals("irradiance", outputs.irradiance)
 }

@@ -1,11 +1,12 @@
 //! The stage `eaw` \[EAW\]: one level of the wavelet filter by radiance, normal and position.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::conventions::forward;
 use super::guide::{unpack_guide, Surface};
 use super::{render_rect::RenderRect, Image};
 use crate::config::EawWeights;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -49,7 +50,7 @@ pub fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &EawInpu
     inputs.irradiance.iter().map(filter).collect()
 }
 
-/// What the edge functions of a level depend on.
+/// Settings of the edge functions of a level.
 struct Edges<'a> {
     tuning: &'a Tuning,
     weights: EawWeights,
@@ -128,4 +129,16 @@ fn view_position(frame: &FrameConstants, p: IVec2, linear_depth: f32) -> Vec3 {
     let w = clip[2][3] * z + clip[3][3];
     let axis = |i: usize| (ndc[i] * w - clip[2][i] * z - clip[3][i]) / clip[i][i];
     Vec3::new(axis(0), axis(1), z)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = EawInputs {
+        guide: b.packed("guide")?,
+        irradiance: &b.colours("input")?,
+        weights: EawWeights { radiance: b.is_on("RADIANCE")?, normal: b.is_on("NORMAL")?, position: b.is_on("POSITION")? },
+        painting_levels: b.constant("PAINTING")?,
+    };
+    let filtered = eaw(b.frame, b.tuning, b.level, &inputs);
+    b.write_signals("output", filtered)
 }

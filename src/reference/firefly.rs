@@ -1,12 +1,13 @@
 //! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::block_percentiles::unpack_percentiles;
 use super::blocks::{block_of, Blocks};
 use super::guide::unpack_guide;
 use super::luminance::texel_luminance;
 use super::Image;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 /// Inputs of [`firefly`].
@@ -48,6 +49,17 @@ pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percen
         }
     };
     Blocks::new(frame.render_extent).rect().window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = FireflyInputs {
+        guide: if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) },
+        block_percentiles: b.uint("block_percentiles")?,
+        irradiance: b.colour("irradiance")?,
+    };
+    let filtered = firefly(b.frame, b.tuning, &inputs);
+    b.write("irradiance", filtered)
 }
 
 #[cfg(test)]

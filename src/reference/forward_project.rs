@@ -1,5 +1,7 @@
-//! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be shaded again.
+//! The stage `forward_project` \[ASVGF 3.1, 3.3\]: one pixel of every stratum of the previous frame, found in this one, to be
+//! shaded again.
 
+use super::bindings::Bindings;
 use super::conventions::{is_reset, motion_points_up, motion_unit};
 use super::forward_projection::{covering_pixel, invert_transform, is_visible, previous_world_position, project, ForwardPosition};
 use super::guide::{pcg, unpack_guide};
@@ -9,7 +11,7 @@ use super::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
 use super::surface_motion::unpack_depth_gradient;
 use super::Image;
 use crate::config::MotionUnit;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec4};
 
 #[cfg(test)]
@@ -29,14 +31,14 @@ pub struct ForwardProjectInputs<'a> {
     pub previous: Option<PreviousCandidates<'a>>,
     /// As for `import`: indexed by surface id, previous from current.
     pub instance_transforms: Option<&'a [InstanceTransform]>,
-    /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this frame, 0 or less
-    /// where the matrices shall do.
+    /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this
+    /// frame, 0 or less where the matrices shall do.
     pub forward_motion: Option<&'a Image<[f32; 4]>>,
     /// Pixels a side of a stratum.
     pub stratum_size: u32,
 }
 
-/// What the previous frame left.
+/// Guide and candidates that the previous frame left.
 #[derive(Clone, Copy, Debug)]
 pub struct PreviousCandidates<'a> {
     /// The guide of the previous frame.
@@ -54,8 +56,8 @@ pub struct ForwardProjectOutputs {
     pub gradient_candidates: Image<[u16; 4]>,
 }
 
-/// Projects the candidates of the previous frame. Each claims the stratum that it lands in: the largest key stays, 0 is nobody's. Counts the
-/// forward motions that are not finite.
+/// Projects the candidates of the previous frame. Each claims the stratum that it lands in: the largest key stays, 0 is nobody's.
+/// Counts the forward motions that are not finite.
 pub fn forward_project_claim(
     frame: &FrameConstants,
     tuning: &Tuning,
@@ -81,7 +83,8 @@ pub fn forward_project_claim(
     statistics
 }
 
-/// Writes down the sample whose key stayed in each stratum, and picks the candidates of the next frame; `surface_id` are the host's ids.
+/// Writes down the sample whose key stayed in each stratum, and picks the candidates of the next frame; `surface_id` are the host's
+/// ids.
 pub fn forward_project_resolve(
     frame: &FrameConstants,
     tuning: &Tuning,
@@ -105,7 +108,7 @@ fn key_mask(count: u32) -> u32 {
     (2 << count.max(1).ilog2()) - 1
 }
 
-/// By which the samples of a stratum are ranked: a hash above, the number of the stratum in the previous frame plus 1 below.
+/// The rank of a sample in its stratum: a hash above, the number of the stratum in the previous frame plus 1 below.
 fn key_of(frame: &FrameConstants, index: u32, count: u32) -> u32 {
     (pcg(index.wrapping_add(pcg(frame.frame_index))) & !key_mask(count)) | (index + 1)
 }
@@ -177,8 +180,8 @@ impl Projection<'_> {
             .ok_or(Lost::Gone)
     }
 
-    /// The world position in this frame. An instance beyond the end, or with an entry that is not finite, did not move; `None` where its
-    /// transform has no inverse.
+    /// The world position in this frame. An instance beyond the end, or with an entry that is not finite, did not move; `None`
+    /// where its transform has no inverse.
     fn carried(&self, world: Vec4, id: u32) -> Option<Vec4> {
         let transform = self.inputs.instance_transforms.and_then(|t| t.get(id as usize));
         match transform.filter(|t| t.iter().flatten().all(|x| x.is_finite())) {
@@ -217,9 +220,32 @@ impl Projection<'_> {
     }
 }
 
-/// What the host says of a pixel's forward motion.
+/// Forward motion of a pixel as the host gives it.
 enum Host {
     Nothing,
     Bad,
     Position(ForwardPosition),
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
+    let inputs = ForwardProjectInputs {
+        guide: b.packed("guide")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        previous: Some(PreviousCandidates { guide: b.packed("previous_guide")?, candidates: b.packed("previous_candidates")? }),
+        instance_transforms: transforms.as_deref(),
+        forward_motion: b.optional_colour("forward_motion")?,
+        stratum_size: b.stratum_size()?,
+    };
+    let claims = b.uint("claims")?;
+    if b.has("gradient_samples") {
+        let outputs = forward_project_resolve(b.frame, b.tuning, &inputs, claims, b.optional_uint("surface_id")?);
+        b.write("gradient_samples", outputs.gradient_samples)?;
+        return b.write("candidates", outputs.gradient_candidates);
+    }
+    let mut claims = claims.clone();
+    let statistics = forward_project_claim(b.frame, b.tuning, &inputs, &mut claims);
+    b.count(&statistics)?;
+    b.write("claims", claims)
 }

@@ -19,7 +19,7 @@ pub(crate) struct Geometry {
     pub sigma_l: f32,
 }
 
-/// What geometry says of two pixels.
+/// Edge stopping by geometry.
 #[derive(Clone, Copy)]
 enum Edges {
     Surface {
@@ -81,7 +81,8 @@ impl Geometry {
     }
 }
 
-/// `w_z·w_n` of two surfaces that lie `offset` pixels apart. With `edge_falloff` the influence of both falls with the depth of the centre \[PSVGF\].
+/// `w_z·w_n` of two surfaces that lie `offset` pixels apart. With `edge_falloff` the influence of both falls with the depth of the
+/// centre \[PSVGF\].
 pub(crate) fn depth_and_normal_weight(
     [sigma_z, sigma_n]: [f32; 2],
     edge_falloff: f32,

@@ -1,6 +1,8 @@
-//! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per stratum.
+//! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per
+//! stratum.
 
 use super::binary16::{from_half_bits, half_bits, round_to_half, LARGEST_HALF};
+use super::bindings::Bindings;
 use super::conventions::{is_reset, is_reshaded};
 use super::demodulate::divisor;
 use super::guide::unpack_guide;
@@ -9,7 +11,7 @@ use super::projection::extent_ratio;
 use super::strata::{unpack_gradient_sample, Strata};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec2};
 
 #[cfg(test)]
@@ -182,4 +184,32 @@ fn mean_change(changes: &[(f32, f32)]) -> (f32, f32) {
 fn with_place([x, y, z, w]: [u16; 4], place: u32) -> [u16; 4] {
     let rest = (u32::from(z) | u32::from(w) << 16) & !(0xf << 20) | place << 20;
     [x, y, rest as u16, (rest >> 16) as u16]
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let source = match b.constant("SOURCE")? {
+        0 => GradientInput::ForwardProjected { gradient_samples: b.packed("gradient_samples")? },
+        1 => GradientInput::Reshaded {
+            reshaded_radiance: b.optional_colour("reshaded_radiance")?,
+            previous_guide: Some(b.packed("previous_guide")?),
+            surface_motion: b.packed("surface_motion")?,
+            depth_gradient: b.uint("depth_gradient")?,
+        },
+        _ => GradientInput::Sparse(b.optional_colour("sparse_gradient")?),
+    };
+    let inputs = GradientInputs {
+        guide: b.packed("guide")?,
+        noisy: &b.colours("noisy")?,
+        albedo: b.optional_colour("albedo")?,
+        previous_luminance: b.optional_uint("previous_luminance")?,
+        source,
+    };
+    let outputs = gradient(b.frame, b.tuning, b.stratum_size()?, &inputs);
+    b.write("gradient", outputs.gradient)?;
+    b.write("gradient_guide", outputs.gradient_guide)?;
+    if b.has("noisy_luminance") {
+        b.write("noisy_luminance", outputs.noisy_luminance)?;
+    }
+    Ok(())
 }

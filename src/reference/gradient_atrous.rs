@@ -2,12 +2,13 @@
 
 use super::atrous::LUMINANCE_EPSILON;
 use super::binary16::round_to_half;
+use super::bindings::Bindings;
 use super::geometry_weights::depth_and_normal_weight;
 use super::guide::unpack_guide;
 use super::strata::Strata;
 use super::surface_motion::unpack_depth_gradient;
 use super::Image;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
 #[cfg(test)]
@@ -77,4 +78,15 @@ fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2
     let place = i32::from(gradient_guide.at(s)[3] >> 4 & 0xf);
     let size = strata.size as i32;
     strata.first_pixel(s) + IVec2::new(place % size, place / size)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = GradientAtrousInputs {
+        gradient_guide: b.packed("gradient_guide")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        gradient: b.colour("gradient_in")?,
+    };
+    let filtered = gradient_atrous(b.frame, b.tuning, b.stratum_size()?, b.level, &inputs);
+    b.write("gradient_out", filtered)
 }

@@ -3,7 +3,7 @@
 use super::octahedral::{octahedral10, octahedral10_to_normal};
 use glam::Vec3;
 
-/// What a pixel of the guide holds.
+/// A pixel of the guide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Surface {
     /// View-space depth along the view axis, positive, scene units; 0 is the background.

@@ -51,7 +51,7 @@ impl<T: Clone> Image<T> {
         self.texels.get(self.index(x, y)?)
     }
 
-    /// The same for writing.
+    /// The texel at column `x`, row `y` for writing; `None` outside the image.
     pub fn get_mut(&mut self, x: i32, y: i32) -> Option<&mut T> {
         let index = self.index(x, y)?;
         self.texels.get_mut(index)
@@ -76,8 +76,8 @@ impl<T: Copy + Default> Image<T> {
 }
 
 impl<T: Clone + Default + Send> Image<T> {
-    /// An image whose top left `render_extent` is `f(pixel)` and whose rest is the default. Each texel is a function of its own pixel,
-    /// so the number of threads cannot change the result.
+    /// An image whose top left `render_extent` is `f(pixel)` and whose rest is the default. Each texel is a function of its own
+    /// pixel, so the number of threads cannot change the result.
     pub(crate) fn compute(extent: [u32; 2], render_extent: [u32; 2], f: impl Fn(IVec2) -> T + Sync) -> Self {
         let mut image = Self::new(extent, T::default());
         let (stride, width, height) =

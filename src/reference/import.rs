@@ -1,5 +1,7 @@
-//! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's conventions.
+//! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's
+//! conventions.
 
+use super::bindings::Bindings;
 use super::conventions::{normal_encoding, normals_are_in_view_space};
 use super::guide::{fold_id, pack_guide, Surface};
 use super::octahedral::{from_square, octahedral10};
@@ -9,7 +11,7 @@ use super::statistics::{count, Counter, Statistics};
 use super::surface_motion::{pack_depth_gradient, pack_surface_motion};
 use super::{render_rect::RenderRect, Image};
 use crate::config::NormalEncoding;
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -20,7 +22,7 @@ mod tests;
 /// Normals that are shorter have no direction.
 const SMALLEST_LENGTH_SQUARED: f32 = 1e-8;
 
-/// What the host gives; images have the allocated extent.
+/// Guides of the host; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct ImportInputs<'a> {
     /// x: depth, in the encoding of [`crate::config::Conventions`].
@@ -40,7 +42,7 @@ pub struct ImportInputs<'a> {
 }
 
 impl<'a> ImportInputs<'a> {
-    /// What every host gives, without anything optional.
+    /// Inputs that every host gives, without anything optional.
     pub const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
         Self { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
     }
@@ -57,7 +59,7 @@ impl ImportInputs<'_> {
     }
 }
 
-/// What the filters read.
+/// Guides as the filters read them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ImportOutputs {
     /// Depth, normal, roughness and id, see [`super::unpack_guide`].
@@ -169,8 +171,8 @@ fn object_normal([x, y, z, _]: [f32; 4]) -> Vec3 {
     }
 }
 
-/// ∂z along an axis: of the two one-sided differences to neighbours on the same surface the smaller one, since it does not look across an
-/// edge. The forward one where both are equal.
+/// ∂z along an axis: of the two one-sided differences to neighbours on the same surface the smaller one, since it does not look
+/// across an edge. The forward one where both are equal.
 fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Image<(f32, bool)>, p: IVec2, axis: IVec2) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
     let z = depths.at(p).0;
@@ -190,5 +192,27 @@ fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Imag
         }
         (Some(difference), None) | (None, Some(difference)) => difference,
         (None, None) => 0.0,
+    }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
+    let inputs = ImportInputs {
+        motion: b.optional_colour("motion")?,
+        object_normal: b.optional_colour("object_normal")?,
+        surface_id: b.optional_uint("surface_id")?,
+        roughness: b.optional_colour("roughness")?,
+        instance_transforms: transforms.as_deref(),
+        ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)
+    };
+    let outputs = import(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write("guide", outputs.guide)?;
+    b.write("surface_motion", outputs.surface_motion)?;
+    b.write("depth_gradient", outputs.depth_gradient)?;
+    match outputs.object_normal_guide {
+        Some(normals) if b.has("object_normal_guide") => b.write("object_normal_guide", normals),
+        _ => Ok(()),
     }
 }

@@ -1,26 +1,33 @@
 //! The CPU twin of every stage: plain `f32`, no `unsafe`, written from the equations and not from the shaders.
 //!
 //! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other.
+//! Each stage is a pure function with inputs and outputs of its own. A [`Stage`] has it behind one interface: its twin reads and writes
+//! [`Bindings`] by the names of the shader, and its rules say when what the GPU wrote is equal. [`STAGES`] lists them all.
+//!
 //! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
-//! [`Denoiser`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an image that is
-//! smaller than the render extent.
+//! [`Denoiser`] chains the stages over a sequence of frames and checks its inputs; a stage that is called by itself panics on an
+//! image that is smaller than the render extent.
 //!
 //! | tag | source |
 //! | --- | --- |
 //! | \[EAW\] | Dammertz et al.: Edge-Avoiding À-Trous Wavelet Transform for fast Global Illumination Filtering, HPG 2010 |
 //! | \[SVGF\] | Schied et al.: Spatiotemporal Variance-Guided Filtering, HPG 2017 |
-//! | \[ASVGF\] | Schied, Peters, Dachsbacher: Gradient Estimation for Real-Time Adaptive Temporal Filtering, PACMCGIT 1(2) art. 24, 2018 |
+//! | \[ASVGF\] | Schied, Peters, Dachsbacher: Gradient Estimation for Real-Time Adaptive Temporal Filtering, PACMCGIT 1(2), 2018 |
 //! | \[PSVGF\] | Alber: Percentile-based Adaptive Spatiotemporal Variance-Guided Filtering for GI and Volumes, KIT |
 //! | \[Karis 2014\] | High-Quality Temporal Supersampling, SIGGRAPH courses 2014 |
 //! | \[Narkowicz 2015\] | ACES Filmic Tone Mapping Curve |
 
 mod adaptive_alpha;
-mod adaptive_history;
+#[cfg(test)]
+mod adaptive_history_tests;
 mod atrous;
 mod binary16;
+mod bindings;
 mod block_difference;
 mod block_percentiles;
 mod blocks;
+mod change_test;
+mod compare;
 mod conventions;
 mod debug_view;
 mod demodulate;
@@ -40,6 +47,8 @@ mod modulate;
 mod moments;
 mod nearest_history;
 mod octahedral;
+mod pass;
+mod percentile_rule;
 mod projection;
 mod render_rect;
 mod reprojection;
@@ -47,9 +56,11 @@ mod statistics;
 mod strata;
 mod surface_motion;
 mod taa;
+mod table;
 mod temporal_accumulation;
 #[cfg(test)]
 mod test_scene;
+mod texels;
 mod tone_map;
 mod variance;
 mod volume;
@@ -57,12 +68,14 @@ mod volume_motion;
 mod volume_points;
 
 pub use adaptive_alpha::{adaptive_alpha, AdaptiveAlphaInput};
-pub use adaptive_history::{change_test, percentile_rule, PercentileRuleInputs, CHANGE_EPSILON, RANGE_EPSILON};
 pub use atrous::{atrous, box_atrous, volume_atrous, AtrousInputs, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
+pub use bindings::{Bindings, Twin};
 pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};
 pub use block_percentiles::{block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles};
 pub use blocks::BLOCK_SIZE;
+pub use change_test::{change_test, CHANGE_EPSILON};
+pub use compare::{Per, Rule, Tolerance, Values, When};
 pub use debug_view::{debug_view, DebugViewInputs};
 pub use demodulate::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
 pub use denoiser::{Denoiser, DenoiserInputs, DenoiserOutputs, DenoiserViews, GradientSources, VolumeInputs};
@@ -86,6 +99,8 @@ pub use nearest_history::HistoryGuides;
 #[cfg(test)]
 pub(crate) use octahedral::to_square;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
+pub use pass::StagePass;
+pub use percentile_rule::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
 #[cfg(feature = "conventions")]
 pub(crate) use projection::Projections;
 #[cfg(feature = "conventions")]
@@ -97,10 +112,12 @@ pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
 };
 pub use taa::{taa, TaaInputs};
+pub use table::{Stage, STAGES};
 pub use temporal_accumulation::{
     temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
     TemporalAccumulationOutputs, VolumeAccumulationInputs,
 };
+pub use texels::Texels;
 pub use tone_map::tone_map;
 pub use variance::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
 pub use volume::volume_tuning;

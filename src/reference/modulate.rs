@@ -1,11 +1,12 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::demodulate::divisor;
 use super::guide::unpack_guide;
 use super::statistics::{count, Counter, Statistics};
 use super::Image;
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 
 #[cfg(test)]
 mod tests;
@@ -49,4 +50,17 @@ pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutp
     let mut statistics = Statistics::default();
     statistics[Counter::Emission as usize] = count(texels.texels().iter().map(|t| t.1));
     ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = ModulateInputs {
+        guide: b.packed("guide")?,
+        irradiance: &b.colours("filtered")?,
+        albedo: b.optional_colour("albedo")?,
+        emission: b.optional_colour("emission")?,
+    };
+    let outputs = modulate(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write("denoised_radiance", outputs.denoised_radiance)
 }

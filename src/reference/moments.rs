@@ -21,7 +21,7 @@ pub enum Reason {
     Reset = 5,
 }
 
-/// What a pixel of `moments*` holds. Mean and deviation rather than E\[l\] and E\[l²\]: their difference would cancel in half precision.
+/// A pixel of `moments*`. Mean and deviation rather than E\[l\] and E\[l²\]: their difference would cancel in half precision.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Moments {
     /// Mean luminance of the irradiance over the history.

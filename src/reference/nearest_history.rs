@@ -1,11 +1,13 @@
-//! The pixel of the previous frame nearest to where a surface was: coarser than the taps of `temporal_accumulation`, for statistics over many pixels.
+//! The pixel of the previous frame nearest to where a surface was: coarser than the taps of `temporal_accumulation`, for statistics
+//! over many pixels.
 
+use super::bindings::Bindings;
 use super::conventions::is_reset;
 use super::guide::unpack_guide;
 use super::projection::extent_ratio;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
 /// Guides of two frames; images have the allocated extent.
@@ -21,7 +23,17 @@ pub struct HistoryGuides<'a> {
     pub previous_guide: &'a Image<[u16; 4]>,
 }
 
-impl HistoryGuides<'_> {
+impl<'a> HistoryGuides<'a> {
+    /// The guides that a pass has bound.
+    pub(super) fn of(b: &Bindings<'a>) -> Result<Self, Error> {
+        Ok(Self {
+            guide: b.packed("guide")?,
+            surface_motion: b.packed("surface_motion")?,
+            depth_gradient: b.uint("depth_gradient")?,
+            previous_guide: b.packed("previous_guide")?,
+        })
+    }
+
     /// The pixel of the previous frame, where it still shows the surface of `p`: same id, expected depth.
     pub(crate) fn nearest(&self, frame: &FrameConstants, tuning: &Tuning, p: IVec2) -> Option<IVec2> {
         let surface = unpack_guide(self.guide.at(p));

@@ -5,13 +5,13 @@ use crate::config::DepthEncoding;
 use crate::FrameConstants;
 use glam::{IVec2, Mat2, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
 
-/// Offset of this frame's samples from the pixel centres, pixels: a sample of pixel p lies at `p + 0.5 + offset`, so what a jittered
-/// raster shows at a position x lies at `x + offset` of the unjittered image.
+/// Offset of this frame's samples from the pixel centres, pixels: a sample of pixel p lies at `p + 0.5 + offset`, so what a
+/// jittered raster shows at a position x lies at `x + offset` of the unjittered image.
 pub(crate) fn sample_offset(frame: &FrameConstants) -> Vec2 {
     frame.jitter.into()
 }
 
-/// The same for the previous frame.
+/// Offset of the previous frame's samples from the pixel centres, pixels.
 pub(crate) fn previous_sample_offset(frame: &FrameConstants) -> Vec2 {
     frame.previous_jitter.into()
 }
@@ -106,8 +106,8 @@ impl Projections {
         ((d * w.w - z.w) / denominator).abs()
     }
 
-    /// The world position of a pixel's sample at a linear depth. At depth 0, the background, it is a direction (w = 0): that of a point at
-    /// infinity. All depths of an orthographic line of sight project alike, so there it is the point at depth 1.
+    /// The world position of a pixel's sample at a linear depth. At depth 0, the background, it is a direction (w = 0): that of a
+    /// point at infinity. All depths of an orthographic line of sight project alike, so there it is the point at depth 1.
     pub fn world_point(&self, p: IVec2, linear_depth: f32) -> Vec4 {
         let ray = self.view_ray(self.sample_position(p));
         let is_orthographic = self.clip_from_view.row(3).z == 0.0;

@@ -10,7 +10,7 @@ use glam::{IVec2, Mat3, Vec2, Vec3, Vec4, Vec4Swizzles};
 /// World space of the previous frame from world space of this one: three rows of four, so that `previous = rows · (x, y, z, 1)`.
 pub type InstanceTransform = [[f32; 4]; 3];
 
-/// What the host says of one pixel's motion.
+/// Motion of one pixel as the host gives it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct HostMotion<'a> {
     /// The texel of the motion image.

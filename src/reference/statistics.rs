@@ -3,7 +3,7 @@
 /// Counters, indexed by [`Counter`].
 pub type Statistics = [u32; 8];
 
-/// What is counted, in pixels of the render extent.
+/// Kinds of bad input, counted in pixels of the render extent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(usize)]
 pub enum Counter {

@@ -6,7 +6,7 @@ use glam::{IVec2, UVec2};
 /// In the candidate of a stratum: there is no pixel to pick.
 pub(crate) const NO_PIXEL: u16 = u16::MAX;
 
-/// What a texel of `gradient_samples` says.
+/// The content of a texel of `gradient_samples`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GradientSample {
     /// The pixel of this frame that is shaded again.
@@ -15,7 +15,8 @@ pub struct GradientSample {
     pub previous_pixel: [u32; 2],
 }
 
-/// A texel of `gradient_samples`: x, y: the previous pixel; z: 1 + place in the stratum, row by row, 0 where there is no sample; w: 0.
+/// A texel of `gradient_samples`: x, y: the previous pixel; z: 1 + place in the stratum, row by row, 0 where there is no sample; w:
+/// 0.
 pub fn pack_gradient_sample(stratum_size: u32, sample: Option<GradientSample>) -> [u16; 4] {
     let Some(sample) = sample else { return [0; 4] };
     let [x, y] = sample.pixel.map(|v| v % stratum_size);

@@ -6,7 +6,7 @@ use super::octahedral::{octahedral8, octahedral8_to_normal};
 /// Motion is clamped to ± this many pixels, which is beyond any image.
 pub const LARGEST_MOTION: f32 = 16384.0;
 
-/// What a pixel of `surface_motion` holds.
+/// A pixel of `surface_motion`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SurfaceMotion {
     /// Pixels of the previous frame: the surface of pixel p was at `(p + 0.5)·E'/E + motion`.
@@ -17,7 +17,8 @@ pub struct SurfaceMotion {
     pub previous_normal: [f32; 3],
 }
 
-/// A texel of `surface_motion`; `surface` = (depth ratio, expected previous normal), `None` for the background, whose z and w are 0.
+/// A texel of `surface_motion`; `surface` = (depth ratio, expected previous normal), `None` for the background, whose z and w are
+/// 0.
 pub fn pack_surface_motion(motion: [f32; 2], surface: Option<(f32, [f32; 3])>) -> [u16; 4] {
     let [x, y] = motion.map(|m| half_bits(m.clamp(-LARGEST_MOTION, LARGEST_MOTION)));
     match surface {

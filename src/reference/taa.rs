@@ -1,13 +1,14 @@
 //! The stage `taa` \[Karis 2014\]: temporal anti-aliasing of the tone-mapped picture.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::conventions::is_reset;
 use super::guide::{unpack_guide, Surface};
 use super::luminance::luminance;
 use super::projection::{extent_ratio, sample_offset};
 use super::surface_motion::unpack_surface_motion;
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 #[cfg(test)]
@@ -25,11 +26,11 @@ pub struct TaaInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// As written by `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// What this stage wrote in the previous frame. Not read in a reset frame; `None` is treated as one.
+    /// `taa_history` of the previous frame. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<&'a Image<[f32; 4]>>,
 }
 
-/// What is displayed and, as the next frame's history, blended again; half precision, alpha 1.
+/// The picture to display, which is the next frame's history as well; half precision, alpha 1.
 pub fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -> Image<[f32; 4]> {
     let rect = RenderRect::new(frame.render_extent);
     let extent = inputs.tone_mapped.extent();
@@ -129,4 +130,17 @@ fn blend(alpha: f32, current: Vec3, history: Vec3) -> Vec3 {
     let weight = |c: Vec3| 1.0 / (1.0 + luminance(c.to_array()));
     let (now, before) = (alpha * weight(current), (1.0 - alpha) * weight(history));
     (now * current + before * history) / (now + before)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = TaaInputs {
+        tone_mapped: b.colour("tone_mapped")?,
+        guide: b.packed("guide")?,
+        surface_motion: b.packed("surface_motion")?,
+        previous: Some(b.colour("previous_history")?),
+    };
+    let display = taa(b.frame, b.tuning, &inputs);
+    b.write("taa_history", display.clone())?;
+    b.write("display", display)
 }

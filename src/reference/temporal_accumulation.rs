@@ -12,6 +12,7 @@ use super::{render_rect::RenderRect, Image};
 use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
+mod adapter;
 #[cfg(test)]
 mod history_tests;
 mod taps;
@@ -19,9 +20,10 @@ mod taps;
 mod tests;
 mod volume;
 
+pub(super) use adapter::twin;
 pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 
-/// What the previous frame left of a signal.
+/// History of a signal.
 #[derive(Clone, Copy, Debug)]
 pub struct SignalHistory<'a> {
     /// rgb: irradiance, as written by level 0 of `atrous`.
@@ -30,7 +32,7 @@ pub struct SignalHistory<'a> {
     pub moments: &'a Image<[u16; 4]>,
 }
 
-/// What the previous frame left.
+/// Guide and histories that the previous frame left.
 #[derive(Clone, Copy, Debug)]
 pub struct PreviousFrame<'a> {
     /// The guide of the previous frame.
@@ -61,7 +63,7 @@ pub struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// As written by `adaptive_alpha` or `adaptive_history`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    /// As written by `adaptive_alpha`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
@@ -86,7 +88,7 @@ enum History {
     Disoccluded(Reason),
     /// Pixels with weights that sum to 1; those beyond the valid ones have weight 0.
     Taps([(IVec2, f32); 9]),
-    /// The same, of pixels that may show the same surface \[PSVGF\].
+    /// Pixels that may show the same surface, with such weights \[PSVGF\].
     Repaired([(IVec2, f32); 9]),
 }
 
@@ -170,7 +172,7 @@ impl Reprojected {
         self.refusal_aside(surfaces, q, 0.0)
     }
 
-    /// The same for a pixel that lies aside, where the depth may have changed by `slack`.
+    /// Why a pixel that lies aside is not this surface; the depth may have changed by `slack`.
     fn refusal_aside(&self, surfaces: &Image<Surface>, q: IVec2, slack: f32) -> Reason {
         let Some(tap) = surfaces.get(q.x, q.y).filter(|_| self.rect.contains(q)) else { return Reason::OffScreen };
         if tap.is_background() || tap.id != self.id {
@@ -190,8 +192,8 @@ impl Reprojected {
             .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, taps::nearest(self.s))))
     }
 
-    /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one has a pixel that
-    /// may be the same surface.
+    /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one
+    /// has a pixel that may be the same surface.
     fn repaired(&self, surfaces: &Image<Surface>) -> Option<History> {
         let nearest = (self.cut_at_border() + 0.5).floor().as_ivec2();
         [1, 2, 4].into_iter().find_map(|ring| {
@@ -281,7 +283,8 @@ fn accumulate(
     ([r, g, b, 0.0], moments)
 }
 
-/// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does not cancel.
+/// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does
+/// not cancel.
 fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 3], Moments) {
     let valid = || taps.iter().filter(|tap| tap.1 > 0.0);
     let (mut irradiance, mut mean, mut history_length) = ([0.0; 3], 0.0, 0.0);

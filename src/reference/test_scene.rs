@@ -1,4 +1,4 @@
-//! What the tests of the twins have in common.
+//! Scenes that the tests of the twins have in common.
 
 use super::*;
 use crate::{Config, Flags, FrameConstants, FrameParams, FrameState, Tuning};
@@ -16,7 +16,7 @@ pub(super) fn frame_with(config: &Config, before: &FrameParams, now: &FrameParam
     state.begin(config, now, &Tuning::default()).expect("second frame").constants
 }
 
-/// The same as a frame that drops all history.
+/// The frame as one that drops all history.
 pub(super) fn reset(frame: FrameConstants) -> FrameConstants {
     FrameConstants { flags: frame.flags | Flags::RESET, ..frame }
 }

@@ -1,9 +1,10 @@
 //! The stage `tone_map`: radiance to display-referred linear 0..1.
 
 use super::binary16::round_to_half;
+use super::bindings::Bindings;
 use super::luminance::luminance;
 use super::Image;
-use crate::{FrameConstants, ToneCurve, Tuning};
+use crate::{Error, FrameConstants, ToneCurve, Tuning};
 
 /// Applies exposure and tone curve to the sum of radiances, of surfaces and of a volume. rgb of the result is 0..1 in half
 /// precision, alpha 1. Without any radiance an empty image.
@@ -26,6 +27,12 @@ fn curve(tone_curve: ToneCurve, x: [f32; 3]) -> [f32; 3] {
         }
         ToneCurve::Linear => x,
     }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let mapped = tone_map(b.frame, b.tuning, &b.colours("radiance")?);
+    b.write("tone_mapped", mapped)
 }
 
 #[cfg(test)]

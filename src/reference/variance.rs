@@ -1,10 +1,12 @@
-//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the neighbourhood.
+//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the
+//! neighbourhood.
 
 use super::binary16::store;
+use super::bindings::Bindings;
 use super::geometry_weights::Geometry;
 use super::moments::{unpack_moments, Moments};
 use super::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -32,18 +34,22 @@ pub struct VarianceInputs<'a> {
 
 /// For every signal rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
 pub fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    estimate(frame, tuning, inputs, |geometry, moments, p| {
-        let centre = moments.at(p);
-        if centre.history_length >= tuning.spatial_variance_frames {
-            return centre.deviation;
-        }
-        spatial_variance(frame, tuning, geometry, moments, p, RADIUS).sqrt()
-    })
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, deviation)
+}
+
+fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+    let centre = moments.at(p);
+    if centre.history_length >= tuning.spatial_variance_frames {
+        return centre.deviation;
+    }
+    spatial_variance(frame, tuning, geometry, moments, p, RADIUS).sqrt()
 }
 
 /// [`variance`] with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
 pub fn fading_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    estimate(frame, tuning, inputs, |geometry, moments, p| faded_deviation(frame, tuning, geometry, moments, p))
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, faded_deviation)
 }
 
 fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
@@ -67,39 +73,30 @@ pub struct VolumeVarianceInputs<'a> {
 /// [`fading_variance`] of a volume: weights by the depth of the surface behind alone, and no background.
 pub fn volume_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VolumeVarianceInputs) -> Image<[f32; 4]> {
     let geometry = Geometry::of_volume(frame, tuning, inputs.guide);
-    estimate_signal(frame, &geometry, inputs.radiance, inputs.moments, |moments, p| {
-        faded_deviation(frame, tuning, &geometry, moments, p)
-    })
+    let mut estimated = estimate(frame, tuning, &geometry, &[inputs.radiance], &[inputs.moments], faded_deviation);
+    estimated.pop().unwrap_or_else(|| inputs.radiance.clone())
 }
+
+/// The deviation of a surface pixel.
+type Deviation = fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32;
 
 fn estimate(
     frame: &FrameConstants,
     tuning: &Tuning,
-    inputs: &VarianceInputs,
-    deviation: impl Fn(&Geometry, &Image<Moments>, IVec2) -> f32 + Sync,
-) -> Vec<Image<[f32; 4]>> {
-    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
-    let signals = inputs.irradiance.iter().zip(inputs.moments);
-    signals
-        .map(|(irradiance, moments)| {
-            estimate_signal(frame, &geometry, irradiance, moments, |moments, p| deviation(&geometry, moments, p))
-        })
-        .collect()
-}
-
-fn estimate_signal(
-    frame: &FrameConstants,
     geometry: &Geometry,
-    irradiance: &Image<[f32; 4]>,
-    moments: &Image<[u16; 4]>,
-    deviation: impl Fn(&Image<Moments>, IVec2) -> f32 + Sync,
-) -> Image<[f32; 4]> {
-    let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
-    Image::compute(geometry.extent(), frame.render_extent, |p| {
-        let [r, g, b, _] = irradiance.at(p);
-        let deviation = if geometry.is_background(p) { 0.0 } else { deviation(&moments, p) };
-        [store(r), store(g), store(b), store(deviation)]
-    })
+    irradiance: &[&Image<[f32; 4]>],
+    moments: &[&Image<[u16; 4]>],
+    deviation: Deviation,
+) -> Vec<Image<[f32; 4]>> {
+    let signal = |(irradiance, moments): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
+        let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
+        Image::compute(geometry.extent(), frame.render_extent, |p| {
+            let [r, g, b, _] = irradiance.at(p);
+            let deviation = if geometry.is_background(p) { 0.0 } else { deviation(frame, tuning, geometry, &moments, p) };
+            [store(r), store(g), store(b), store(deviation)]
+        })
+    };
+    irradiance.iter().zip(moments).map(signal).collect()
 }
 
 /// Of the window, scaled by how short the history is.
@@ -123,4 +120,17 @@ fn spatial_variance(
     let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
     // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
     variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = b.packed("guide")?;
+    let geometry = match b.is_on("VOLUME")? {
+        true => Geometry::of_volume(b.frame, b.tuning, guide),
+        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+    };
+    let deviation = if b.is_on("FADE")? { faded_deviation } else { deviation };
+    let (irradiance, moments) = (b.colours("accumulated")?, b.packed_signals("moments")?);
+    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &moments, deviation);
+    b.write_signals("estimated", estimated)
 }

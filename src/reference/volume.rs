@@ -1,4 +1,5 @@
-//! What the filters of a volume know of a pixel: how far one sees through it. Normals and ids of surfaces say nothing of it.
+//! How far one sees through a pixel of a volume, which is all that its filters know of it. Normals and ids of surfaces say nothing
+//! of it.
 
 use super::guide::unpack_guide;
 use crate::Tuning;

@@ -1,12 +1,14 @@
-//! The stage `volume_motion` \[PSVGF\]: points of the previous frame, carried forward to this one, give a volume motion vectors of its own.
+//! The stage `volume_motion` \[PSVGF\]: points of the previous frame, carried forward to this one, give a volume motion vectors of
+//! its own.
 
 use super::binary16::{from_half_bits, half_bits};
+use super::bindings::Bindings;
 use super::conventions::is_reset;
 use super::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
 use super::guide::unpack_guide;
 use super::volume_points::{unpack_volume_point, VolumePoint};
 use super::{render_rect::RenderRect, Image};
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -38,8 +40,8 @@ struct Winner {
 const SMALLEST_LUMINANCE: f32 = 1.0 / 1_048_576.0;
 const LARGEST_DEPTH: f32 = 1e6;
 
-/// Carries `previous_points`, as written by `volume_points` in the previous frame, to this one. Each claims the pixel that it lands in, where no
-/// surface of `guide` hides it: the largest key stays, 0 is nobody's. Points are not read in a reset frame.
+/// Carries `previous_points`, as written by `volume_points` in the previous frame, to this one. Each claims the pixel that it lands
+/// in, where no surface of `guide` hides it: the largest key stays, 0 is nobody's. Points are not read in a reset frame.
 pub fn volume_motion_claim(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
@@ -112,8 +114,8 @@ fn winner(frame: &FrameConstants, previous_points: &Image<[u16; 4]>, q: IVec2) -
     }
 }
 
-/// Since a single point is anywhere along its ray. Motion falls with depth, so its mean with the weight luminance·depth is the motion at the
-/// mean depth, in proportion to luminance; points just before the camera move far and would spoil any other mean.
+/// Since a single point is anywhere along its ray. Motion falls with depth, so its mean with the weight luminance·depth is the
+/// motion at the mean depth, in proportion to luminance; points just before the camera move far and would spoil any other mean.
 fn mean_motion(frame: &FrameConstants, winners: &Image<Winner>, p: IVec2) -> Option<[f32; 2]> {
     let (mut sum, mut weight) = ([0.0_f32; 2], 0.0_f32);
     for (_, at) in RenderRect::new(frame.render_extent).window(p, 1, 1) {
@@ -135,7 +137,7 @@ fn key_mask(count: u32) -> u32 {
     (2 << count.max(1).ilog2()) - 1
 }
 
-/// By which the points in a pixel are ranked: as much of the contribution as there is room for, and the number of the pixel plus 1 below.
+/// The rank of a point in its pixel: as much of the contribution as there is room for, and the number of the pixel plus 1 below.
 fn key_of(index: u32, count: u32, contribution: u16) -> u32 {
     u32::from(contribution) << 17 & !key_mask(count) | (index + 1)
 }
@@ -154,4 +156,16 @@ fn representable(steps: i32) -> f32 {
     let magnitude = steps.unsigned_abs();
     let excess = magnitude.checked_ilog2().unwrap_or(0).saturating_sub(10);
     steps.signum() as f32 * (magnitude >> excess << excess) as f32 / STEPS
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let (points, claims) = (b.packed("previous_points")?, b.uint("claims")?);
+    if b.has("volume_motion") {
+        let motion = volume_motion_resolve(b.frame, points, b.packed("surface_motion")?, claims);
+        return b.write("volume_motion", motion);
+    }
+    let mut claims = claims.clone();
+    volume_motion_claim(b.frame, b.packed("guide")?, points, &mut claims);
+    b.write("claims", claims)
 }

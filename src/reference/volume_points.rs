@@ -1,9 +1,11 @@
-//! The stage `volume_points` \[PSVGF\]: what a volume scatters towards the camera, and the points that the next frame carries forward.
+//! The stage `volume_points` \[PSVGF\]: what a volume scatters towards the camera, and the points that the next frame carries
+//! forward.
 
 use super::binary16::{store, LARGEST_HALF};
+use super::bindings::Bindings;
 use super::statistics::{count, Counter, Statistics};
 use super::Image;
-use crate::FrameConstants;
+use crate::{Error, FrameConstants};
 
 /// A pixel of `volume_points`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -62,6 +64,16 @@ pub fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> Vol
     statistics[Counter::Radiance as usize] = count(texels.texels().iter().map(|t| t.1 .0));
     statistics[Counter::ScatteringDepth as usize] = count(texels.texels().iter().map(|t| t.1 .1));
     VolumePointsOutputs { radiance: texels.map(|t| t.0 .0), volume_points: texels.map(|t| t.0 .1), statistics }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs =
+        VolumePointsInputs { noisy_volume: b.colour("noisy_volume")?, scattering_depth: b.optional_colour("scattering_depth")? };
+    let outputs = volume_points(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write("radiance", outputs.radiance)?;
+    b.write("volume_points", outputs.volume_points)
 }
 
 #[cfg(test)]

@@ -1,97 +1,11 @@
-//! Sequences of the presets with temporal gradients, every pass against its twin; and what a capture of them has beside pixels.
+//! Sequences of the presets with temporal gradients.
 
-use super::captured::image_of;
-use super::compare::{equal, Tolerance};
-use super::{run, Captured};
+use super::run;
 use crate::support::{assert_valid, random, scene::Scene, session_with, upload};
 use atrous::config::{GradientSource, MotionUnit, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
-use atrous::reference::{Image, InstanceTransform};
-use atrous::{Config, FrameParams, ResetReason, Tuning, UseFrame};
-use half::f16;
-
-impl Captured<'_> {
-    /// Strata of the allocated extent.
-    pub fn strata(&self) -> [u32; 2] {
-        self.config.allocated_extent.map(|side| side.div_ceil(self.config.stratum_size))
-    }
-
-    /// The radiance that is compared with that of the previous frame.
-    pub fn noisy(&self) -> &'static [&'static str] {
-        match self.config.signals {
-            _ if self.config.preset == Preset::Stabilize => &["noisy_radiance"],
-            Signals::Apart => &["noisy_direct", "noisy_indirect"],
-            _ => &["noisy_radiance"],
-        }
-    }
-
-    /// The radiance that is filtered.
-    pub fn filtered(&self) -> &'static [&'static str] {
-        match self.config.preset {
-            Preset::Stabilize => &["other_denoised_radiance"],
-            _ => self.noisy(),
-        }
-    }
-
-    /// Where it is accumulated.
-    pub fn accumulated(&self) -> &'static str {
-        match self.config.preset {
-            Preset::Stabilize => "irradiance_history",
-            _ => "filter_ping",
-        }
-    }
-
-    pub fn packed_of(&self, name: &str, frame: UseFrame, extent: [u32; 2]) -> Image<[u16; 4]> {
-        image_of(self.bytes(name, frame), extent)
-    }
-
-    pub fn halves_of(&self, name: &str, frame: UseFrame, extent: [u32; 2]) -> Image<[f32; 4]> {
-        self.packed_of(name, frame, extent).map(|t| t.map(|b| f16::from_bits(b).to_f32()))
-    }
-
-    pub fn host_of(&self, name: &str, extent: [u32; 2]) -> Image<[f32; 4]> {
-        image_of(self.bytes(name, UseFrame::Current), extent)
-    }
-
-    pub fn floats(&self, name: &str) -> Image<f32> {
-        self.image(self.bytes(name, UseFrame::Current))
-    }
-
-    pub fn written_floats(&self, name: &str) -> Image<f32> {
-        self.image(&self.outputs[name])
-    }
-
-    pub fn written_uints_of(&self, name: &str, extent: [u32; 2]) -> Image<u32> {
-        image_of(&self.outputs[name], extent)
-    }
-
-    pub fn written_packed_of(&self, name: &str, extent: [u32; 2]) -> Image<[u16; 4]> {
-        image_of(&self.outputs[name], extent)
-    }
-
-    pub fn written_halves_of(&self, name: &str, extent: [u32; 2]) -> Image<[f32; 4]> {
-        self.written_packed_of(name, extent).map(|t| t.map(|b| f16::from_bits(b).to_f32()))
-    }
-
-    pub fn instance_transforms(&self) -> Option<Vec<InstanceTransform>> {
-        self.optional_buffer("instance_transforms").map(bytemuck::allocation::pod_collect_to_vec)
-    }
-
-    fn rendered_strata(&self) -> [u32; 2] {
-        self.frame.render_extent.map(|side| side.div_ceil(self.config.stratum_size))
-    }
-
-    pub fn assert_same_strata(&self, what: &str, gpu: &Image<[u16; 4]>, twin: &Image<[u16; 4]>) {
-        for (x, y) in crate::support::pixels(self.rendered_strata()) {
-            let (x, y) = (x as i32, y as i32);
-            assert_eq!(gpu.get(x, y), twin.get(x, y), "{what}, frame {}: stratum {x},{y}", self.frame.index);
-        }
-    }
-
-    pub fn compare_strata(&self, what: &str, gpu: &Image<[f32; 4]>, twin: &Image<[f32; 4]>, tolerance: Tolerance) {
-        equal(what, self, self.rendered_strata(), gpu, twin, tolerance, |t| t);
-    }
-}
+use atrous::reference::InstanceTransform;
+use atrous::{Config, FrameParams, ResetReason, Tuning};
 
 fn config(extent: [u32; 2]) -> Config {
     Config { preset: Preset::Asvgf, levels: 2, ..Config::new(extent) }
@@ -135,7 +49,8 @@ pub fn one_pixel() {
     }
 }
 
-/// Transforms of an instance that moves, of one that is singular, of one that is not finite, and too few of them; forward motion with holes.
+/// Transforms of an instance that moves, of one that is singular, of one that is not finite, and too few of them; forward motion
+/// with holes.
 pub fn transforms_and_forward_motion() {
     let identity = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     let moved = [[0.96, -0.28, 0.0, 0.1], [0.28, 0.96, 0.0, -0.05], [0.0, 0.0, 1.0, 0.02]];

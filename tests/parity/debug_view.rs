@@ -1,12 +1,10 @@
-//! `debug_view`.
+//! `debug_view`: every view of every preset.
 
-use super::compare::{halves, Tolerance, HALF};
-use super::{each, run, Captured};
+use super::run;
 use crate::support::{assert_valid, scene::Scene, session_with, upload};
 use atrous::config::{Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
-use atrous::reference::{debug_view, DebugViewInputs, Image, Statistics};
-use atrous::{Config, DebugView, FrameParams, Tuning, UseFrame};
+use atrous::{Config, DebugView, FrameParams, Tuning};
 
 /// Every view of every preset, with values that are not finite and a change of light to show.
 pub fn every_view() {
@@ -46,40 +44,4 @@ fn shows_something(s: &mut Session, view: DebugView) {
     let shown = s.download("debug_view").expect("debug_view");
     let chequer = shown.iter().all(|t| [0.02, 0.05].iter().any(|grey| t[..3].iter().all(|c| (c - grey).abs() < 1e-3)));
     assert_eq!(!chequer, has, "{view:?}");
-}
-
-pub fn check(c: &Captured) {
-    let present = |name: &str| c.suffixes().iter().all(|s| c.has(&format!("{name}{s}")));
-    let moments = if present("moments") { c.packed_signals("moments", UseFrame::Current) } else { Vec::new() };
-    let history = if present("irradiance_history") { c.signals("irradiance_history", UseFrame::Current) } else { Vec::new() };
-    let percentiles: Vec<Image<u32>> = match present("block_percentiles") {
-        true => c.suffixes().iter().map(|s| c.block_uints(&format!("block_percentiles{s}"))).collect(),
-        false => Vec::new(),
-    };
-    let noisy: Vec<_> = c.filtered().iter().map(|name| c.host(name)).collect();
-    let confidence = c.has("history_confidence").then(|| c.floats("history_confidence"));
-    let albedo = c.optional_host("albedo");
-    let gradient = ["gradient_ping", "gradient_pong"].into_iter().find(|name| c.has(name));
-    let gradient = gradient.map(|name| c.halves_of(name, UseFrame::Current, c.strata()));
-    let mut statistics = Statistics::default();
-    statistics
-        .copy_from_slice(&bytemuck::allocation::pod_collect_to_vec::<u8, u32>(c.optional_buffer("statistics").expect("read")));
-    let inputs = DebugViewInputs {
-        guide: &c.packed("guide", UseFrame::Current),
-        surface_motion: &c.packed("surface_motion", UseFrame::Current),
-        statistics: &statistics,
-        moments: &each(&moments),
-        irradiance_history: &each(&history),
-        history_confidence: confidence.as_ref(),
-        gradient: gradient.as_ref(),
-        stratum_size: c.config.stratum_size,
-        block_percentiles: &each(&percentiles),
-        noisy: &each(&noisy),
-        albedo: albedo.as_ref(),
-    };
-    let view = c.frame.debug_view.unwrap_or_default();
-    let twin = debug_view(&c.frame.constants, c.tuning, &inputs, view);
-    let what = format!("debug_view {view:?} of {:?}", c.config.preset);
-    // Colours go through a power, which devices round each in its own way.
-    halves(&what, c, &c.written_halves("debug_view"), &twin, Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF });
 }

@@ -1,64 +1,12 @@
-//! `import`: packed guides, compared as what they mean.
+//! `import` in every encoding of a host's guides, and with transforms of instances.
 
-use super::compare::{texels, Tolerance};
-use super::{run, Captured};
+use super::run;
 use crate::support::{assert_valid, pixels, scene::Guides, scene::Scene, session_with};
 use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
 use atrous::executor::SessionOptions;
-use atrous::reference::{import, octahedral10_to_normal, unpack_depth_gradient, unpack_guide, unpack_surface_motion, ImportInputs};
-use atrous::{Config, FrameParams, Tuning, UseFrame};
-
-pub fn check(c: &Captured) {
-    let depth = c.host("depth");
-    let normal = c.host("normal");
-    let motion = c.optional_host("motion");
-    let roughness = c.optional_host("roughness");
-    let object_normal = c.optional_host("object_normal");
-    let surface_id = c.config.surface_id.then(|| c.uints("surface_id", UseFrame::Current));
-    let transforms = c.instance_transforms();
-    let inputs = ImportInputs {
-        depth: &depth,
-        normal: &normal,
-        motion: motion.as_ref(),
-        object_normal: object_normal.as_ref(),
-        surface_id: surface_id.as_ref(),
-        roughness: roughness.as_ref(),
-        instance_transforms: transforms.as_deref(),
-    };
-    let twin = import(&c.frame.constants, &inputs);
-    // Normals are rounded to a grid of 1/511, and either side of a step is right.
-    let step = Tolerance { relative: 1e-5, absolute: 5e-3, outliers: 0.0 };
-    texels("guide", c, &c.written_packed("guide"), &twin.guide, step, |t| {
-        let s = unpack_guide(t);
-        [s.linear_depth, s.normal[0], s.normal[1], s.normal[2], s.roughness, f32::from(s.id)]
-    });
-    texels(
-        "surface_motion",
-        c,
-        &c.written_packed("surface_motion"),
-        &twin.surface_motion,
-        Tolerance { absolute: 2e-2, ..step },
-        |t| {
-            let n = unpack_surface_motion(t).previous_normal;
-            if t[2] == 0 && t[3] == 0 {
-                [0.0; 3]
-            } else {
-                n
-            }
-        },
-    );
-    let motion = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
-    texels("surface_motion", c, &c.written_packed("surface_motion"), &twin.surface_motion, motion, |t| {
-        let m = unpack_surface_motion(t);
-        [m.motion[0], m.motion[1], m.depth_ratio]
-    });
-    texels("depth_gradient", c, &c.written_uints("depth_gradient"), &twin.depth_gradient, motion, unpack_depth_gradient);
-    if let Some(twin) = &twin.object_normal_guide {
-        texels("object_normal_guide", c, &c.written_uints("object_normal_guide"), twin, step, octahedral10_to_normal);
-    }
-}
+use atrous::{Config, FrameParams, Tuning};
 
 /// The synthetic scene, re-encoded: every encoding of every guide at least once.
 pub fn every_encoding() {
@@ -80,7 +28,8 @@ pub fn every_encoding() {
     assert_valid();
 }
 
-/// Motion from the matrices and a transform per instance: a turning ball, a wall with an unusable transform, and ids beyond the buffer.
+/// Motion from the matrices and a transform per instance: a turning ball, a wall with an unusable transform, and ids beyond the
+/// buffer.
 pub fn instance_transforms() {
     let scene = Scene { speed: 0.1, ..Scene::new([41, 23]) };
     let config = Config::new(scene.extent);

@@ -1,24 +1,10 @@
 //! Every stage on the GPU against its CPU twin, on what the GPU itself was given: differences do not add up from stage to stage.
 
-mod adaptive_history;
 mod asvgf;
-mod atrous;
-mod block_difference;
-mod block_percentiles;
 mod captured;
-mod compare;
 mod debug_view;
-mod demodulate;
-mod eaw;
-mod firefly;
-mod forward_project;
-mod gradient;
 mod import;
-mod modulate;
-mod taa;
-mod temporal_accumulation;
 mod tone_map;
-mod variance;
 mod volume;
 
 use super::support::{
@@ -29,11 +15,9 @@ use super::support::{
 use super::GpuTest;
 use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
-use ::atrous::reference::volume_tuning;
-use ::atrous::{Config, FrameContext, FrameParams, ResetReason, Tuning};
-use captured::capture;
-pub use captured::Captured;
-use std::collections::BTreeMap;
+use ::atrous::reference::{volume_tuning, Bindings, Stage, StagePass};
+use ::atrous::{Config, FrameContext, FrameParams, PassDecl, ResetReason, Tuning};
+use captured::{capture, Captured};
 
 pub const TESTS: &[GpuTest] = &[
     ("one_signal", || sequence(&Config::new([61, 35]))),
@@ -88,11 +72,6 @@ fn percentile(extent: [u32; 2]) -> Config {
     Config { preset: Preset::Percentile, ..Config::new(extent) }
 }
 
-/// References to the elements, as the twins take their signals.
-pub fn each<T>(images: &[T]) -> Vec<&T> {
-    images.iter().collect()
-}
-
 fn sequence(config: &Config) {
     sequence_of(config, config.allocated_extent);
 }
@@ -137,54 +116,47 @@ fn leave_holes(config: &Config, guides: &mut Guides) {
 
 /// One frame, every pass against its twin.
 pub fn run(s: &mut Session, config: &Config, params: &FrameParams, tuning: &Tuning) {
-    let mut inputs = BTreeMap::new();
+    let mut before = Captured::new();
     let trace = &mut |s: &mut Session, frame: &FrameContext, pass: usize, done: bool| {
         if !done {
-            inputs = capture(s, pass, |access| access.reads())?;
+            before = capture(s, pass, |access| access.reads())?;
             return Ok(());
         }
-        let outputs = capture(s, pass, |access| access.writes())?.into_iter().map(|((name, _), b)| (name, b)).collect();
-        let of_volume = s.executor().denoiser().declaration().passes()[pass].name.contains("volume");
-        let tuning = &if of_volume { volume_tuning(tuning) } else { *tuning };
-        check(s, pass, &Captured { frame, config, tuning, inputs: std::mem::take(&mut inputs), outputs });
+        let after = capture(s, pass, |access| access.writes())?;
+        let pass = &s.executor().denoiser().declaration().passes()[pass];
+        if let Some(runs) = StagePass::of(pass, config, frame.debug_view) {
+            check(pass, &runs, frame, tuning, &before, &after);
+        }
         Ok(())
     };
     s.run_traced(params, tuning, trace).expect("frame");
 }
 
-fn check(s: &Session, pass: usize, captured: &Captured) {
-    let pass = &s.executor().denoiser().declaration().passes()[pass];
-    match pass.name.as_str() {
-        "start_frame" => {}
-        "import" => import::check(captured),
-        "forward_project_clear" => {}
-        "forward_project_claim" => forward_project::check_claims(captured),
-        "forward_project_resolve" => forward_project::check(captured),
-        "gradient" => gradient::check(captured),
-        "adaptive_alpha" => gradient::check_alpha(captured),
-        "volume_motion_clear" => {}
-        "volume_motion_claim" => volume::check_claims(captured),
-        "volume_motion_resolve" => volume::check_motion(captured),
-        "volume_points" => volume::check_points(captured),
-        "temporal_accumulation_volume" => volume::check_accumulation(captured),
-        "variance_volume" => volume::check_variance(captured),
-        "demodulate" => demodulate::check(captured),
-        "temporal_accumulation" => temporal_accumulation::check(captured),
-        "variance" => variance::check(captured),
-        "modulate" => modulate::check(captured),
-        "tone_map" => tone_map::check(captured),
-        "taa" => taa::check(captured),
-        "debug_view" => debug_view::check(captured),
-        "adaptive_history" => adaptive_history::check(captured),
-        name if name.starts_with("block_percentiles") => block_percentiles::check(captured, &name["block_percentiles".len()..]),
-        name if name.starts_with("block_difference") => block_difference::check(captured, &name["block_difference".len()..]),
-        name if name.starts_with("firefly") => firefly::check(captured, &name["firefly".len()..]),
-        name => match name.rsplit_once('_').and_then(|(stage, level)| Some((stage, level.parse().ok()?))) {
-            Some(("eaw", level)) => eaw::check(captured, level),
-            Some(("atrous", level)) => atrous::check(captured, level),
-            Some(("atrous_volume", level)) => volume::check_atrous(captured, level),
-            Some(("gradient_atrous", level)) => gradient::check_atrous(captured, level),
-            _ => panic!("no twin is compared with {name}"),
-        },
+/// What the GPU wrote in a pass, against what the twin makes of the same inputs.
+fn check(pass: &PassDecl, runs: &StagePass, frame: &FrameContext, tuning: &Tuning, before: &Captured, after: &Captured) {
+    let stage = Stage::find(&runs.stage).unwrap_or_else(|| panic!("{} has no twin", runs.stage));
+    let constants: Vec<_> = runs.constants.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let tuning = if constants.contains(&("VOLUME", 1)) { volume_tuning(tuning) } else { *tuning };
+    let mut bindings = Bindings::new(&runs.stage, &frame.constants, &tuning).with_level(runs.level).with_constants(&constants);
+    let names = || runs.names.iter().zip(before.iter().zip(after)).filter_map(|(name, texels)| Some((name.as_deref()?, texels)));
+    for (name, (read, written)) in names() {
+        if let Some(texels) = read {
+            bindings.reads(name, texels);
+        }
+        if let Some(texels) = written {
+            bindings.writes(name, texels.extent());
+        }
+    }
+    let what = format!("{}, frame {} (reset: {:?})", pass.name, frame.index, frame.reset);
+    (stage.twin)(&mut bindings).unwrap_or_else(|error| panic!("{what}: {error}"));
+    let twin = bindings.into_written();
+    assert!(!twin.is_empty(), "{what}: the twin wrote nothing");
+    for (name, (read, written)) in names() {
+        let Some(gpu) = written else { continue };
+        // What is updated in place, and was not, is what it was.
+        let ours = twin.iter().find(|(written, _)| *written == name).map(|(_, texels)| texels).or(read.as_ref());
+        let ours = ours.unwrap_or_else(|| panic!("{what}: the twin did not write {name}"));
+        let equal = stage.compare(name, &constants, frame.render_extent, gpu, ours);
+        equal.unwrap_or_else(|message| panic!("{what}: {message}"));
     }
 }

@@ -1,21 +1,10 @@
-//! `tone_map`.
+//! `tone_map` with every curve.
 
-use super::compare::{halves, HALF};
-use super::{each, run, Captured};
+use super::run;
 use crate::support::{assert_valid, scene::Scene, session_with, upload};
 use atrous::config::PostProcess;
 use atrous::executor::SessionOptions;
-use atrous::reference::tone_map;
-use atrous::{Config, ToneCurve, Tuning, UseFrame};
-
-pub fn check(c: &Captured) {
-    let names = ["denoised_radiance", "denoised_volume"].into_iter().filter(|name| c.has(name));
-    let radiances: Vec<_> = names.map(|name| c.halves(name, UseFrame::Current)).collect();
-    assert_eq!(radiances.len(), 1 + usize::from(c.config.volume));
-    let twin = tone_map(&c.frame.constants, c.tuning, &each(&radiances));
-    let name = if c.config.post_process == PostProcess::ToneMapTaa { "tone_mapped" } else { "display" };
-    halves(name, c, &c.written_halves(name), &twin, HALF);
-}
+use atrous::{Config, ToneCurve, Tuning};
 
 /// Every curve, from black to far beyond white.
 pub fn curves() {

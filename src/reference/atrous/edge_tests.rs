@@ -1,4 +1,4 @@
-//! What the filter does not blur across.
+//! Edges that the filter does not blur across.
 
 use super::super::test_scene::*;
 use super::super::{pack_depth_gradient, Surface};
@@ -6,7 +6,8 @@ use super::*;
 
 const EXTENT: [u32; 2] = [24, 9];
 
-/// A step of radiance at column 12 on a scene that `right` changes from there on, filtered over five levels; the columns of the middle row.
+/// A step of radiance at column 12 on a scene that `right` changes from there on, filtered over five levels; the columns of the
+/// middle row.
 fn filtered(tuning: &Tuning, gradient: f32, left: impl Fn(i32, &mut Surface), right: impl Fn(i32, &mut Surface)) -> Vec<f32> {
     let scene = guides(EXTENT, |x, _| {
         let mut s = surface(10.0);

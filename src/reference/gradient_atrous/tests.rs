@@ -1,4 +1,4 @@
-//! What spreads and what does not.
+//! Gradients spread over their surface and no other.
 
 use super::super::test_scene::*;
 use super::super::{pack_guide, Surface};

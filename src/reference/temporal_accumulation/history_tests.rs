@@ -7,7 +7,8 @@ use super::*;
 const EXTENT: [u32; 2] = [7, 7];
 const NEW: f32 = 100.0;
 
-/// Current surfaces that expect `expected` (depth ratio, normal) at `motion`, on a previous frame whose history is its column number.
+/// Current surfaces that expect `expected` (depth ratio, normal) at `motion`, on a previous frame whose history is its column
+/// number.
 struct Scene {
     now: Surface,
     motion: [f32; 2],
@@ -36,7 +37,8 @@ impl Scene {
         self
     }
 
-    /// What the centre pixel (3, 3) takes from its history, and its moments. `alpha` is 0 and the history long: nearly nothing is new.
+    /// The history that the centre pixel (3, 3) takes, and its moments. `alpha` is 0 and the history long: nearly nothing is
+    /// new.
     fn centre(&self) -> (f32, Moments) {
         let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..Tuning::default() };
         let columns = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 0.0]);

@@ -9,7 +9,8 @@ fn points(extent: [u32; 2], point: impl Fn(i32, i32) -> VolumePoint) -> Image<[u
     paint(extent, point).map(pack_volume_point)
 }
 
-/// Motion of the pixels of a frame in which the camera moved to `to`; surfaces of every pixel at `depth` (0: none) claim to have moved by 9, −9.
+/// Motion of the pixels of a frame in which the camera moved to `to`; surfaces of every pixel at `depth` (0: none) claim to have
+/// moved by 9, −9.
 fn moved(before: FrameParams, now: FrameParams, depth: f32, points: &Image<[u16; 4]>) -> Image<[f32; 2]> {
     let frame = frame_with(&Config::new(EXTENT), &before, &now);
     let surface_motion = Image::new(EXTENT, pack_surface_motion([9.0, -9.0], Some((0.0, [0.0, 0.0, 1.0]))));
@@ -64,7 +65,8 @@ fn of_two_points_in_a_pixel_the_brighter_one_counts() {
 
 #[test]
 fn the_motion_is_that_of_the_mean_depth_by_luminance() {
-    // Neighbouring columns at depth 1 and 3, the farther one three times as bright: the mean depth is 2.5, at which 1.2 pixels are moved.
+    // Neighbouring columns at depth 1 and 3, the farther one three times as bright: the mean depth is 2.5, at which 1.2 pixels are
+    // moved.
     let luminance = |l: f32| (l.to_bits() >> 16) as u16;
     let points = points(EXTENT, |x, _| match x {
         20 => VolumePoint { linear_depth: 1.0, contribution: luminance(1.0) },

@@ -1,25 +1,19 @@
-//! The stage `adaptive_history`: how far the history of a pixel is still true, from statistics of blocks alone \[PSVGF\].
+//! The stage `percentile_rule`: how far the history of a pixel is still true, by the percentiles of the blocks around \[PSVGF\].
 
-use super::block_difference::unpack_difference;
+use super::bindings::Bindings;
 use super::block_percentiles::{unpack_percentiles, Percentiles};
 use super::blocks::Blocks;
 use super::luminance::texel_luminance;
 use super::nearest_history::HistoryGuides;
 use super::Image;
-use crate::{FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
-
-#[cfg(test)]
-mod tests;
 
 /// Share of a block's upper percentile that counts as usual, however narrow its range is.
 pub const RANGE_EPSILON: f32 = 0.01;
 
-/// Share of the mean luminance below which a change is not worth the history, however certain it is.
-pub const CHANGE_EPSILON: f32 = 0.01;
-
 /// `lin` of \[PSVGF\]: 0 at `a`, 1 at `b`.
-fn lin(a: f32, b: f32, x: f32) -> f32 {
+pub(super) fn lin(a: f32, b: f32, x: f32) -> f32 {
     ((x - a) / (b - a)).clamp(0.0, 1.0)
 }
 
@@ -53,35 +47,17 @@ fn interpolated(blocks: Blocks, percentiles: &Image<u32>, p: IVec2) -> Percentil
 }
 
 /// A \[PSVGF\].
-fn weight_of_history(tuning: &Tuning, percentiles: &Percentiles, l: f32) -> f32 {
+pub(super) fn weight_of_history(tuning: &Tuning, percentiles: &Percentiles, l: f32) -> f32 {
     let range = percentiles.range(tuning) + RANGE_EPSILON * percentiles.up + 1e-4;
     let too_bright = lin(percentiles.up, percentiles.up + range, l);
     let too_dark = 1.0 - lin(percentiles.low - range, percentiles.low, l);
     (1.0 - tuning.adaptivity * too_bright) * (1.0 - tuning.adaptivity * too_dark)
 }
 
-/// The test in both directions, on `block_difference` of every signal. Values as those of [`percentile_rule`]; `extent` is the allocated one.
-pub fn change_test(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2], block_difference: &[&Image<[u16; 4]>]) -> Image<f32> {
-    let blocks = Blocks::new(frame.render_extent);
-    let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
-        block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block)).fold(0.0, f32::max)
-    });
-    Image::compute(extent, frame.render_extent, |p| {
-        let change: f32 = blocks.around(p).iter().map(|&(block, weight)| weight * changes.at(block)).sum();
-        1.0 - tuning.adaptivity * change
-    })
-}
-
-/// 0 to 1: the mean difference over 3×3 blocks, in standard errors, against the threshold.
-fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> f32 {
-    let (mut sum, mut variance, mut brighter) = (0.0, 0.0, 0.0);
-    for (_, q) in blocks.rect().window(block, 1, 1) {
-        let difference = unpack_difference(differences.at(q));
-        sum += difference.count * difference.mean;
-        variance += difference.count * difference.deviation * difference.deviation;
-        brighter += difference.count * difference.brighter;
-    }
-    let least = CHANGE_EPSILON * brighter;
-    let errors = sum.abs() / (variance + least * least).sqrt().max(1e-6);
-    lin(tuning.change_threshold, 2.0 * tuning.change_threshold, errors)
+/// Runs the stage on the bindings of a pass.
+pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guides = HistoryGuides::of(b)?;
+    let signals: Vec<_> = b.uints("block_percentiles")?.into_iter().zip(b.colours("history")?).collect();
+    let confidence = percentile_rule(b.frame, b.tuning, &PercentileRuleInputs { guides, signals: &signals });
+    b.write("history_confidence", confidence)
 }

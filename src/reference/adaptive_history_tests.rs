@@ -1,8 +1,10 @@
-//! Which changes each rule sees, on blocks of one luminance distribution before and another one now.
+//! `percentile_rule` and `change_test`: which changes each sees, on blocks of one luminance distribution before and another one
+//! now.
 
-use super::super::test_scene::*;
-use super::super::*;
+use super::percentile_rule::weight_of_history;
+use super::test_scene::*;
 use super::*;
+use crate::Tuning;
 
 const EXTENT: [u32; 2] = [44, 35];
 

@@ -1,0 +1,261 @@
+//! When what the GPU wrote counts as equal to what the twin wrote.
+
+use super::binary16::from_half_bits;
+use super::block_difference::unpack_difference;
+use super::block_percentiles::unpack_percentiles;
+use super::guide::unpack_guide;
+use super::moments::unpack_moments;
+use super::octahedral::octahedral10_to_normal;
+use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use super::texels::Texels;
+use super::BLOCK_SIZE;
+use glam::IVec2;
+
+/// The difference that two values may have, and the share of texels that may differ by more, since a test against a threshold fell
+/// the other way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// Share of the larger value.
+    pub relative: f32,
+    /// Added to it, in the unit of the value.
+    pub absolute: f32,
+    /// Share of the texels that exist.
+    pub outliers: f32,
+}
+
+/// How a texel becomes numbers that can be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Values {
+    /// As they are: floats, or packed bits 16 at a time.
+    Plain,
+    /// A 32-bit texel as two halves.
+    Halves,
+    /// Depth, normal, roughness and id.
+    Guide,
+    /// Motion and depth ratio of `surface_motion`.
+    SurfaceMotion,
+    /// The normal of `surface_motion`; none where there is no surface.
+    PreviousNormal,
+    /// Both slopes.
+    DepthGradient,
+    /// A packed normal.
+    Normal,
+    /// Mean, deviation, history length and reason.
+    Moments,
+    /// Lower and upper one.
+    Percentiles,
+    /// Mean, deviation, count and the brighter side.
+    Difference,
+}
+
+/// The unit that an image has a texel for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Per {
+    /// Every pixel.
+    Pixel,
+    /// Every 8×8 pixels.
+    Block,
+    /// Every stratum.
+    Stratum,
+    /// Nothing: it is a buffer, and every byte counts.
+    Buffer,
+}
+
+/// For which passes of a stage a rule holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum When {
+    /// All of them.
+    Always,
+    /// Those whose specialisation constant has this value.
+    Is(&'static str, u32),
+    /// Those whose specialisation constant has another value.
+    IsNot(&'static str, u32),
+}
+
+/// How one binding that a stage writes is compared.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rule {
+    /// Name of the binding.
+    pub binding: &'static str,
+    /// The unit that it has a texel for.
+    pub per: Per,
+    /// How a texel becomes numbers.
+    pub values: Values,
+    /// The difference that they may have.
+    pub tolerance: Tolerance,
+    /// For which passes.
+    pub when: When,
+}
+
+impl Rule {
+    /// Whether it holds for a pass with these specialisation constants.
+    pub fn holds(&self, constants: &[(&str, u32)]) -> bool {
+        let value = |name: &str| constants.iter().find(|c| c.0 == name).map(|c| c.1);
+        match self.when {
+            When::Always => true,
+            When::Is(name, wanted) => value(name) == Some(wanted),
+            When::IsNot(name, other) => value(name) != Some(other),
+        }
+    }
+
+    /// Compares over the part of the image that a frame of `render_extent` pixels fills. Both must be finite there.
+    ///
+    /// # Errors
+    /// A message with the number of texels that differ, and the first of them.
+    pub fn compare(&self, stratum_size: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+        let (what, kinds) = (self.binding, [gpu.kind(), twin.kind()]);
+        if kinds[0] != kinds[1] || gpu.extent() != twin.extent() {
+            let (a, b) = (gpu.extent(), twin.extent());
+            return Err(format!("{what}: the GPU wrote {} of {a:?}, the twin {} of {b:?}", kinds[0], kinds[1]));
+        }
+        let extent = match self.per {
+            Per::Pixel => render_extent,
+            Per::Block => render_extent.map(|side| side.div_ceil(BLOCK_SIZE)),
+            Per::Stratum => render_extent.map(|side| side.div_ceil(stratum_size.max(1))),
+            Per::Buffer => gpu.extent(),
+        };
+        let (mut differ, mut first) = (0_usize, None);
+        for y in 0..extent[1] as i32 {
+            for x in 0..extent[0] as i32 {
+                let p = IVec2::new(x, y);
+                let (a, b) = (self.values.of(gpu, p), self.values.of(twin, p));
+                if !self.tolerance.admits(&a, &b) {
+                    differ += 1;
+                    first.get_or_insert((x, y, a, b));
+                }
+            }
+        }
+        let allowed = (self.tolerance.outliers * (extent[0] * extent[1]) as f32).ceil() as usize;
+        match first {
+            Some((x, y, a, b)) if differ > allowed => Err(format!(
+                "{what}: {differ} texels of {extent:?} differ, {allowed} may; the first at {x},{y}: GPU {a:?}, twin {b:?}"
+            )),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl Tolerance {
+    fn admits(&self, a: &Numbers, b: &Numbers) -> bool {
+        a.iter().zip(b).all(|(a, b)| {
+            let limit = self.absolute + self.relative * a.abs().max(b.abs());
+            a.is_finite() && b.is_finite() && (a - b).abs() <= limit
+        })
+    }
+}
+
+/// The numbers of a texel; those that it does not have are 0.
+type Numbers = [f32; 6];
+
+fn padded<const N: usize>(values: [f32; N]) -> Numbers {
+    std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0))
+}
+
+impl Values {
+    /// The numbers of the texel at `p`.
+    fn of(self, texels: &Texels, p: IVec2) -> Numbers {
+        match texels {
+            Texels::Colour(image) => padded(image.at(p)),
+            Texels::Scalar(image) => padded([image.at(p)]),
+            Texels::Packed(image) => self.of_packed(image.at(p)),
+            Texels::Uint(image) => self.of_uint(image.at(p)),
+            Texels::Bytes(bytes) => padded([bytes.get(p.x as usize).copied().map_or(0.0, f32::from)]),
+        }
+    }
+
+    fn of_packed(self, texel: [u16; 4]) -> Numbers {
+        match self {
+            Self::Guide => {
+                let s = unpack_guide(texel);
+                let [x, y, z] = s.normal;
+                [s.linear_depth, x, y, z, s.roughness, s.id.into()]
+            }
+            Self::SurfaceMotion => {
+                let m = unpack_surface_motion(texel);
+                padded([m.motion[0], m.motion[1], m.depth_ratio])
+            }
+            Self::PreviousNormal if texel[2] == 0 && texel[3] == 0 => padded([]),
+            Self::PreviousNormal => padded(unpack_surface_motion(texel).previous_normal),
+            Self::Moments => {
+                let m = unpack_moments(texel);
+                padded([m.mean, m.deviation, m.history_length, m.reason.into()])
+            }
+            Self::Difference => {
+                let d = unpack_difference(texel);
+                padded([d.mean, d.deviation, d.count, d.brighter])
+            }
+            _ => padded(texel.map(f32::from)),
+        }
+    }
+
+    fn of_uint(self, texel: u32) -> Numbers {
+        let parts = [texel as u16, (texel >> 16) as u16];
+        match self {
+            Self::DepthGradient => padded(unpack_depth_gradient(texel)),
+            Self::Normal => padded(octahedral10_to_normal(texel)),
+            Self::Halves => padded(parts.map(from_half_bits)),
+            Self::Percentiles => {
+                let p = unpack_percentiles(texel);
+                padded([p.low, p.up])
+            }
+            _ => padded(parts.map(f32::from)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Image;
+    use super::*;
+
+    fn rule(tolerance: Tolerance) -> Rule {
+        Rule { binding: "output_0", per: Per::Pixel, values: Values::Plain, tolerance, when: When::Always }
+    }
+
+    const EXACT: Tolerance = Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.0 };
+
+    fn with_change(x: i32, y: i32, value: f32) -> Texels {
+        let mut image = Image::new([8, 8], 1.0);
+        *image.get_mut(x, y).expect("inside") = value;
+        Texels::Scalar(image)
+    }
+
+    #[test]
+    fn only_what_the_frame_fills_counts() {
+        let (plain, changed) = (with_change(0, 0, 1.0), with_change(5, 1, 1.5));
+        assert!(rule(EXACT).compare(1, [5, 8], &plain, &changed).is_ok());
+        let message = rule(EXACT).compare(1, [6, 8], &plain, &changed).expect_err("one texel");
+        assert!(message.contains("5,1") && message.contains("1 texels"), "{message}");
+        let strata = Rule { per: Per::Stratum, ..rule(EXACT) };
+        assert!(strata.compare(3, [15, 6], &plain, &changed).is_ok());
+        assert!(strata.compare(3, [16, 6], &plain, &changed).is_err());
+    }
+
+    #[test]
+    fn a_tolerance_is_relative_absolute_and_a_share() {
+        let plain = with_change(0, 0, 1.0);
+        let within = |tolerance, value| rule(tolerance).compare(1, [8, 8], &plain, &with_change(3, 3, value)).is_ok();
+        let relative = Tolerance { relative: 0.1, ..EXACT };
+        assert!(within(relative, 1.1) && !within(relative, 1.2));
+        let absolute = Tolerance { absolute: 0.25, ..EXACT };
+        assert!(within(absolute, 1.25) && !within(absolute, 1.3));
+        let outliers = Tolerance { outliers: 0.01, ..EXACT };
+        assert!(within(outliers, 9.0) && !within(EXACT, 9.0));
+        assert!(!within(Tolerance { absolute: f32::MAX, ..EXACT }, f32::NAN));
+    }
+
+    #[test]
+    fn every_bit_of_a_packed_texel_counts() {
+        for bit in 0..32 {
+            let texel = |bits| Texels::Uint(Image::new([1, 1], bits));
+            assert!(rule(EXACT).compare(1, [1, 1], &texel(0x9e37_79b9), &texel(0x9e37_79b9 ^ (1 << bit))).is_err(), "{bit}");
+        }
+    }
+
+    #[test]
+    fn a_kind_or_an_extent_that_differs_is_an_error() {
+        let (a, b) = (Texels::Uint(Image::new([2, 2], 0)), Texels::Scalar(Image::new([2, 2], 0.0)));
+        assert!(rule(EXACT).compare(1, [1, 1], &a, &b).is_err());
+        assert!(rule(EXACT).compare(1, [1, 1], &a, &Texels::Uint(Image::new([2, 1], 0))).is_err());
+    }
+}
