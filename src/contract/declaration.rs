@@ -5,6 +5,8 @@ use crate::config::Config;
 use crate::error::Error;
 
 /// Where in the host's frame a pass belongs.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
@@ -22,6 +24,8 @@ impl Phase {
 }
 
 /// Which copy of a history a use means. Everything else is always `Current`.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum UseFrame {

@@ -11,6 +11,7 @@ mod forward;
 
 choices! {
     /// Why all history is dropped for one frame.
+    #[non_exhaustive]
     pub enum ResetReason {
         /// The first frame after creation or [`FrameState::invalidate`]; forced, a host need not say it.
         Created = 1 => "created",

@@ -4,6 +4,8 @@ use super::ImageFormat;
 use ash::vk;
 
 /// Who owns a resource and how long its content lives.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lifetime {
     /// Of the host; only read.
@@ -38,6 +40,8 @@ impl Lifetime {
 }
 
 /// What a resource is.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A 2D image with one mip level and one layer, of `div_ceil(allocated_extent, divisor)` texels.
