@@ -91,6 +91,9 @@ pub enum Error {
     /// A resource has no image or buffer bound to it.
     #[error("resource `{0}` has nothing that fits bound to it; bind an image to an image and a buffer to a buffer, and leave out optional inputs alone")]
     NotBound(String),
+    /// A transient that was asked for after the CPU engine freed it.
+    #[error("resource `{0}` is a transient, and its memory is free after its last pass; make the engine with Engine::keep_transients to read it later")]
+    NotKept(String),
     /// A pass was given a wrong number of bindings.
     #[error("pass `{pass}` was given {given} bindings, it needs {needed}: one for each of its uses, in their order")]
     Bindings {

@@ -15,6 +15,7 @@ mod documents;
 mod eaw;
 mod firefly;
 mod gradients;
+mod graphs;
 mod host_header;
 mod hosts;
 #[cfg(feature = "hot-reload")]
@@ -67,6 +68,7 @@ fn main() {
         ("firefly", firefly::TESTS, true),
         ("properties", properties::TESTS, true),
         ("gradients", gradients::TESTS, true),
+        ("graphs", graphs::TESTS, true),
         ("parity", parity::TESTS, true),
         ("pattern", pattern::TESTS, true),
         ("percentile", percentile::TESTS, true),

@@ -3,8 +3,8 @@
 use super::texels::Texels;
 use super::Image;
 use crate::contract::{
-    DebugView, Declaration, FrameContext, FrameParams, FrameState, ImageFormat, Lifetime, ResourceId, Shape, Tuning, Use, UseFrame,
-    Work,
+    Access, DebugView, Declaration, FrameContext, FrameParams, FrameState, ImageFormat, Lifetime, ResourceId, Shape, Tuning, Use,
+    UseFrame, Work,
 };
 use crate::error::Error;
 
@@ -121,14 +121,10 @@ impl Engine {
         let frame = self.state.begin(self.declaration.setup(), params, tuning)?;
         self.frame = Some(frame);
         for pass in 0..self.declaration.passes().len() {
-            if frame.debug_view.is_none() && self.declaration.passes()[pass].draws_view() {
-                continue;
-            }
-            if let Err(error) = self.run_pass(&frame, pass) {
+            if let Err(error) = self.step(&frame, pass) {
                 self.state.invalidate();
                 return Err(error);
             }
-            self.drop_dead(pass);
         }
         Ok(frame)
     }
@@ -136,12 +132,17 @@ impl Engine {
     /// Texels of the output `debug_view` for the last frame, with any view.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame, and where transients that it
-    /// shows were not kept: see [`Self::keep_transients`].
+    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame; [`Error::NotKept`] for an
+    /// engine without [`Self::keep_transients`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };
         if let Some(pass) = self.declaration.passes().iter().position(|pass| pass.draws_view()) {
+            // An optional binding without its image would pass for something that the graph does not have.
+            let shown = self.declaration.passes()[pass].uses.iter().filter(|u| u.access != Access::Uniform && u.access.reads());
+            if let Some(freed) = shown.map(|u| u.resource).find(|id| self.is_freed(*id)) {
+                return Err(Error::NotKept(self.declaration.resource(freed).name.clone()));
+            }
             self.run_pass(&frame, pass)?;
         }
         self.download("debug_view")
@@ -150,7 +151,8 @@ impl Engine {
     /// Texels of an output or a history of the last frame as floats; after [`Self::keep_transients`] of transients, too.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame, for a transient that was not kept, and for an absent input.
+    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame and for an absent input; [`Error::NotKept`] for a transient without
+    /// [`Self::keep_transients`].
     pub fn download(&self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
         self.texels(name, UseFrame::Current).map(Texels::to_floats)
     }
@@ -162,11 +164,23 @@ impl Engine {
     pub fn texels(&self, name: &str, which: UseFrame) -> Result<&Texels, Error> {
         let id = self.declaration.named(name)?;
         let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        if self.is_freed(id) {
+            return Err(Error::NotKept(name.to_owned()));
+        }
         let copy = match self.declaration.resource(id).lifetime {
             Lifetime::History => frame.history_copy(which),
             _ => 0,
         };
         self.stored[id.0 as usize][copy].as_ref().ok_or_else(|| Error::NotBound(name.to_owned()))
+    }
+
+    /// One pass of a frame, in their order.
+    fn step(&mut self, frame: &FrameContext, pass: usize) -> Result<(), Error> {
+        if frame.debug_view.is_some() || !self.declaration.passes()[pass].draws_view() {
+            self.run_pass(frame, pass)?;
+        }
+        self.drop_dead(pass);
+        Ok(())
     }
 
     fn run_pass(&mut self, frame: &FrameContext, pass: usize) -> Result<(), Error> {
@@ -204,6 +218,11 @@ impl Engine {
         for id in dead {
             self.stored[id.0 as usize] = [None, None];
         }
+    }
+
+    /// Whether a resource is a transient whose content is gone.
+    fn is_freed(&self, id: ResourceId) -> bool {
+        self.declaration.resource(id).lifetime == Lifetime::Transient && self.stored[id.0 as usize][0].is_none()
     }
 
     fn input_image(&self, name: &str, component: crate::Component) -> Result<(ResourceId, [u32; 2]), Error> {
@@ -250,3 +269,6 @@ fn zeroed(declaration: &Declaration, id: ResourceId) -> Result<Texels, Error> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

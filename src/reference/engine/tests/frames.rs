@@ -1,0 +1,132 @@
+//! One frame: bad values, sky, what is between the stages.
+
+use super::super::super::test_scene::*;
+use super::super::super::{round_image_to_half, round_to_half, tone_map, Counter, Reason, Statistics};
+use super::*;
+use crate::config::{PostProcess, Signals};
+use glam::Vec3;
+
+const EXTENT: [u32; 2] = [13, 9];
+
+fn config(extent: [u32; 2]) -> Config {
+    Config { surface_id: false, ..Config::new(extent) }
+}
+
+/// The first frame of a plane with albedo.
+fn first_frame(config: &Config, noisy: &Image<[f32; 4]>) -> Host {
+    let mut host = Host::new(config);
+    let albedo = Image::new(config.allocated_extent, [0.5, 0.25, 0.125, 0.0]);
+    host.engine.upload("albedo", albedo.texels()).expect("albedo");
+    host.frame(&camera(config.allocated_extent, Vec3::ZERO), noisy);
+    host
+}
+
+#[test]
+fn the_sky_passes_untouched() {
+    let mut host = Host::new(&config(EXTENT));
+    let noisy = round_image_to_half(&noise(EXTENT, 1));
+    host.upload(EXTENT, &noisy);
+    let depth = paint(EXTENT, |x, _| [if x < 6 { f32::INFINITY } else { 4.0 }; 4]);
+    host.engine.upload("depth", depth.texels()).expect("depth");
+    host.engine.upload("albedo", &[[0.5, 0.25, 0.125, 0.0]; 13 * 9]).expect("albedo");
+    host.engine.run(&camera(EXTENT, Vec3::ZERO), &Tuning::default()).expect("frame");
+    let output = host.image("denoised_radiance");
+    let mut changed = 0;
+    for y in 0..9 {
+        for x in 0..13 {
+            let (a, b) = (noisy.get(x, y).expect("inside"), output.get(x, y).expect("inside"));
+            if x < 6 {
+                assert_eq!(a[..3], b[..3]);
+            } else {
+                changed += usize::from(a[..3] != b[..3]);
+            }
+        }
+    }
+    assert!(changed > 50, "the surface is filtered");
+}
+
+/// Values that no stage may let through: they stand in every component of every input.
+fn bad_inputs(engine: &mut Engine, extent: [u32; 2]) {
+    let values = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 3e38, 0.0, -1.0, 0.5, 4.0];
+    let bad = |k: u32| paint(extent, move |x, y| [1, 3, 5, 7].map(|i| values[(x as u32 * k + y as u32 * i) as usize % 8]));
+    let names = ["depth", "normal", "motion", "roughness", "noisy_direct", "noisy_indirect", "albedo", "emission"];
+    for (k, name) in (1..).zip(names) {
+        engine.upload(name, bad(k).texels()).expect(name);
+    }
+    engine.upload_ids("surface_id", paint(extent, |x, _| x as u32 % 3).texels()).expect("surface_id");
+    let transforms = [[[f32::NAN; 4]; 3]; 2];
+    engine.upload_buffer("instance_transforms", bytemuck::cast_slice(&transforms)).expect("instance_transforms");
+}
+
+/// Everything that a pass wrote is finite, and moments are not negative.
+fn assert_good(engine: &Engine, frame: &FrameContext, pass: usize) {
+    let declaration = &engine.declaration;
+    for u in declaration.passes()[pass].uses.iter().filter(|u| u.access.writes()) {
+        let what = format!("{} after {}", declaration.resource(u.resource).name, declaration.passes()[pass].name);
+        match engine.stored[u.resource.0 as usize][declaration.copy(u, frame)].as_ref().expect(&what) {
+            Texels::Colour(image) => assert!(all_finite(image), "{what}"),
+            Texels::Packed(image) if what.starts_with("moments") => assert!(
+                image
+                    .texels()
+                    .iter()
+                    .map(|m| unpack_moments(*m))
+                    .all(|m| { [m.mean, m.deviation, m.history_length].iter().all(|x| x.is_finite() && *x >= 0.0) }),
+                "{what}"
+            ),
+            _ => {}
+        }
+    }
+}
+
+#[test]
+fn no_bad_value_of_any_input_reaches_an_output() {
+    let extent = [24, 16];
+    let config = Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
+    let mut engine = Host::new(&config).engine;
+    bad_inputs(&mut engine, extent);
+    for i in 0..3 {
+        let params = FrameParams { exposure_ratio: 1e30, ..camera(extent, Vec3::splat(i as f32)) };
+        // Pass by pass: what one works on in place, the next one overwrites.
+        let frame = engine.state.begin(engine.declaration.setup(), &params, &Tuning::default()).expect("usable");
+        engine.frame = Some(frame);
+        for pass in 0..engine.declaration.passes().len() {
+            engine.step(&frame, pass).expect("runs");
+            assert_good(&engine, &frame, pass);
+        }
+        for name in ["denoised_radiance", "display"] {
+            assert!(engine.download(name).expect(name).iter().flatten().all(|x| x.is_finite()), "{name}");
+        }
+        let Ok(Texels::Bytes(bytes)) = engine.texels("statistics", UseFrame::Current) else { panic!("a buffer") };
+        let counts: Statistics = bytemuck::pod_read_unaligned(bytes);
+        assert!(counts[..=Counter::Emission as usize].iter().all(|n| *n > 0), "{counts:?}");
+        assert_eq!(counts[Counter::ForwardMotion as usize..], [0, 0]);
+    }
+}
+
+#[test]
+fn what_is_between_the_stages_and_behind_them_can_be_read() {
+    let config = Config { levels: 3, ..config(EXTENT) };
+    let host = first_frame(&config, &noise(EXTENT, 1));
+    let levels = host.engine.declaration.passes().iter().filter(|pass| pass.stage() == Some("atrous")).count();
+    assert_eq!(levels, 3);
+    for level in ["irradiance_history", "atrous_odd", "filtered"] {
+        assert!(host.image(level).texels().iter().all(|t| t[0] > 0.0 && t[3] > 0.0), "{level}");
+    }
+    let moments = host.moments();
+    assert!(moments.texels().iter().all(|m| m.history_length == 1.0 && m.reason == Reason::Reset as u16));
+    assert!(host.image("filter_pong").texels().iter().all(|t| t[3] > 0.0), "the standard deviation");
+    assert!(host.engine.download("display").expect_err("not asked for").to_string().contains("denoised_radiance"));
+    let mapped = first_frame(&Config { post_process: PostProcess::ToneMap, ..config }, &noise(EXTENT, 1));
+    let constants = frame_with(&config, &FrameParams::new(EXTENT), &FrameParams::new(EXTENT));
+    assert_eq!(mapped.image("display"), tone_map(&constants, &Tuning::default(), &[&mapped.image("denoised_radiance")]));
+    assert_eq!(mapped.image("denoised_radiance"), host.image("denoised_radiance"));
+}
+
+#[test]
+fn one_pixel_is_an_image() {
+    let config = Config { post_process: PostProcess::ToneMapTaa, ..config([1, 1]) };
+    let mut host = Host::new(&config);
+    let noisy = noise([1, 1], 1);
+    host.frame(&camera([1, 1], Vec3::ZERO), &noisy);
+    assert_eq!(host.image("denoised_radiance").texels()[0][0], round_to_half(noisy.texels()[0][0]));
+}

@@ -1,0 +1,153 @@
+//! Random graphs that make sense, on both engines: every pass against its twin, whole frames against each other, memory as it was planned.
+//!
+//! `ATROUS_GRAPH_SEEDS=40..90` takes other seeds than the twelve that are tested always. A failure names its seed.
+
+mod dice;
+mod inputs;
+mod random;
+
+use super::support::{assert_valid, gpu, scene::Scene};
+use super::{parity, GpuTest};
+use atrous::executor::{Session, SessionOptions};
+use atrous::reference::{Engine, Texels};
+use atrous::{DebugView, Declaration, FrameParams, ImageFormat, Lifetime, ResetReason, Shape, Tuning, UseFrame};
+use inputs::Inputs;
+use std::collections::BTreeSet;
+use std::ops::Range;
+use std::panic::{catch_unwind, resume_unwind};
+
+pub const TESTS: &[GpuTest] = &[
+    ("seeds_reach_every_stage", seeds_reach_every_stage),
+    ("every_pass_is_its_twin", || for_each_seed(every_pass_is_its_twin)),
+    ("both_engines_agree", || for_each_seed(both_engines_agree)),
+    ("memory_is_as_it_was_planned", || for_each_seed(memory_is_as_it_was_planned)),
+];
+
+/// Not a multiple of a workgroup, a block or a stratum.
+const EXTENT: [u32; 2] = [33, 21];
+/// The first and the third have no history.
+const FRAMES: u32 = 4;
+const SEEDS: Range<u32> = 0..12;
+
+fn seeds() -> Range<u32> {
+    let Ok(text) = std::env::var("ATROUS_GRAPH_SEEDS") else { return SEEDS };
+    let (first, end) = text.split_once("..").expect("ATROUS_GRAPH_SEEDS is `first..end`");
+    first.parse().expect("a number")..end.parse().expect("a number")
+}
+
+fn for_each_seed(test: fn(u32)) {
+    for seed in seeds() {
+        if let Err(panic) = catch_unwind(|| test(seed)) {
+            let passes = catch_unwind(|| pass_names(&random::declare(seed, EXTENT))).unwrap_or_default();
+            eprintln!("the graph of seed {seed} failed (ATROUS_GRAPH_SEEDS={seed}..{}): {passes}", seed + 1);
+            resume_unwind(panic);
+        }
+    }
+}
+
+fn pass_names(declaration: &Declaration) -> String {
+    declaration.passes().iter().map(|pass| pass.name.as_str()).collect::<Vec<_>>().join(", ")
+}
+
+/// Everything there is occurs in the graphs that are always tested.
+fn seeds_reach_every_stage() {
+    let declarations: Vec<_> = SEEDS.map(|seed| random::declare(seed, EXTENT)).collect();
+    let stages: BTreeSet<_> = declarations.iter().flat_map(|d| d.passes()).filter_map(|pass| pass.stage()).collect();
+    let known: BTreeSet<_> = atrous::reference::STAGES.iter().map(|stage| stage.name).collect();
+    assert_eq!(stages, known);
+    for part in ["temporal_accumulation_again", "atrous_other_0", "temporal_accumulation_ao", "forward_project_resolve", "taa"] {
+        assert!(declarations.iter().any(|d| d.passes().iter().any(|pass| pass.name == part)), "no graph has {part}");
+    }
+}
+
+fn session(declaration: &Declaration, keep_transients: bool) -> Session {
+    let options = SessionOptions { poison: true, keep_transients, ..Default::default() };
+    Session::new(gpu(), declaration.clone(), options).expect("session")
+}
+
+/// A moving camera and light that jumps; the third frame drops all history.
+fn scene(index: u32) -> Scene {
+    Scene { speed: 0.12, light: if index == 3 { 0.3 } else { 1.0 }, ..Scene::new(EXTENT) }
+}
+
+fn params(seed: u32, index: u32) -> FrameParams {
+    let jitter = [0.3 - 0.1 * index as f32, 0.05 * index as f32];
+    let reset = (index == 2).then_some(ResetReason::CameraCut);
+    let debug_view = Some(DebugView::ALL[(seed + index * 5) as usize % DebugView::ALL.len()]);
+    let exposure_ratio = if index == 1 { 1.5 } else { 1.0 };
+    FrameParams { jitter, reset, debug_view, exposure_ratio, reshaded: !seed.is_multiple_of(4), ..scene(index).params(index) }
+}
+
+fn every_pass_is_its_twin(seed: u32) {
+    let declaration = random::declare(seed, EXTENT);
+    let mut s = session(&declaration, true);
+    for i in 0..FRAMES {
+        Inputs::new(&declaration, seed, &scene(i), i).give_session(&mut s).expect("inputs");
+        parity::run(&mut s, &params(seed, i), &Tuning::default());
+    }
+    assert_valid();
+}
+
+/// Frames of the GPU with aliased and with kept transients are the same, and like those of the CPU.
+fn both_engines_agree(seed: u32) {
+    let declaration = random::declare(seed, EXTENT);
+    let (mut aliased, mut kept) = (session(&declaration, false), session(&declaration, true));
+    let mut engine = Engine::new(declaration.clone()).expect("twins");
+    for i in 0..FRAMES {
+        let (inputs, params) = (Inputs::new(&declaration, seed, &scene(i), i), params(seed, i));
+        for s in [&mut aliased, &mut kept] {
+            inputs.give_session(s).expect("inputs");
+            s.run(&params, &Tuning::default()).expect("frame");
+        }
+        inputs.give_engine(&mut engine).expect("inputs");
+        engine.run(&params, &Tuning::default()).expect("frame");
+        for output in declaration.resources().iter().filter(|r| r.lifetime == Lifetime::Output) {
+            let what = format!("{}, frame {i}", output.name);
+            let bytes = aliased.download_bytes(&output.name, UseFrame::Current).expect(&what);
+            assert!(bytes == kept.download_bytes(&output.name, UseFrame::Current).expect(&what), "{what}: memory that is shared");
+            let gpu = match output.shape {
+                Shape::Image { format: ImageFormat::Exactly(format), .. } => {
+                    let extent = output.extent(EXTENT).expect("an image");
+                    Texels::from_bytes(format, extent, &bytes).expect(&what)
+                }
+                _ => Texels::Bytes(bytes),
+            };
+            assert_alike(&gpu, engine.texels(&output.name, UseFrame::Current).expect(&what), &what);
+        }
+    }
+    assert_valid();
+}
+
+/// Differences of one stage grow in the next and in the next frame, so a few pixels may differ; packed bits and counters may not.
+fn assert_alike(gpu: &Texels, cpu: &Texels, what: &str) {
+    if !matches!(gpu, Texels::Colour(_) | Texels::Scalar(_)) {
+        assert_eq!(gpu, cpu, "{what}");
+        return;
+    }
+    let (gpu, cpu) = (gpu.to_floats(), cpu.to_floats());
+    assert_eq!(gpu.len(), cpu.len(), "{what}");
+    let differs =
+        |(a, b): &(&[f32; 4], &[f32; 4])| (0..4).any(|c| (a[c] - b[c]).abs() > 0.02 + 0.02 * b[c].abs() || !a[c].is_finite());
+    let different: Vec<_> = gpu.iter().zip(&cpu).filter(differs).collect();
+    assert!(
+        250 * different.len() <= gpu.len(),
+        "{what}: {} of {} pixels differ, first {:?}",
+        different.len(),
+        gpu.len(),
+        different[0]
+    );
+}
+
+fn memory_is_as_it_was_planned(seed: u32) {
+    let declaration = random::declare(seed, EXTENT);
+    let (planned, s) = (declaration.memory(), session(&declaration, false));
+    let allocated = s.executor().allocated();
+    // A device may pad an image.
+    assert!(planned.transient <= allocated.transient && planned.transient > 0, "{planned:?}, {allocated:?}");
+    assert!(planned.history <= allocated.history && planned.transient <= planned.transient_unaliased, "{planned:?}, {allocated:?}");
+    assert!(declaration.passes().windows(2).all(|pair| pair[0].phase <= pair[1].phase), "phases in order");
+    let passes: BTreeSet<_> = declaration.passes().iter().map(|pass| &pass.name).collect();
+    let resources: BTreeSet<_> = declaration.resources().iter().map(|r| &r.name).collect();
+    assert_eq!((passes.len(), resources.len()), (declaration.passes().len(), declaration.resources().len()), "names are unique");
+    assert_valid();
+}

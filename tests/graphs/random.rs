@@ -1,0 +1,241 @@
+//! Random graphs that make sense: a seed says which nodes there are, and with which parameters.
+
+use super::dice::Dice;
+use atrous::config::{BlockSort, EawWeights, Sampling};
+use atrous::graph::{Confidence, Estimate, Feedback, Gradient, Graph, Guides, History, Irradiance, Percentiles, Radiance, Value};
+use atrous::nodes::*;
+use atrous::Declaration;
+
+/// The declaration of a seed.
+pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
+    let mut dice = Dice::new(seed);
+    let mut g = Graph::new(extent).frames_in_flight(1 + dice.below(3));
+    let guides = g.import(Import { surface_id: dice.coin(), object_normal: dice.coin() });
+    let surfaces = surfaces(&mut g, &mut dice, &guides, "denoised_radiance");
+    if dice.coin() {
+        g.scope("again", |g| self::surfaces(g, &mut dice, &guides, "denoised_again"));
+    }
+    if dice.coin() {
+        ambient_occlusion(&mut g, &mut dice, &guides);
+    }
+    let fog = dice.coin().then(|| volume(&mut g, &mut dice, &guides));
+    if dice.coin() {
+        let radiance = fog.as_ref().map_or(surfaces.radiance, |fog| g.pair(&surfaces.radiance, &fog.radiance));
+        let tone_mapped = g.tone_map(&radiance);
+        let display = if dice.coin() { g.taa(&guides, &tone_mapped) } else { tone_mapped };
+        g.output("display", &display);
+    }
+    if dice.coin() {
+        let shown = fog.filter(|_| dice.coin()).map_or(surfaces.known, |fog| fog.known);
+        let view = g.debug_view(&guides, &shown);
+        g.output("debug_view", &view);
+    }
+    g.finish().expect("a graph that makes sense")
+}
+
+/// What a filter leaves.
+struct Branch {
+    radiance: Radiance,
+    known: Known,
+}
+
+/// How far history is still true, and what says so.
+#[derive(Default)]
+struct Change {
+    confidence: Option<Confidence>,
+    gradient: Option<Gradient>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Rule {
+    None,
+    ChangeTest,
+    Percentiles,
+    Gradients,
+    HostConfidence,
+}
+
+/// A filter of the host's radiance, one or two signals.
+fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Branch {
+    let noisy = if dice.coin() {
+        g.radiance("noisy_radiance")
+    } else {
+        let (direct, indirect) = (g.radiance("noisy_direct"), g.radiance("noisy_indirect"));
+        g.pair(&direct, &indirect)
+    };
+    let albedo = dice.coin();
+    if dice.below(6) == 0 {
+        return without_history(g, dice, guides, &noisy, albedo, output);
+    }
+    let rule =
+        dice.one_of(&[Rule::None, Rule::ChangeTest, Rule::Percentiles, Rule::Gradients, Rule::Gradients, Rule::HostConfidence]);
+    let mut change = change_of_light(g, dice, guides, &noisy, rule, output);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo, ..Demodulate::default() });
+    let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
+    let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
+    let history = g.history(&irradiance, feedback);
+    match (rule, &percentiles) {
+        (Rule::ChangeTest, _) => {
+            let difference = g.block_difference(guides, &irradiance, &history);
+            change.confidence = Some(g.change_test(&difference));
+        }
+        (Rule::Percentiles, Some(percentiles)) => change.confidence = Some(g.percentile_rule(guides, percentiles, &history)),
+        _ => {}
+    }
+    let alpha = dice.one_of(&[Value::Own, Value::Fixed(0.05), Value::Tunable("volume_alpha")]);
+    let accumulation = Accumulation { confidence: change.confidence, repair: dice.coin(), alpha, ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
+    let (filtered, deviation) = filter.add(g, dice, &accumulated);
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin() });
+    g.output(output, &radiance);
+    if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
+        g.output(&format!("{output}_confidence"), &confidence);
+    }
+    let Change { confidence, gradient } = change;
+    let known = Known { albedo, history: Some(history), deviation, confidence, gradient, percentiles, ..Known::new(&noisy) };
+    Branch { radiance, known }
+}
+
+/// \[EAW\], of which some paint in holes.
+fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radiance, albedo: bool, output: &str) -> Branch {
+    let sampling = dice.one_of(&[Sampling::Full, Sampling::OneOf2x2]);
+    let irradiance = g.demodulate(guides, noisy, Demodulate { albedo, sampling });
+    let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, false);
+    let weights = EawWeights::first(1 + dice.below(3));
+    let filtered = g.eaw(guides, &irradiance, Eaw { levels: levels(dice), weights, sampling, ..Eaw::default() });
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin() });
+    g.output(output, &radiance);
+    Branch { radiance, known: Known { albedo, percentiles, ..Known::new(noisy) } }
+}
+
+/// What comes before the history: gradients of each source, or what the host knows.
+fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radiance, rule: Rule, output: &str) -> Change {
+    if rule == Rule::HostConfidence {
+        return Change { confidence: Some(g.host_confidence()), gradient: None };
+    }
+    if rule != Rule::Gradients {
+        return Change::default();
+    }
+    // The image `sparse_gradient` has one size, so every branch has strata of one size.
+    let stratum_size = dice.same(2, 3);
+    let source = match dice.below(3) {
+        0 => {
+            let project = ForwardProject { stratum_size, forward_motion: dice.coin(), surface_id: dice.coin() };
+            let samples = g.forward_project(guides, project);
+            g.output_samples(&format!("{output}_samples"), &samples);
+            Gradients::ForwardProjected(samples)
+        }
+        1 => Gradients::Reshaded { stratum_size },
+        _ => Gradients::Sparse { stratum_size },
+    };
+    let gradient = g.gradient(guides, noisy, source);
+    let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient) } else { gradient };
+    Change { confidence: Some(g.adaptive_alpha(&gradient)), gradient: Some(gradient) }
+}
+
+fn without_fireflies(
+    g: &mut Graph,
+    dice: &mut Dice,
+    guides: &Guides,
+    irradiance: Irradiance,
+    wanted: bool,
+) -> (Irradiance, Option<Percentiles>) {
+    if !wanted && dice.coin() {
+        return (irradiance, None);
+    }
+    let percentiles = g.block_percentiles(guides, &irradiance, dice.one_of(&[BlockSort::Counting, BlockSort::OddEven]));
+    let irradiance = if dice.coin() { g.firefly(guides, &irradiance, &percentiles) } else { irradiance };
+    (irradiance, Some(percentiles))
+}
+
+fn levels(dice: &mut Dice) -> u32 {
+    if dice.below(8) == 0 {
+        10
+    } else {
+        1 + dice.below(5)
+    }
+}
+
+/// What a spatial filter hangs on.
+struct Filter<'a> {
+    guides: &'a Guides,
+    history: History,
+    feedback: Feedback,
+    /// Name of the output of a second filter, where there is one.
+    other: &'a str,
+    albedo: bool,
+}
+
+impl Filter<'_> {
+    /// À-trous, EAW in its place, or nothing. Says whether the history has the standard deviation.
+    fn add(&self, g: &mut Graph, dice: &mut Dice, accumulated: &Irradiance) -> (Irradiance, bool) {
+        let &Self { guides, history, feedback, .. } = self;
+        let fed_back = (feedback == Feedback::Filtered).then_some(history);
+        match dice.below(6) {
+            0 if fed_back.is_none() => (*accumulated, false),
+            1 => {
+                let eaw = Eaw { levels: levels(dice), feedback: fed_back, ..Eaw::default() };
+                (g.eaw(guides, accumulated, eaw), false)
+            }
+            _ => {
+                let estimator = dice.one_of(&[Estimator::Switched, Estimator::Fading]);
+                let estimate = g.variance(guides, accumulated, &history, Variance { estimator, ..Variance::default() });
+                let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box]);
+                let sigma_l = dice.one_of(&[Value::Own, Value::Fixed(1.5), Value::Tunable("volume_sigma_l")]);
+                let atrous = Atrous { levels: levels(dice), kernel, feedback: fed_back, sigma_l, ..Atrous::default() };
+                if dice.coin() {
+                    self.other_kernel(g, dice, &estimate, kernel);
+                }
+                (g.atrous(guides, &estimate, atrous).into(), fed_back.is_some())
+            }
+        }
+    }
+
+    /// A second filter of the same estimate.
+    fn other_kernel(&self, g: &mut Graph, dice: &mut Dice, estimate: &Estimate, kernel: Kernel) {
+        let kernel = if kernel == Kernel::Box { Kernel::Spline } else { Kernel::Box };
+        let radiance = g.scope("other", |g| {
+            let filtered = g.atrous(self.guides, estimate, Atrous { levels: levels(dice), kernel, ..Atrous::default() });
+            g.modulate(self.guides, &filtered.into(), Modulate { albedo: self.albedo, emission: false })
+        });
+        g.output(self.other, &radiance);
+    }
+}
+
+/// A signal of its own, which no albedo divides.
+fn ambient_occlusion(g: &mut Graph, dice: &mut Dice, guides: &Guides) {
+    let noisy = g.radiance("noisy_ao");
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: false, ..Demodulate::default() });
+    let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
+    let history = g.history(&irradiance, feedback);
+    let accumulation =
+        Accumulation { alpha: Value::Fixed(0.02), max_history_length: Value::Fixed(48.0), ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let filter = Filter { guides, history, feedback, other: "denoised_ao_by_the_other_kernel", albedo: false };
+    let (filtered, _) = filter.add(g, dice, &accumulated);
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo: false, emission: false });
+    g.output("denoised_ao", &radiance);
+}
+
+fn volume(g: &mut Graph, dice: &mut Dice, guides: &Guides) -> Branch {
+    let volume = g.volume();
+    let motion = g.volume_motion(guides, &volume);
+    let mut radiance = g.volume_points(&volume);
+    let percentiles = dice.coin().then(|| g.volume_percentiles(guides, &radiance, BlockSort::Counting));
+    if let Some(percentiles) = &percentiles {
+        radiance = g.volume_firefly(guides, &radiance, percentiles);
+    }
+    let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
+    let history = g.history(&radiance, feedback);
+    let accumulated = g.volume_accumulation(guides, &radiance, &history, &motion);
+    let estimate = g.volume_variance(guides, &accumulated, &history);
+    let fed_back = (feedback == Feedback::Filtered).then_some(history);
+    // The first level is the history, which cannot be an output.
+    let levels = levels(dice).max(if fed_back.is_some() { 2 } else { 1 });
+    let filtered = g.volume_atrous(guides, &estimate, VolumeAtrous { levels, feedback: fed_back }).into();
+    g.output("denoised_volume", &filtered);
+    let deviation = fed_back.is_some();
+    let known = Known { albedo: false, history: Some(history), deviation, percentiles, ..Known::new(&volume.noisy()) };
+    Branch { radiance: filtered, known }
+}
