@@ -84,7 +84,8 @@ const uint BAD_KINDS = 8u;
 const vec3 VIRIDIS[9] = vec3[](vec3(68, 1, 84), vec3(71, 45, 123), vec3(59, 82, 139), vec3(44, 114, 142), vec3(33, 145, 140),
                                vec3(40, 174, 128), vec3(94, 201, 98), vec3(173, 220, 48), vec3(253, 231, 37));
 // Okabe and Ito's: history, off screen, background or id, depth, normal, reset.
-const vec3 REASON_COLOURS[6] = vec3[](vec3(60, 60, 60), vec3(230, 159, 0), vec3(86, 180, 233), vec3(0, 158, 115), vec3(240, 228, 66), vec3(213, 94, 0));
+const vec3 REASON_COLOURS[6] = vec3[](vec3(60, 60, 60), vec3(230, 159, 0), vec3(86, 180, 233), vec3(0, 158, 115),
+                                      vec3(240, 228, 66), vec3(213, 94, 0));
 
 // Of a colour in sRGB, 0..255; every component is beyond the linear part of its curve or black.
 vec3 from_srgb(vec3 c) { return pow((c / 255.0 + 0.055) / 1.055, vec3(2.4)); }

@@ -3,7 +3,8 @@
 // Source: [EAW] eq. 2 to 5 and the listing, 3.2 for holes. Deviations: sigma of the position is relative to the depth; equal kernel
 // weights where no valid tap passes the edge functions, so that no hole is left.
 // In:  guide, irradiance per signal, alpha -1 in holes. Out: the same after this level.
-// Constants: RADIANCE, NORMAL, POSITION: which edges count. PAINTING: levels that paint in the holes of a sub-sampled input; 0 where it has none.
+// Constants: RADIANCE, NORMAL, POSITION: which edges count. PAINTING: levels that paint in the holes of a sub-sampled input; 0 where it
+// has none.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require

@@ -1,5 +1,5 @@
-// Edge stopping by depth and normal: [SVGF] eq. 3 and 4; with edge_falloff [PSVGF], depth-dependent edge functions. Twin: src/reference/geometry_weights.rs.
-// Needs `float sigma_n`, `float sigma_z` and `float edge_falloff` in the shader's block `push`.
+// Edge stopping by depth and normal: [SVGF] eq. 3 and 4; with edge_falloff [PSVGF], depth-dependent edge functions.
+// Twin: src/reference/geometry_weights.rs. Needs `float sigma_n`, `float sigma_z` and `float edge_falloff` in the shader's block `push`.
 #ifndef GEOMETRY_WEIGHTS_GLSL
 #define GEOMETRY_WEIGHTS_GLSL
 #include "frame.glsl"

@@ -1,4 +1,5 @@
-// What the filters of a volume know of a pixel: how far one sees through it. Normals and ids of surfaces say nothing of it. Twin: src/reference/volume.rs.
+// What the filters of a volume know of a pixel: how far one sees through it. Normals and ids of surfaces say nothing of it.
+// Twin: src/reference/volume.rs.
 #ifndef VOLUME_GLSL
 #define VOLUME_GLSL
 #include "guide.glsl"

@@ -31,12 +31,14 @@ mod matching;
 mod pass;
 mod port;
 mod resources;
+#[cfg(feature = "host-stages")]
 mod stage;
 #[cfg(test)]
 mod tests;
 
 pub use pass::Value;
 pub use port::*;
+#[cfg(feature = "host-stages")]
 pub use stage::{Stage, StageCall, StageOutputs};
 
 pub(crate) use pass::Pass;

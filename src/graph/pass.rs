@@ -200,7 +200,14 @@ impl Graph {
 
     /// Why an image cannot be wired, whatever the shader does with it.
     fn refusal(&self, wire: &Wire) -> Option<String> {
-        (wire.image.graph != self.key).then(|| "the image belongs to another graph; build both parts in one graph".to_owned())
+        match wire.image {
+            Image::NONE => {
+                Some("there is no such image; the stage that was asked for it writes no binding of that name".to_owned())
+            }
+            image => {
+                (image.graph != self.key).then(|| "the image belongs to another graph; build both parts in one graph".to_owned())
+            }
+        }
     }
 
     /// Why the content of an image that a pass reads is not what it was when the value was made.

@@ -16,6 +16,9 @@ pub struct Image {
 }
 
 impl Image {
+    /// Of no graph.
+    pub(super) const NONE: Self = Self { graph: u32::MAX, id: ResourceId(u32::MAX), version: 0 };
+
     /// The resource, as [`crate::Declaration::resource`] takes it.
     pub fn resource(&self) -> ResourceId {
         self.id

@@ -63,6 +63,11 @@ impl StageOutputs {
     pub fn image(&self, binding: &str) -> Option<Image> {
         self.images.get(binding).copied()
     }
+
+    /// What was written through a binding. Of another name it is an image of no graph, which [`Graph::finish`] refuses where it is read.
+    pub fn written(&self, binding: &str) -> Image {
+        self.image(binding).unwrap_or(Image::NONE)
+    }
 }
 
 impl Graph {

@@ -111,7 +111,6 @@ impl Graph {
         for level in 0..count {
             let to: Port<K> = match &feedback {
                 Some(history) if level == 0 => Port::of_images(history).unwrap_or(*input),
-                _ if level + 1 == count => self.image_each::<K, K>(input, "filtered", HDR, 1),
                 _ => images.scratch(self, level),
             };
             // "atrous_volume_2": the level stands behind the whole name.

@@ -111,16 +111,18 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// What may differ between the name of a binding and that of the resource at it: signals by number, ports of filters, images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 9] = [
+    const RENAMED: [(&str, &[&str]); 11] = [
         ("frame", &["frame_constants"]),
-        ("input", &["filter_"]),
-        ("output", &["filter_", "irradiance_history", "denoised_volume"]),
+        ("input", &["filter_", "atrous_", "irradiance_history"]),
+        ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
         ("irradiance", &["filter_ping", "irradiance_history"]),
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "filter_ping"]),
-        ("filtered", &["filter_", "irradiance_history"]),
+        ("filtered", &["atrous_", "irradiance_history"]),
         ("accumulated", &["filter_ping"]),
         ("estimated", &["filter_pong"]),
+        ("gradient_in", &["gradient"]),
+        ("gradient_out", &["gradient_even", "gradient_odd"]),
     ];
     for declaration in declarations() {
         for (pass, _) in dispatches(&declaration) {
@@ -131,8 +133,7 @@ fn names_of_bindings_match_those_of_resources() {
                 let name = previous.unwrap_or(name);
                 let renamed = RENAMED.iter().any(|(of, to)| *of == name && to.iter().any(|to| resource.starts_with(to)));
                 let same = resource.starts_with(name) || resource.ends_with(name);
-                let special = [("noisy", "other_denoised_radiance"), ("gradient_in", "gradient_p"), ("gradient_out", "gradient_p")];
-                let special = special.iter().any(|(of, to)| *of == name && resource.starts_with(to));
+                let special = name == "noisy" && resource == "other_denoised_radiance";
                 let packed = name == "object_normal" && resource == "object_normal_guide";
                 let display = name == "tone_mapped" && resource == "display";
                 assert!(renamed || same || special || packed || display, "{}: {resource} bound to {binding}", pass.name);

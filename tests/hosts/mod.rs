@@ -21,6 +21,7 @@ pub const TESTS: &[GpuTest] = &[
     ("the_layer_is_listening", the_layer_is_listening),
     ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
     ("vk_graph_gives_the_bits_of_the_executor", vk_graph_gives_the_bits_of_the_executor),
+    ("a_graph_of_a_host_agrees_with_the_cpu_engine", a_graph_of_a_host_agrees_with_the_cpu_engine),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
     ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),
     ("phases_in_submissions_of_their_own_give_the_same_bits", submissions::phases_in_submissions_of_their_own_give_the_same_bits),
@@ -74,6 +75,15 @@ pub fn checksums(name: &str, output: &Output) -> Vec<String> {
 
 fn of_example(name: &str) -> Vec<String> {
     checksums(name, &validated(&mut Command::new(examples::program(name))).output().expect("a process"))
+}
+
+/// The example fails by itself where too many pixels differ, or where the layer says anything.
+fn a_graph_of_a_host_agrees_with_the_cpu_engine() {
+    let output = validated(&mut Command::new(examples::program("custom_graph"))).output().expect("a process");
+    checksums("custom_graph", &output);
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let frames = text.lines().filter(|line| line.contains("pixels differ")).count();
+    assert_eq!(frames, synthetic::FRAMES as usize, "{text}");
 }
 
 /// A frame that lacks a barrier, on a device that knows nothing of validation.

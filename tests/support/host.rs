@@ -70,7 +70,7 @@ impl Host {
                     noisy = records.iter().map(|r| shade(r, scene.noise, light)).collect();
                     s.upload("noisy_radiance", &noisy)?;
                 }
-                ("gradient", true) => gradient = s.download("gradient_ping")?,
+                ("gradient", true) => gradient = s.download("gradient")?,
                 _ => {}
             }
             Ok(())
