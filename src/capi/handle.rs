@@ -11,7 +11,7 @@ pub struct AtrousDenoiser {
     _private: (),
 }
 
-/// What a handle stands for.
+/// The object behind a handle.
 pub(super) struct State {
     pub instance: ash::Instance,
     pub device: ash::Device,

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::ffi::{c_char, CStr, CString};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
-/// What a function of the C ABI returns.
+/// The result of a function of the C ABI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum AtrousStatus {
@@ -30,7 +30,7 @@ pub enum AtrousStatus {
     Panicked = 8,
 }
 
-/// Why a call failed.
+/// The reason of a failed call.
 #[derive(Debug)]
 pub(super) struct Failure {
     pub status: AtrousStatus,

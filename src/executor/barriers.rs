@@ -115,8 +115,8 @@ impl Barriers {
         }
     }
 
-    /// Orders an image after what was done to its memory through others: a barrier of the image alone does not reach that, and a global one does
-    /// not come before the image's own layout transition.
+    /// Orders an image after what was done to its memory through others: a barrier of the image alone does not reach that, and a
+    /// global one does not come before the image's own layout transition.
     fn take_over(&mut self, storage: &mut Storage, source: &Scope, next: Scope) {
         self.globals.push(dependency(source, &next));
         storage.scope.merge(source);

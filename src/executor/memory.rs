@@ -11,7 +11,7 @@ use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, 
 use gpu_allocator::MemoryLocation;
 use std::ffi::{CStr, CString};
 
-/// Everything that an executor allocates, and what a host bound.
+/// Everything that an executor allocates, and the images and buffers that a host bound.
 pub(crate) struct Memory {
     device: ash::Device,
     allocator: Option<Allocator>,

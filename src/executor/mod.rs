@@ -1,7 +1,7 @@
 //! The built-in frame graph: for hosts without one, for tools and for tests.
 //!
-//! It allocates what a declaration asks for, aliases transients by lifetime, keeps history pairs, derives every barrier from the declared
-//! uses, and times passes. A host with a frame graph of its own needs none of this.
+//! It allocates what a declaration asks for, aliases transients by lifetime, keeps history pairs, derives every barrier from the
+//! declared uses, and times passes. A host with a frame graph of its own needs none of this.
 
 mod barriers;
 mod bound;
@@ -35,7 +35,7 @@ use barriers::Barriers;
 use memory::Memory;
 use profiler::Profiler;
 
-/// What an executor is asked for beyond the declaration.
+/// Options of an executor beyond the declaration.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExecutorOptions {
     /// Usage that every image gets on top of what passes need, for example `TRANSFER_SRC` to read results back.
@@ -169,8 +169,9 @@ impl Executor {
     /// As [`Denoiser::record`].
     ///
     /// # Safety
-    /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is complete; bound
-    /// images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in order.
+    /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is
+    /// complete; bound images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in
+    /// order.
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
         #[cfg(feature = "capture")]
         // SAFETY: the caller's: work recorded earlier with the frame's slot is complete.

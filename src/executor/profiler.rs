@@ -30,7 +30,8 @@ impl Profiler {
     pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
         // SAFETY: the caller's.
         let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
-        // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on the queue.
+        // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on
+        // the queue.
         let queries_per_stamp = if properties.device_type == vk::PhysicalDeviceType::CPU { 2 } else { 1 };
         let queries = 2 * passes * queries_per_stamp;
         let mut this = Self {

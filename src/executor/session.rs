@@ -11,7 +11,7 @@ use ash::vk;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What is asked of a session.
+/// Options of a session.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SessionOptions {
     /// See [`ExecutorOptions::poison`].
@@ -38,7 +38,7 @@ pub struct Session {
     pub(super) gpu: Arc<HeadlessDevice>,
 }
 
-/// What [`Session::run_traced`] calls back with: before (`false`) and after (`true`) each pass, by index.
+/// The function that [`Session::run_traced`] calls before (`false`) and after (`true`) each pass, with its index.
 pub type Trace<'a> = dyn FnMut(&mut Session, &FrameContext, usize, bool) -> Result<(), Error> + 'a;
 
 impl Session {
@@ -81,7 +81,8 @@ impl Session {
         self.executor.invalidate();
     }
 
-    /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    /// Gives the passes that run a shader other code, and keeps the history: see
+    /// [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///
     /// # Errors
     /// As [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
@@ -111,7 +112,8 @@ impl Session {
         Ok(frame)
     }
 
-    /// As [`Self::run`], with every pass submitted and waited for on its own, and a look at the images before and after each.
+    /// Runs one frame as [`Self::run`] does, with every pass submitted and waited for on its own, and a call of `trace` before and
+    /// after each.
     ///
     /// # Errors
     /// As [`Self::run`], and whatever `trace` returns.
@@ -127,8 +129,8 @@ impl Session {
         Ok(frame)
     }
 
-    /// Texels of the output `debug_view` for the last frame with any view, as often as there are views to show: rgb as it is displayed, linear;
-    /// alpha: the number behind it.
+    /// Texels of the output `debug_view` for the last frame with any view, as often as there are views to show: rgb as it is
+    /// displayed, linear; alpha: the number behind it.
     ///
     /// # Errors
     /// As [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
@@ -148,7 +150,8 @@ impl Session {
         self.download_copy(name, UseFrame::Current).map(|(format, bytes)| to_floats(format, &bytes))
     }
 
-    /// The same as raw texels, of either copy of a history.
+    /// Raw texels of an output, a history or a transient, of either copy of a history: the bytes that [`Self::download`] makes
+    /// floats of.
     ///
     /// # Errors
     /// As [`Self::download`].

@@ -27,11 +27,11 @@ const FARTHEST: f32 = 1e15;
 /// Inputs of [`eaw`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct EawInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// For every signal rgb: irradiance, alpha: [`HOLE`] where there is none.
+    /// Irradiance of every signal in rgb; alpha: [`HOLE`] where there is none.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
-    /// Which edge functions are on.
+    /// Edge functions that are on.
     pub weights: EawWeights,
     /// Levels that paint in holes; 0 where the input has none.
     pub painting_levels: u32,

@@ -2,14 +2,14 @@
 
 use super::binary16::{from_half_bits, half_bits, store};
 
-/// Why a pixel has no history.
+/// The reason why a pixel has no history.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u16)]
 pub enum Reason {
-    /// It has one.
+    /// No reason: there is a history.
     #[default]
     None = 0,
-    /// Its surface was outside the previous image.
+    /// The surface was outside the previous image.
     OffScreen = 1,
     /// There was background, or another surface id.
     Id = 2,
@@ -17,7 +17,7 @@ pub enum Reason {
     Depth = 3,
     /// The normal there was not the expected one.
     Normal = 4,
-    /// All history was dropped.
+    /// A reset dropped all history.
     Reset = 5,
 }
 

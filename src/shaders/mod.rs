@@ -70,7 +70,7 @@ pub(crate) const fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {
     }
 }
 
-/// How a pass touches what stands at a binding.
+/// The access of a pass to the resource at a binding.
 pub(crate) const fn access(kind: BindingKind) -> Access {
     match kind {
         BindingKind::SampledImage(_) => Access::Sampled,

@@ -1,4 +1,4 @@
-//! What a capture says about the configuration of its denoiser, beside the conventions: the key `config` of `sequence.json`.
+//! The configuration of a capture's denoiser, beside the conventions: the key `config` of `sequence.json`.
 
 use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, Preset, Sampling};
 use atrous::Config;

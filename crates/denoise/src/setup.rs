@@ -1,4 +1,4 @@
-//! What is decided on the first frame and holds for the whole sequence, and how it is told to the user.
+//! Decisions that are made on the first frame and hold for the whole sequence, and their report to the user.
 
 use crate::camera::{self, Camera, SequenceFile};
 use crate::conventions;
@@ -12,7 +12,7 @@ use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection
 use atrous::{Config, Tuning};
 use std::path::{Path, PathBuf};
 
-/// What the user asked for.
+/// Options of the user that the setup takes.
 #[derive(Clone, Debug, Default)]
 pub struct Wishes {
     /// Channels by role.
@@ -37,12 +37,12 @@ pub struct Wishes {
     pub tunables: Vec<(String, f32)>,
 }
 
-/// What holds for all frames.
+/// Settings that hold for all frames.
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// Channels.
     pub mapping: Mapping,
-    /// For the library.
+    /// The configuration for the library.
     pub config: Config,
     /// Cameras.
     pub sequence: Option<SequenceFile>,
@@ -149,7 +149,7 @@ pub fn is_about_previous(role: Role) -> bool {
     matches!(role, Role::ReshadeDirect | Role::ReshadeIndirect | Role::ReshadeEmission | Role::Reshaded | Role::ForwardMotion)
 }
 
-/// By what the frames have; a capture says it itself.
+/// The source of gradients, by what the frames have; a capture names it itself.
 fn gradient_source(mapping: &Mapping) -> GradientSource {
     match () {
         () if mapping.has(Role::SparseGradient) => GradientSource::Sparse,

@@ -80,7 +80,7 @@ fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {
     }
 }
 
-/// On stderr, and hidden where that is no terminal.
+/// The progress bar on stderr, hidden where that is no terminal.
 fn progress(cli: &Cli, steps: &[Step]) -> ProgressBar {
     if cli.quiet {
         return ProgressBar::hidden();

@@ -8,8 +8,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, error::Error, fs, time::UNIX_EPOCH};
 
-/// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module is kept in
-/// `modules` beside it from build to build.
+/// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module
+/// is kept in `modules` beside it from build to build.
 pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
     let kept = out.with_file_name("modules");
     fs::create_dir_all(out)?;
@@ -60,7 +60,7 @@ pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What a module leaves: its code, and lines of the tables.
+/// The code of a module, and its lines of the tables.
 struct Module {
     bytes: Vec<u8>,
     entry: String,
@@ -90,7 +90,7 @@ fn optional(source: &str) -> Vec<String> {
     lines.flat_map(|names| names.split(',')).map(|name| name.trim().to_owned()).collect()
 }
 
-/// What a module is made of: the shader and every file that it includes, the macros, and this program.
+/// The sources of a module: the shader and every file that it includes, the macros, and this program.
 fn key(file: &Path, includes: &[PathBuf], variant: &Variant) -> Result<String, Box<dyn Error>> {
     let program = fs::metadata(env::current_exe()?)?;
     let mut key = format!("{} {:?} {}\n", program.len(), program.modified()?.duration_since(UNIX_EPOCH)?, variant.name);

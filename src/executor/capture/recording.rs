@@ -46,7 +46,8 @@ impl Executor {
         let capture = &mut self.capture;
         let slot = capture.slots.entry(frame.slot).or_default();
         if slot.buffers.get(name).is_none_or(|b| b.size < bytes as u64) {
-            // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is complete.
+            // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is
+            // complete.
             let staging = unsafe { Staging::of_types(&capture.device, &capture.memory_types, bytes.max(TRANSFORM_BYTES) as u64)? };
             slot.buffers.insert(name.to_owned(), staging);
         }

@@ -1,4 +1,4 @@
-//! What `atrous::capture` writes of slices is what this tool reads; on the CPU alone.
+//! Captures that `atrous::capture` writes of slices are read by this tool; on the CPU alone.
 
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};

@@ -189,7 +189,8 @@ fn a_camera_stands_in_for_motion() {
     let (first, second) = (load(0), load(1));
     assert_eq!(second.images["depth"][9][0], 2.0);
     assert!(!second.images.contains_key("motion"));
-    // The camera moved 0.25 to the right at depth 2 with a focal length of 1: by 0.125 of half the width, so the surface was 2 pixels further right.
+    // The camera moved 0.25 to the right at depth 2 with a focal length of 1: by 0.125 of half the width, so the surface was 2
+    // pixels further right.
     let motion = atrous_denoise::motion::of_frame(&second, &first.params, &setup.config.conventions);
     let [x, y] = motion.motion_px[100];
     assert!((x - 2.0).abs() < 1e-3 && y.abs() < 1e-3, "{x} {y}");
