@@ -26,7 +26,7 @@ impl Denoiser {
     /// ([`crate::graph::Graph::finish`]).
     ///
     /// # Errors
-    /// As [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
+    /// Errors of [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
     ///
     /// # Safety
     /// Instance, physical device and device are live, belong together and outlive the result.
@@ -46,7 +46,7 @@ impl Denoiser {
     /// Starts a frame.
     ///
     /// # Errors
-    /// As [`FrameState::begin`].
+    /// Errors of [`FrameState::begin`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let frame = self.state.begin(self.declaration.setup(), params, tuning)?;
         if self.declaration.reshades() && !params.reshaded && frame.reset.is_none() {
@@ -71,7 +71,7 @@ impl Denoiser {
     /// where this fails.
     ///
     /// # Errors
-    /// As [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
+    /// Errors of [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
     ///
     /// # Safety
     /// - `spirv` is valid for Vulkan 1.1: what a compiler made, not what a stranger sent.

@@ -110,7 +110,7 @@ impl Requirements {
     /// [`Error::Unsupported`].
     ///
     /// # Safety
-    /// As [`Self::check`].
+    /// Obligations of [`Self::check`].
     pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
         // SAFETY: the caller's.
         unsafe { self.check(instance, physical_device)? };

@@ -86,7 +86,7 @@ struct Frame {
 
 impl Frame {
     /// # Safety
-    /// As [`atrous_check_conventions`].
+    /// Obligations of [`atrous_check_conventions`].
     unsafe fn read(what: &str, pointer: *const AtrousGuides) -> Result<Self, Failure> {
         // SAFETY: the caller's.
         unsafe {

@@ -52,7 +52,7 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
 }
 
 /// # Safety
-/// As [`atrous_create`].
+/// Obligations of [`atrous_create`].
 unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Failure> {
     let nulls = [
         ("instance", info.instance.is_null()),

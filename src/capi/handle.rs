@@ -27,7 +27,7 @@ pub(super) struct State {
 
 impl State {
     /// # Safety
-    /// As [`Denoiser::new`].
+    /// Obligations of [`Denoiser::new`].
     pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
         let host = crate::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
         // SAFETY: the caller's.

@@ -107,9 +107,9 @@ impl SequenceWriter {
     /// Writes the next frame, and `sequence.json` anew. Nothing is left behind by what is refused.
     ///
     /// # Errors
-    /// As [`crate::FrameState::begin`] for parameters and tunables; [`Error::UnknownResource`], [`Error::NotBound`] for a required
-    /// image that is missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written, and for a
-    /// frame with another render extent or other images than the first.
+    /// Errors of [`crate::FrameState::begin`] for parameters and tunables; [`Error::UnknownResource`], [`Error::NotBound`] for a
+    /// required image that is missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written,
+    /// and for a frame with another render extent or other images than the first.
     pub fn write_frame(&mut self, frame: &InputFrame<'_>) -> Result<(), Error> {
         let number = self.frames.last_key_value().map_or(0, |(last, _)| last + 1);
         self.write_numbered(number, frame)

@@ -15,7 +15,7 @@ pub(crate) struct Barriers {
 
 impl Barriers {
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     #[allow(clippy::too_many_arguments)]
     pub unsafe fn before_pass(
         &mut self,
@@ -49,7 +49,7 @@ impl Barriers {
     /// Brings the host's images and buffers back to the state that they were bound in.
     ///
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storages: &mut Storages) {
         for storage in storages.touched_host_storages() {
             if let Some(home) = storage.home {
@@ -64,7 +64,7 @@ impl Barriers {
     /// One barrier outside of any pass.
     ///
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn single(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storage: &mut Storage, next: Scope, keep: bool) {
         self.to(storage, next, keep);
         // SAFETY: the caller's.
@@ -74,7 +74,7 @@ impl Barriers {
     /// Fills what is undefined with NaN: transients, copies about to be written, and on a reset all previous copies.
     ///
     /// # Safety
-    /// As `Executor::record`; images have `TRANSFER_DST` usage.
+    /// Obligations of `Executor::record`; images have `TRANSFER_DST` usage.
     pub unsafe fn poison(
         &mut self,
         device: &ash::Device,
@@ -176,7 +176,7 @@ impl Barriers {
 /// One barrier of a buffer that is not ours to track.
 ///
 /// # Safety
-/// As `Executor::record`.
+/// Obligations of `Executor::record`.
 pub(crate) unsafe fn buffer_barrier(device: &ash::Device, cmd: vk::CommandBuffer, buffer: vk::Buffer, from: Scope, to: Scope) {
     let barrier = between(buffer, &from, &to);
     // SAFETY: the caller's.

@@ -31,7 +31,7 @@ enum Owned {
 
 impl Memory {
     /// # Safety
-    /// As `Executor::new`.
+    /// Obligations of `Executor::new`.
     pub unsafe fn new(host: Device<'_>, declaration: &Declaration, options: &ExecutorOptions) -> Result<Self, Error> {
         let allocator = Allocator::new(&AllocatorCreateDesc {
             instance: host.instance.clone(),

@@ -82,10 +82,11 @@ impl Executor {
     /// Creates the denoiser, and allocates histories, transients and outputs.
     ///
     /// # Errors
-    /// As [`Denoiser::new`] and [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
+    /// Errors of [`Denoiser::new`] and [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
     ///
     /// # Safety
-    /// As [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is complete.
+    /// Obligations of [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is
+    /// complete.
     pub unsafe fn new(host: Device<'_>, declaration: Declaration, options: ExecutorOptions) -> Result<Self, Error> {
         // SAFETY: the caller's, for each of these.
         unsafe {
@@ -127,7 +128,7 @@ impl Executor {
     /// Starts a frame, and collects the timestamps that its slot holds.
     ///
     /// # Errors
-    /// As [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to.
+    /// Errors of [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to.
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let declaration = self.denoiser.declaration();
         let missing = (0..declaration.resources().len() as u32).map(ResourceId).find(|&id| {
@@ -153,10 +154,10 @@ impl Executor {
     /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`].
     ///
     /// # Errors
-    /// As [`Denoiser::replace_shader`].
+    /// Errors of [`Denoiser::replace_shader`].
     ///
     /// # Safety
-    /// As [`Denoiser::replace_shader`].
+    /// Obligations of [`Denoiser::replace_shader`].
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
         // SAFETY: the caller's.
@@ -166,7 +167,7 @@ impl Executor {
     /// Records every pass of a phase with its barriers; `debug_view` in frames with a view.
     ///
     /// # Errors
-    /// As [`Denoiser::record`].
+    /// Errors of [`Denoiser::record`].
     ///
     /// # Safety
     /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is
@@ -208,10 +209,10 @@ impl Executor {
     /// [`crate::Config::debug_view`] or a view.
     ///
     /// # Errors
-    /// As [`Denoiser::record`].
+    /// Errors of [`Denoiser::record`].
     ///
     /// # Safety
-    /// As [`Self::record`].
+    /// Obligations of [`Self::record`].
     pub unsafe fn record_debug_view(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) -> Result<(), Error> {
         let passes = self.denoiser.declaration().passes();
         let Some(pass) = passes.iter().position(|p| p.draws_view()) else { return Ok(()) };

@@ -26,7 +26,7 @@ pub(crate) struct Profiler {
 
 impl Profiler {
     /// # Safety
-    /// As `Executor::new`.
+    /// Obligations of `Executor::new`.
     pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
         // SAFETY: the caller's.
         let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
@@ -75,7 +75,7 @@ impl Profiler {
     }
 
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
         self.recorded[slot as usize] = true;
         // SAFETY: the caller's.
@@ -83,14 +83,14 @@ impl Profiler {
     }
 
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn before_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
         // SAFETY: the caller's.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32) };
     }
 
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn after_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
         // SAFETY: the caller's.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32 + 1) };

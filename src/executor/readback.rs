@@ -45,11 +45,11 @@ impl Executor {
     /// last pass that used its memory left there, unless it has memory of its own: see [`super::ExecutorOptions::no_aliasing`].
     ///
     /// # Errors
-    /// As [`Self::readback`].
+    /// Errors of [`Self::readback`].
     ///
     /// # Safety
-    /// As [`Self::record`]; images have `TRANSFER_SRC` usage (see [`super::ExecutorOptions::extra_image_usage`]), and `buffer` has
-    /// `TRANSFER_DST` usage and room for [`Readback::bytes`].
+    /// Obligations of [`Self::record`]; images have `TRANSFER_SRC` usage (see [`super::ExecutorOptions::extra_image_usage`]), and
+    /// `buffer` has `TRANSFER_DST` usage and room for [`Readback::bytes`].
     pub unsafe fn record_copy(
         &mut self,
         cmd: vk::CommandBuffer,

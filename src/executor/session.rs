@@ -45,7 +45,7 @@ impl Session {
     /// Opens a session on a device.
     ///
     /// # Errors
-    /// As [`Executor::new`].
+    /// Errors of [`Executor::new`].
     pub fn new(gpu: Arc<HeadlessDevice>, declaration: Declaration, options: SessionOptions) -> Result<Self, Error> {
         let executor_options = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
@@ -85,7 +85,7 @@ impl Session {
     /// [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///
     /// # Errors
-    /// As [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    /// Errors of [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///
     /// # Safety
     /// `spirv` is valid for Vulkan 1.1.
@@ -98,7 +98,7 @@ impl Session {
     /// Runs one frame with all its phases, and waits for it.
     ///
     /// # Errors
-    /// As [`Executor::begin_frame`] and [`Executor::record`].
+    /// Errors of [`Executor::begin_frame`] and [`Executor::record`].
     pub fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let frame = self.executor.begin_frame(params, tuning)?;
         self.frame = Some(frame);
@@ -116,7 +116,7 @@ impl Session {
     /// after each.
     ///
     /// # Errors
-    /// As [`Self::run`], and whatever `trace` returns.
+    /// Errors of [`Self::run`], and whatever `trace` returns.
     pub fn run_traced(&mut self, params: &FrameParams, tuning: &Tuning, trace: &mut Trace<'_>) -> Result<FrameContext, Error> {
         let frame = self.executor.begin_frame(params, tuning)?;
         self.frame = Some(frame);
@@ -133,7 +133,7 @@ impl Session {
     /// displayed, linear; alpha: the number behind it.
     ///
     /// # Errors
-    /// As [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
+    /// Errors of [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };
@@ -154,7 +154,7 @@ impl Session {
     /// floats of.
     ///
     /// # Errors
-    /// As [`Self::download`].
+    /// Errors of [`Self::download`].
     pub fn download_bytes(&mut self, name: &str, frame: UseFrame) -> Result<Vec<u8>, Error> {
         self.download_copy(name, frame).map(|(_, bytes)| bytes)
     }
@@ -174,7 +174,7 @@ impl Session {
     /// Captures the next `frames` frames: see [`Executor::capture`]. Frames of [`Self::run_traced`] are not captured.
     ///
     /// # Errors
-    /// As [`Executor::capture`].
+    /// Errors of [`Executor::capture`].
     #[cfg(feature = "capture")]
     pub fn capture(&mut self, folder: impl AsRef<std::path::Path>, frames: u32) -> Result<(), Error> {
         self.executor.capture(folder, frames)
@@ -183,7 +183,7 @@ impl Session {
     /// Writes what was captured and not yet written, and ends the capture: see [`Executor::finish_capture`].
     ///
     /// # Errors
-    /// As [`Executor::finish_capture`].
+    /// Errors of [`Executor::finish_capture`].
     #[cfg(feature = "capture")]
     pub fn finish_capture(&mut self) -> Result<u32, Error> {
         // SAFETY: every frame was waited for.

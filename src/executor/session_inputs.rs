@@ -24,7 +24,7 @@ impl Session {
     /// Sets an input image of ids.
     ///
     /// # Errors
-    /// As [`Self::upload`].
+    /// Errors of [`Self::upload`].
     pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
         self.upload_bytes(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
     }

@@ -38,7 +38,7 @@ impl Config {
     /// Declares every resource and pass, without a device.
     ///
     /// # Errors
-    /// As [`Config::validate`].
+    /// Errors of [`Config::validate`].
     pub fn declare(&self) -> Result<Declaration, Error> {
         self.validate()?;
         let mut g = Graph::of_config(self);

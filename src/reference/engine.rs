@@ -64,7 +64,7 @@ impl Engine {
     /// Sets an input image of ids.
     ///
     /// # Errors
-    /// As [`Self::upload`], with [`Error::Format`] for an image of floats.
+    /// Errors of [`Self::upload`], with [`Error::Format`] for an image of floats.
     pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
         let (id, extent) = self.input_image(name, crate::Component::Uint)?;
         self.store_input(id, name, extent, texels.len(), || Ok(Texels::Uint(Image::from_texels(extent, texels.to_vec())?)))
@@ -109,8 +109,8 @@ impl Engine {
     /// Runs every pass of a frame; `debug_view` in frames with a view.
     ///
     /// # Errors
-    /// As [`FrameState::begin`]; [`Error::NotBound`] names a required input that was not given; [`Error::Twin`] what a function of
-    /// a host reports, after which the next frame drops all history.
+    /// Errors of [`FrameState::begin`]; [`Error::NotBound`] names a required input that was not given; [`Error::Twin`] what a
+    /// function of a host reports, after which the next frame drops all history.
     pub fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let required = |(i, r): &(usize, &crate::ResourceDecl)| {
             r.lifetime == (Lifetime::Input { optional: false }) && self.stored[*i][0].is_none()
@@ -159,7 +159,7 @@ impl Engine {
     /// Texels of either copy of a resource in the last frame.
     ///
     /// # Errors
-    /// As [`Self::download`].
+    /// Errors of [`Self::download`].
     pub fn texels(&self, name: &str, which: UseFrame) -> Result<&Texels, Error> {
         let id = self.declaration.named(name)?;
         let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;

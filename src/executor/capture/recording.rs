@@ -10,7 +10,7 @@ impl Executor {
     /// Copies the inputs that no later phase reads.
     ///
     /// # Safety
-    /// As [`Self::record`].
+    /// Obligations of [`Self::record`].
     pub(in crate::executor) unsafe fn record_capture(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) {
         let captured = self.capture.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index == frame.index);
         if !captured {
