@@ -17,7 +17,7 @@ pub struct Denoiser {
     state: FrameState,
     device: ash::Device,
     pipelines: Pipelines,
-    /// Whether it was said that gradients are missing.
+    /// Whether the warning about missing gradients was logged.
     warned: bool,
 }
 

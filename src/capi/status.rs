@@ -10,7 +10,7 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum AtrousStatus {
-    /// Done.
+    /// Success.
     Ok = 0,
     /// A pointer is null, a struct_size is wrong, or a value is out of range.
     InvalidArgument = 1,

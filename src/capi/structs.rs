@@ -10,7 +10,7 @@ use std::ffi::c_char;
 
 /// Bytes of a name, with its null.
 pub const ATROUS_NAME_SIZE: usize = 64;
-/// Most uses that a pass has.
+/// Largest number of uses that a pass has.
 pub const ATROUS_MAX_USES: usize = 32;
 
 /// A small buffer of bytes that a name is copied into.
@@ -108,7 +108,7 @@ pub struct AtrousCreateInfo {
 pub struct AtrousFrameParams {
     /// sizeof(AtrousFrameParams).
     pub struct_size: u32,
-    /// Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
+    /// Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
     pub frame_slot: u32,
     /// The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift),
     /// 6 (exposure_jump). A host need not report that it is created.

@@ -12,7 +12,7 @@
 //!      [`FrameParams::render_extent`]; of a depth-stencil image the depth aspect; rows tightly packed (`bufferRowLength` 0). The
 //!      image needs `TRANSFER_SRC` usage.
 //!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that
-//!      frame. Where the denoiser forced a reset, say so in [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
+//!      frame. Where the denoiser forced a reset, set [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
 //!
 //! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it,
 //! and which pixels they are at is the same in the replay.

@@ -78,10 +78,10 @@ choices! {
     /// Direction in which the camera looks in view space.
     #[derive(Default)]
     pub enum ViewForward {
-        /// Along −z (right-handed; OpenGL, glTF).
+        /// View along −z (right-handed; OpenGL, glTF).
         #[default]
         NegativeZ = 0 => "negative_z",
-        /// Along +z (left-handed; Direct3D).
+        /// View along +z (left-handed; Direct3D).
         PositiveZ = 1 => "positive_z",
     }
 }

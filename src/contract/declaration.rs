@@ -8,9 +8,9 @@ use crate::error::Error;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
-    /// After the G-buffer, before light transport.
+    /// Behind the G-buffer, before light transport.
     BeforeLighting = 0,
-    /// After light transport.
+    /// Behind light transport.
     AfterLighting = 1,
     /// Wherever the host does tone mapping and anti-aliasing.
     PostProcess = 2,

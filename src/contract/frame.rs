@@ -12,7 +12,7 @@ mod forward;
 choices! {
     /// The reason why all history is dropped for one frame.
     pub enum ResetReason {
-        /// The first frame after creation or [`FrameState::invalidate`]; forced, a host need not say it.
+        /// The first frame after creation or [`FrameState::invalidate`]; forced, so a host need not report it.
         Created = 1 => "created",
         /// The camera jumped.
         CameraCut = 2 => "camera_cut",
@@ -51,7 +51,7 @@ pub struct FrameParams {
     #[cfg_attr(feature = "serde", serde(default = "unchanged"))]
     pub exposure_ratio: f32,
     /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous
-    /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
+    /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and logs that once. Default: false.
     #[cfg_attr(feature = "serde", serde(default))]
     pub reshaded: bool,
     /// The view that the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame.

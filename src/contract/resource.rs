@@ -8,7 +8,7 @@ use ash::vk;
 pub enum Lifetime {
     /// A resource of the host that is only read.
     Input {
-        /// May be bound as [`crate::Binding::Absent`].
+        /// Whether it may be bound as [`crate::Binding::Absent`].
         optional: bool,
     },
     /// A resource of the host; every texel of the render rect is written.

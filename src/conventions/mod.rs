@@ -1,4 +1,4 @@
-//! Do the guides agree with the declared [`Conventions`]? Asked on demand, of two consecutive frames.
+//! Test of the guides of two consecutive frames against the declared [`Conventions`], on demand.
 //!
 //! A wrong sign, unit, axis or matrix is the most common mistake of an integration, and all of them look alike: ghosts, blur,
 //! boiling. So every reading that a mistake away from the declared one is held against the pixels of what stands still:
@@ -9,7 +9,7 @@
 //!
 //! A pixel votes for the reading that explains it where the declared one does not. A mistake is named where at least four of five
 //! votes are for it; what moves by itself, disocclusions and values that are not finite are outvoted or have no vote. Frames that
-//! show no difference are said to be inconclusive: take two frames between which the camera moves **and turns**, in a scene with
+//! show no difference are reported as inconclusive: take two frames between which the camera moves **and turns**, in a scene with
 //! slanted surfaces, with a few pixels of motion, and with jitter on if the engine has jitter.
 //!
 //! It runs on the CPU in a fraction of a second and needs no device. Of an engine's frames it is had by a capture

@@ -24,11 +24,11 @@ pub enum Verdict {
 pub enum Measure {
     /// Distance of the depth of the previous frame from where depth and matrices of this frame put it, pixels.
     Depth,
-    /// Between the host's motion and that of what stands still, by depth and matrices; pixels.
+    /// Difference between the host's motion and that of what stands still, by depth and matrices; pixels.
     Motion,
-    /// Between z of the host's motion, read as the previous depth, and that of what stands still; percent.
+    /// Difference between z of the host's motion, read as the previous depth, and that of what stands still; percent.
     MotionDepth,
-    /// Between the host's normals and those of the surface that the depth makes, degrees.
+    /// Angle between the host's normals and those of the surface that the depth makes, degrees.
     Normals,
 }
 
@@ -37,9 +37,9 @@ pub enum Measure {
 pub struct Evidence {
     /// The residual.
     pub measure: Measure,
-    /// Its size with the declared conventions. Infinite: beyond the image or behind the camera.
+    /// Size of the residual with the declared conventions. Infinite: beyond the image or behind the camera.
     pub declared: f32,
-    /// Its size with the conventions that fit better.
+    /// Size of the residual with the conventions that fit better.
     pub fitting: Option<f32>,
     /// Pixels that tell.
     pub pixels: usize,

@@ -173,7 +173,7 @@ pub(super) struct Contest {
     outcomes: Vec<Outcome>,
     /// The candidate that fits: the first one, or the one that beat it and is not beaten itself.
     pub(super) champion: usize,
-    /// Between the first candidate and the champion.
+    /// Contest between the first candidate and the champion.
     votes: Votes,
 }
 

@@ -101,7 +101,7 @@ impl Storages {
         Self { storages: vec![[None, None]; count], own: vec![None; count], aliases: vec![Vec::new(); count], first_pass }
     }
 
-    /// Something of our own.
+    /// Stores an object of our own.
     pub fn set(&mut self, id: ResourceId, copy: usize, storage: Storage) {
         self.storages[id.0 as usize][copy] = Some(storage);
         if copy == 0 {

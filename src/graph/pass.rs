@@ -29,7 +29,7 @@ pub(crate) struct Wire {
 /// Source of the push constant `level`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Level {
-    /// There is none.
+    /// No such push constant.
     None,
     /// A fixed level.
     Number(u32),

@@ -8,10 +8,10 @@ use crate::shaders;
 /// The estimator of the variance of a pixel with a short past.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Estimator {
-    /// Over 7×7 pixels while the past is short \[SVGF\].
+    /// Estimate over 7×7 pixels while the past is short \[SVGF\].
     #[default]
     Switched,
-    /// Over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
+    /// Estimate over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
     Fading,
 }
 

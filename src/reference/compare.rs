@@ -17,7 +17,7 @@ use glam::IVec2;
 pub struct Tolerance {
     /// Share of the larger value.
     pub relative: f32,
-    /// Added to it, in the unit of the value.
+    /// Absolute difference that is added, in the unit of the value.
     pub absolute: f32,
     /// Share of the texels that exist.
     pub outliers: f32,

@@ -18,7 +18,7 @@ const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.
 /// Alpha of a pixel without a sample.
 pub const HOLE: f32 = -1.0;
 
-/// Below this sum of weights a hole sees no pixel of its kind.
+/// Sum of weights below which a hole sees no pixel of its kind.
 const SMALLEST_WEIGHT_SUM: f32 = 1e-6;
 
 /// Depths beyond it are no farther: squares of differences stay finite.

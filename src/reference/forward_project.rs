@@ -113,7 +113,7 @@ fn key_of(frame: &FrameConstants, index: u32, count: u32) -> u32 {
     (pcg(index.wrapping_add(pcg(frame.frame_index))) & !key_mask(count)) | (index + 1)
 }
 
-/// Any pixel of the stratum but the one that is a gradient sample in this frame.
+/// Picks any pixel of the stratum but the one that is a gradient sample in this frame.
 fn next_candidate(
     frame: &FrameConstants,
     strata: Strata,

@@ -40,7 +40,7 @@ pub enum GradientInput<'a> {
     Sparse(Option<&'a Image<[f32; 4]>>),
 }
 
-/// Inputs of [`gradient`]; images have the allocated extent where nothing else is said.
+/// Inputs of [`gradient`]; images have the allocated extent where nothing else is noted.
 #[derive(Clone, Copy, Debug)]
 pub struct GradientInputs<'a> {
     /// The image `guide`, from the stage `import`.

@@ -47,7 +47,7 @@ impl From<Arc<Shader>> for ShaderRef {
     }
 }
 
-/// The format that an image must have, since the shader says so.
+/// The format that an image must have, by the qualifier in the shader.
 pub(crate) const fn vk_format(texel: TexelFormat) -> vk::Format {
     match texel {
         TexelFormat::Rgba32f => vk::Format::R32G32B32A32_SFLOAT,

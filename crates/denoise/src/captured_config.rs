@@ -21,7 +21,7 @@ pub struct CapturedConfig {
 }
 
 impl CapturedConfig {
-    /// Changes what is said.
+    /// Changes the fields that the capture has.
     pub fn apply(&self, config: &mut Config) {
         fn set<T: Copy>(field: &mut T, value: Option<T>) {
             *field = value.unwrap_or(*field);

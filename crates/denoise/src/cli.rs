@@ -2,7 +2,7 @@
 
 use crate::conventions::keys;
 use crate::roles::Role;
-use crate::setup::Wishes;
+use crate::setup::Options;
 use atrous::config::{Preset, Signals};
 use atrous::Tuning;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -24,7 +24,7 @@ pub struct Cli {
     #[arg(short, long, value_name = "FOLDER", required_unless_present = "check")]
     pub output: Option<PathBuf>,
 
-    /// Only tell whether depth, motion, normals and matrices agree with the conventions, and name the likely mistake; needs
+    /// Test only whether depth, motion, normals and matrices agree with the conventions, and name the likely mistake; needs
     /// matrices
     #[arg(long)]
     pub check: bool,
@@ -107,8 +107,8 @@ pub struct Cli {
     #[arg(long, value_name = "FILE")]
     pub camera: Option<PathBuf>,
 
-    /// Say how a guide is encoded, where it differs from what the layout usually means
-    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Say how a guide is encoded, where it differs from what the layout usually means: {}", keys()))]
+    /// Encoding of a guide, where it differs from what the layout usually means
+    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Encoding of a guide, where it differs from what the layout usually means: {}", keys()))]
     pub conventions: Vec<(String, String)>,
 
     /// Print nothing but errors, warnings and scores
@@ -127,7 +127,7 @@ pub enum Filter {
 
 const BEST: &str = "best";
 
-/// A volume alone comes from captures, which say it themselves.
+/// A volume alone comes from captures, which name the preset themselves.
 fn filter() -> impl TypedValueParser<Value = Filter> {
     let presets = Preset::ALL.into_iter().filter(|preset| *preset != Preset::Volume);
     PossibleValuesParser::new(presets.map(Preset::name).chain([BEST])).try_map(|name| match name.as_str() {
@@ -173,8 +173,8 @@ impl Cli {
     }
 
     /// The options for the setup.
-    pub fn wishes(&self) -> Wishes {
-        Wishes {
+    pub fn options(&self) -> Options {
+        Options {
             channels: self.channels.clone(),
             view_layer: self.view_layer.clone(),
             camera: self.camera.clone(),

@@ -32,7 +32,7 @@ pub struct Step {
 pub struct Existing {
     /// Overwritten.
     pub force: bool,
-    /// Kept; what is missing is made.
+    /// Existing outputs are kept; missing ones are made.
     pub resume: bool,
     /// Finished frames before the first missing one that are filtered again for the sake of the history.
     pub warm_up: usize,

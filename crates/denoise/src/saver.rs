@@ -32,7 +32,7 @@ pub struct Wanted {
     pub preset: String,
 }
 
-/// Writes frames and remembers what is told at the end.
+/// Writes frames and collects the report for the end.
 pub struct Saver {
     wanted: Wanted,
     progress: ProgressBar,

@@ -22,7 +22,7 @@ pub struct Variant {
 
 /// The detail that a module has of its source.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Kept {
+pub enum Detail {
     /// The code that runs, optimised.
     Code,
     /// The code that runs, optimised, with the names of what it uses: for reflection while a program runs and for debuggers.
@@ -55,14 +55,14 @@ impl Glsl {
 
     /// One module. The error is the compiler's text, which does not name the variant: file (an include's, where the mistake is
     /// there), line, problem.
-    pub fn compile(&self, compiler: &Compiler, variant: &Variant, kept: Kept) -> Result<Vec<u32>, String> {
+    pub fn compile(&self, compiler: &Compiler, variant: &Variant, detail: Detail) -> Result<Vec<u32>, String> {
         // Options of its own for each module: shaderc's include callback keeps state between compilations otherwise.
         let mut options = CompileOptions::new().map_err(|e| e.to_string())?;
         options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
         options.set_warnings_as_errors();
-        let optimised = kept != Kept::Everything;
+        let optimised = detail != Detail::Everything;
         options.set_optimization_level(if optimised { OptimizationLevel::Performance } else { OptimizationLevel::Zero });
-        if kept == Kept::CodeAndNames {
+        if detail == Detail::CodeAndNames {
             options.set_generate_debug_info();
         }
         for (name, value) in variant.macros.split(',').filter_map(|d| d.split_once('=')) {

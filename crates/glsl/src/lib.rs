@@ -7,6 +7,6 @@ mod compile;
 mod table;
 
 pub use atrous_shader::{interface, Interface};
-pub use compile::{resolve, shaders, Glsl, Kept, Variant};
+pub use compile::{resolve, shaders, Detail, Glsl, Variant};
 pub use shaderc::Compiler;
 pub use table::write_table;

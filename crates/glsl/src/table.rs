@@ -1,6 +1,6 @@
 //! Every variant of every shader to SPIR-V, with a table of what they are. A module is compiled when one of its sources changed.
 
-use crate::compile::{resolve, shaders, Glsl, Kept, Variant};
+use crate::compile::{resolve, shaders, Detail, Glsl, Variant};
 use atrous_shader::{entry_point, interface, reflect, BindingKind, Shader};
 use spirq::{ty::Type, var::Variable};
 use std::collections::BTreeSet;
@@ -11,9 +11,9 @@ use std::{env, error::Error, fs, time::UNIX_EPOCH};
 /// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module
 /// is kept in `modules` beside it from build to build.
 pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
-    let kept = out.with_file_name("modules");
+    let modules_folder = out.with_file_name("modules");
     fs::create_dir_all(out)?;
-    fs::create_dir_all(&kept)?;
+    fs::create_dir_all(&modules_folder)?;
     let includes = [glsl.join("include")];
     let compiler = shaderc::Compiler::new()?;
     let (mut modules, mut asserts, mut interfaces, mut names) = (String::new(), BTreeSet::new(), String::new(), Vec::new());
@@ -23,7 +23,7 @@ pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
         let mut of_file = String::new();
         for variant in source.variants() {
             let key = key(&file, &includes, &variant)?;
-            let parts = ["key", "rs", "asserts", "interface"].map(|part| kept.join(format!("{}.{part}", variant.name)));
+            let parts = ["key", "rs", "asserts", "interface"].map(|part| modules_folder.join(format!("{}.{part}", variant.name)));
             let spirv = out.join(format!("{}.spv", variant.name));
             if !spirv.is_file() || fs::read_to_string(&parts[0]).ok().as_ref() != Some(&key) {
                 let stage = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -76,9 +76,9 @@ fn module(
     optional: &[String],
 ) -> Result<Module, Box<dyn Error>> {
     let name = &variant.name;
-    let compile = |kept| source.compile(compiler, variant, kept).map_err(|e| format!("{name}:\n{e}"));
-    let bytes: Vec<u8> = compile(Kept::Code)?.iter().flat_map(|word| word.to_ne_bytes()).collect();
-    let named = compile(Kept::Everything)?;
+    let compile = |detail| source.compile(compiler, variant, detail).map_err(|e| format!("{name}:\n{e}"));
+    let bytes: Vec<u8> = compile(Detail::Code)?.iter().flat_map(|word| word.to_ne_bytes()).collect();
+    let named = compile(Detail::Everything)?;
     let shader = reflect(stage, name, Vec::new(), &named, optional)?;
     let interface = format!("({name:?}, &{:?}),\n", interface(&named)?);
     Ok(Module { bytes, entry: entry(&shader)?, asserts: asserts(&named)?, interface })

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// Most bindings that a shader may have; their numbers are below [`NUMBERS`].
+/// Largest number of bindings that a shader may have; their numbers are below [`NUMBERS`].
 pub const MAX_BINDINGS: usize = 20;
 /// Bits of `WIRED` and `present`.
 pub const NUMBERS: u32 = 32;
@@ -76,7 +76,7 @@ pub enum BindingAccess {
     ReadOnly,
     /// `writeonly`.
     WriteOnly,
-    /// Neither.
+    /// Neither qualifier: read and written.
     ReadWrite,
 }
 
