@@ -162,7 +162,7 @@ fn barrier(device: &ash::Device, cmd: vk::CommandBuffer, resource: &mut Resource
 /// The device is live.
 unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropertyFlags) -> Result<Resource> {
     let (device, mut resource) = (host.device, Resource { state: UNTOUCHED, ..Resource::default() });
-    // SAFETY: the caller's.
+    // SAFETY: the device is live; every object is created on it, and bound to memory of its own requirements.
     unsafe {
         let types = host.instance.get_physical_device_memory_properties(host.physical_device);
         let allocate = |needs: vk::MemoryRequirements| -> Result<_> {
@@ -198,7 +198,7 @@ unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropert
 }
 
 /// Runs the sequence and prints a checksum of every frame.
-pub fn main() -> Result<()> {
+fn main() -> Result<()> {
     // SAFETY: every pointer lives until its call returns; handles are live, and what is destroyed is idle.
     unsafe {
         let entry = ash::Entry::load()?;

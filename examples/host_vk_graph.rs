@@ -177,7 +177,7 @@ fn create(device: &GraphDevice, decl: &ResourceDecl) -> Result<Resource> {
 }
 
 /// Runs the sequence and prints a checksum of every frame.
-pub fn main() -> Result<()> {
+fn main() -> Result<()> {
     let host = Host::new()?;
     for index in 0..synthetic::FRAMES {
         println!("{}", synthetic::report(index, &host.frame(index)?));

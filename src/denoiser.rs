@@ -111,11 +111,11 @@ impl Denoiser {
         };
         check_bindings(&self.declaration, decl, bindings)?;
         match &decl.work {
-            // SAFETY: the caller's; the bindings were checked.
+            // SAFETY: `cmd` is recording outside a render pass, and every binding honours its use; their kinds were checked.
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
-            // SAFETY: as above.
+            // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
-            // SAFETY: as above.
+            // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
             Work::Dispatch(dispatch) => unsafe { self.dispatch(cmd, frame, pass, dispatch, bindings)? },
         }
         if let Some(name) = absent_gradients(&self.declaration, pass, bindings) {
@@ -160,7 +160,7 @@ impl Denoiser {
             return;
         };
         let bytes = crate::contract::STATISTICS_COUNT * 4;
-        // SAFETY: the caller's; both buffers have the declared sizes.
+        // SAFETY: `cmd` is recording outside a render pass; both buffers are live and have the declared sizes.
         unsafe {
             self.device.cmd_update_buffer(cmd, constants, constants_offset, bytemuck::bytes_of(&frame.constants));
             self.device.cmd_fill_buffer(cmd, statistics, offset, bytes, 0);
@@ -176,7 +176,7 @@ impl Denoiser {
             base_array_layer: 0,
             layer_count: 1,
         };
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass; the image is live and in this layout.
         unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[range]) };
     }
 

@@ -7,10 +7,14 @@ mod binding;
 pub mod capi;
 #[cfg(feature = "capture")]
 pub mod capture;
+#[forbid(unsafe_code)]
 mod choice;
+#[forbid(unsafe_code)]
 pub mod config;
+#[forbid(unsafe_code)]
 pub mod contract;
 #[cfg(feature = "conventions")]
+#[forbid(unsafe_code)]
 pub mod conventions;
 mod denoiser;
 mod device;
@@ -18,12 +22,16 @@ mod error;
 #[cfg(feature = "executor")]
 pub mod executor;
 mod frame_constants;
+#[forbid(unsafe_code)]
 pub mod graph;
 #[cfg(feature = "hot-reload")]
 pub mod hot_reload;
+#[forbid(unsafe_code)]
 pub mod nodes;
 mod pipeline;
+#[forbid(unsafe_code)]
 pub mod presets;
+#[forbid(unsafe_code)]
 pub mod reference;
 mod requirements;
 mod shaders;

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::shaders::descriptor_type;
 use crate::shaders::Shader;
 use ash::vk;
-use std::collections::BTreeMap;
+use std::collections::{btree_map::Entry, BTreeMap};
 
 /// A module, and the bits of its specialisation constants by their identifiers.
 type Key = (String, Vec<(u32, u32)>);
@@ -41,15 +41,13 @@ impl Pipelines {
         let mut this = Self { device: device.clone(), pipelines: BTreeMap::new(), pools: Vec::new(), bindables: Vec::new() };
         for pass in declaration.passes() {
             let Some(dispatch) = pass.dispatch() else { continue };
-            let key = key(dispatch);
-            if !this.pipelines.contains_key(&key) {
-                // SAFETY: the device is live; the caller says so.
-                let pipeline = unsafe { Pipeline::new(device, dispatch)? };
-                this.pipelines.insert(key, pipeline);
+            if let Entry::Vacant(new) = this.pipelines.entry(key(dispatch)) {
+                // SAFETY: the device is live and outlives the pipeline.
+                new.insert(unsafe { Pipeline::new(device, dispatch)? });
             }
         }
         for _ in 0..declaration.setup().frames_in_flight {
-            // SAFETY: as above; the pipelines belong to the same device.
+            // SAFETY: the device is live, and the pipelines are its own.
             unsafe { this.add_slot(declaration)? };
         }
         Ok(this)

@@ -27,7 +27,7 @@ impl Requirements {
     /// # Safety
     /// `instance` is live and `physical_device` belongs to it.
     pub unsafe fn check(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
-        // SAFETY: the caller's.
+        // SAFETY: the instance is live, and the physical device is one of its own.
         let (properties, families) = unsafe {
             (
                 instance.get_physical_device_properties(physical_device),
@@ -47,7 +47,7 @@ impl Requirements {
             if matches!(resource.lifetime, Lifetime::Input { .. }) {
                 continue;
             }
-            // SAFETY: the caller's.
+            // SAFETY: the instance is live, and the physical device is one of its own.
             let features = unsafe { instance.get_physical_device_format_properties(physical_device, format.preferred()) }
                 .optimal_tiling_features;
             let uses = self
@@ -112,11 +112,11 @@ impl Requirements {
     /// # Safety
     /// Obligations of [`Self::check`].
     pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
-        // SAFETY: the caller's.
+        // SAFETY: the instance is live, and the physical device is one of its own.
         unsafe { self.check(instance, physical_device)? };
         let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default();
         let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut sync2);
-        // SAFETY: the caller's; a device that does not know the structure leaves it alone.
+        // SAFETY: both are live; a device that does not know the structure leaves it alone.
         unsafe { instance.get_physical_device_features2(physical_device, &mut features) };
         if sync2.synchronization2 == vk::FALSE {
             let missing = vec![
@@ -136,7 +136,7 @@ impl Requirements {
     /// # Safety
     /// The handles are live and belong together.
     pub unsafe fn check_executor_device(&self, host: Device<'_>) -> Result<(), Error> {
-        // SAFETY: the caller's.
+        // SAFETY: the handles are live and belong together.
         let barrier = unsafe {
             self.check_executor(host.instance, host.physical_device)?;
             host.instance.get_device_proc_addr(host.device.handle(), c"vkCmdPipelineBarrier2".as_ptr())

@@ -135,7 +135,7 @@ fn a_device_without_what_is_needed_is_told_so() {
     let host = gpu.host();
     // SAFETY: the handles are live and belong together.
     let limits = unsafe { host.instance.get_physical_device_properties(host.physical_device) }.limits;
-    // SAFETY: as above.
+    // SAFETY: instance and physical device are live and belong together.
     let checked = unsafe { requirements.check(host.instance, host.physical_device) };
     assert_eq!(checked.is_ok(), limits.max_image_dimension2_d >= 16384);
 }

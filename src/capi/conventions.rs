@@ -64,7 +64,8 @@ pub unsafe extern "C" fn atrous_check_conventions(
     report: *mut AtrousConventionReport,
 ) -> AtrousStatus {
     guard(|| {
-        // SAFETY: the caller's.
+        // SAFETY: each of the pointers is null or points to a struct that begins with its size; the images of the guides have the
+        // texels that their extent says.
         unsafe {
             write("report", report, || {
                 let conventions = read("config", config)?.to_config()?.conventions;
@@ -88,7 +89,8 @@ impl Frame {
     /// # Safety
     /// Obligations of [`atrous_check_conventions`].
     unsafe fn read(what: &str, pointer: *const AtrousGuides) -> Result<Self, Failure> {
-        // SAFETY: the caller's.
+        // SAFETY: `pointer` is null or points to a struct that begins with its size, and its images are null or have as many texels
+        // as the extent says.
         unsafe {
             let given = read(what, pointer)?;
             let extent = [given.width, given.height];
@@ -126,7 +128,7 @@ unsafe fn image<T: Copy>(texels: *const T, [width, height]: [u32; 2]) -> Result<
         return Ok(None);
     }
     let count = width as usize * height as usize;
-    // SAFETY: the caller's.
+    // SAFETY: `texels` is not null, so it points to `count` texels, and i is below that.
     let texels = (0..count).map(|i| unsafe { texels.add(i).read_unaligned() }).collect();
     Ok(Some(Image::from_texels([width, height], texels)?))
 }

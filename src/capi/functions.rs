@@ -16,7 +16,7 @@ use std::ffi::{c_char, CStr};
 /// `config` is null or points to an AtrousConfig with its struct_size set.
 #[no_mangle]
 pub unsafe extern "C" fn atrous_config_default(config: *mut AtrousConfig, width: u32, height: u32) -> AtrousStatus {
-    // SAFETY: the caller's.
+    // SAFETY: `config` is null or points to a struct that begins with its size, writable for that many bytes.
     guard(|| unsafe { write("config", config, || Ok(AtrousConfig::default_for([width, height]))) })
 }
 
@@ -26,7 +26,7 @@ pub unsafe extern "C" fn atrous_config_default(config: *mut AtrousConfig, width:
 /// `params` is null or points to an AtrousFrameParams with its struct_size set.
 #[no_mangle]
 pub unsafe extern "C" fn atrous_frame_params_default(params: *mut AtrousFrameParams, width: u32, height: u32) -> AtrousStatus {
-    // SAFETY: the caller's.
+    // SAFETY: `params` is null or points to a struct that begins with its size, writable for that many bytes.
     guard(|| unsafe { write("params", params, || Ok(AtrousFrameParams::default_for([width, height]))) })
 }
 
@@ -40,7 +40,8 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
         if denoiser.is_null() {
             return Err(Failure::argument("denoiser is NULL; give a pointer to where the handle goes"));
         }
-        // SAFETY: the caller's.
+        // SAFETY: `denoiser` is not null and writable for a pointer; `info` and its `config` are null or point to structs that
+        // begin with their size; the host keeps the handles in them alive.
         unsafe {
             denoiser.write_unaligned(std::ptr::null_mut());
             let info = read("info", info)?;
@@ -66,7 +67,8 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
     let GetInstanceProcAddr::Some(get_instance_proc_addr) = info.get_instance_proc_addr else {
         return Err(Failure::argument("info->get_instance_proc_addr is NULL"));
     };
-    // SAFETY: the caller's.
+    // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
+    // `atrous_destroy`.
     unsafe {
         let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
         let device = ash::Device::load(instance.fp_v1_0(), info.device);
@@ -105,7 +107,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
     guard(|| {
         handle::with(denoiser, |state| {
             let config = Config { allocated_extent: [width, height], ..state.config };
-            // SAFETY: the caller's.
+            // SAFETY: GPU work recorded with the old pipelines is complete, and the handles given to `atrous_create` are live.
             unsafe { state.recreate(&config) }
         })
     })
@@ -122,7 +124,7 @@ pub unsafe extern "C" fn atrous_counts(denoiser: *const AtrousDenoiser, resource
             let declaration = state.denoiser.declaration();
             for (to, count) in [(resources, declaration.resources().len()), (passes, declaration.passes().len())] {
                 if !to.is_null() {
-                    // SAFETY: the caller's.
+                    // SAFETY: not null, so it points to a u32 that may be written.
                     unsafe { to.write_unaligned(count as u32) };
                 }
             }
@@ -149,7 +151,7 @@ pub unsafe extern "C" fn atrous_resource(
                 true => Ok(convert::resource(declaration, ResourceId(index))),
                 false => Err(Failure::argument(format!("resource {index} does not exist; there are {count}"))),
             };
-            // SAFETY: the caller's.
+            // SAFETY: `resource` is null or points to a struct that begins with its size, writable for that many bytes.
             unsafe { write("resource", resource, value) }
         })
     })
@@ -165,7 +167,7 @@ pub unsafe extern "C" fn atrous_pass(denoiser: *const AtrousDenoiser, index: u32
         handle::with(denoiser, |state| {
             let declaration = state.denoiser.declaration();
             let missing = || Failure::argument(format!("pass {index} does not exist; there are {}", declaration.passes().len()));
-            // SAFETY: the caller's.
+            // SAFETY: `pass` is null or points to a struct that begins with its size, writable for that many bytes.
             unsafe { write("pass", pass, || convert::pass(declaration, index as usize).ok_or_else(missing)) }
         })
     })
@@ -187,7 +189,7 @@ pub unsafe extern "C" fn atrous_memory(denoiser: *const AtrousDenoiser, memory: 
                 transient_unaliased: m.transient_unaliased,
                 output: m.output,
             };
-            // SAFETY: the caller's.
+            // SAFETY: `memory` is null or points to a struct that begins with its size, writable for that many bytes.
             unsafe { write("memory", memory, || Ok(value)) }
         })
     })
@@ -206,7 +208,7 @@ pub unsafe extern "C" fn atrous_tuning_field(index: u32, field: *mut AtrousTunin
             let struct_size = size_of::<AtrousTuningField>() as u32;
             Ok(AtrousTuningField { struct_size, min: f.min, max: f.max, default_value: f.default, name: convert::name(f.name) })
         };
-        // SAFETY: the caller's.
+        // SAFETY: `field` is null or points to a struct that begins with its size, writable for that many bytes.
         unsafe { write("field", field, value) }
     })
 }
@@ -221,7 +223,7 @@ pub unsafe extern "C" fn atrous_set_tuning(denoiser: *mut AtrousDenoiser, name: 
         if name.is_null() {
             return Err(Failure::argument("name is NULL; atrous_tuning_field lists the names"));
         }
-        // SAFETY: the caller's.
+        // SAFETY: not null, so it points to a string with a null at its end, which lives through this call.
         let name = unsafe { CStr::from_ptr(name) }.to_string_lossy();
         handle::with(denoiser, |state| Ok(state.tuning.set(&name, value)?))
     })
@@ -253,7 +255,8 @@ pub unsafe extern "C" fn atrous_begin_frame(
 ) -> AtrousStatus {
     guard(|| {
         handle::with(denoiser, |state| {
-            // SAFETY: the caller's.
+            // SAFETY: `frame` and `params` are null or point to structs that begin with their size, readable for as long as it
+            // says.
             let params = unsafe {
                 check_size("frame", frame)?;
                 read("params", params)?.to_params()?
@@ -270,7 +273,7 @@ pub unsafe extern "C" fn atrous_begin_frame(
                 current_copy: context.history_copy(crate::UseFrame::Current) as u32,
                 reset: context.reset.map_or(0, |reason| reason as u32),
             };
-            // SAFETY: the caller's.
+            // SAFETY: `frame` was found above to be of the right size, and it is writable.
             unsafe { write("frame", frame, || Ok(value)) }
         })
     })

@@ -30,7 +30,8 @@ impl State {
     /// Obligations of [`Denoiser::new`].
     pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
         let host = crate::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
-        // SAFETY: the caller's.
+        // SAFETY: the handles were given to `atrous_create`, and the host keeps them alive until `atrous_destroy`; work recorded
+        // with the old denoiser is complete.
         self.denoiser = unsafe { Denoiser::new(host, config.declare()?)? };
         self.config = *config;
         self.generation += 1;

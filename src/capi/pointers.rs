@@ -7,7 +7,7 @@ use super::status::Failure;
 /// # Safety
 /// `pointer` is null, or points to a u32, and, where that is the size of `T`, to a `T`.
 pub(super) unsafe fn read<T: Copy>(what: &str, pointer: *const T) -> Result<T, Failure> {
-    // SAFETY: the caller's.
+    // SAFETY: `check_size` refuses null and any other size, so that `pointer` points to a whole `T`.
     unsafe {
         check_size(what, pointer)?;
         Ok(pointer.read_unaligned())
@@ -43,7 +43,7 @@ pub(super) unsafe fn write<T: Copy>(
     pointer: *mut T,
     value: impl FnOnce() -> Result<T, Failure>,
 ) -> Result<(), Failure> {
-    // SAFETY: the caller's.
+    // SAFETY: `check_size` refuses null and any other size, so that `pointer` points to a whole `T`, and it is writable.
     unsafe {
         check_size(what, pointer)?;
         pointer.write_unaligned(value()?);

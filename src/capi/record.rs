@@ -27,7 +27,7 @@ pub unsafe extern "C" fn atrous_record(
 ) -> AtrousStatus {
     guard(|| {
         handle::with(denoiser, |state| {
-            // SAFETY: the caller's.
+            // SAFETY: `frame` is null or points to a struct that begins with its size, readable for that many bytes.
             let context = frame_of(state, &unsafe { read("frame", frame)? })?;
             if command_buffer.is_null() {
                 return Err(Failure::argument("command_buffer is NULL; give one that is recording"));
@@ -40,11 +40,12 @@ pub unsafe extern "C" fn atrous_record(
             let uses = uses_of(state, pass, count)?;
             let mut bound = [Binding::Absent; ATROUS_MAX_USES];
             for (i, (to, u)) in bound.iter_mut().zip(uses).enumerate() {
-                // SAFETY: the caller's; i is below the count.
+                // SAFETY: `bindings` points to `count` of them, and i is below that.
                 *to = binding(i, u.access, &unsafe { bindings.add(i).read_unaligned() })?;
             }
             let bound = bound.get(..count).unwrap_or_default();
-            // SAFETY: the caller's.
+            // SAFETY: the command buffer is recording outside a render pass on a compute queue; the host keeps what is bound alive
+            // and in its declared state, and work recorded earlier with this slot is complete.
             unsafe { state.denoiser.record(command_buffer, &context, pass as usize, bound)? };
             Ok(())
         })

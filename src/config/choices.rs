@@ -5,6 +5,7 @@ use crate::choice::choices;
 choices! {
     /// Lighting components that are filtered.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum Signals {
         /// One image, `noisy_radiance`: direct and indirect light together.
         #[default]
@@ -16,6 +17,7 @@ choices! {
 
     /// Passes behind the denoised radiance.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum PostProcess {
         /// None: the host tone maps.
         #[default]
@@ -28,6 +30,7 @@ choices! {
 
     /// The filter: a list of nodes.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum Preset {
         /// Spatiotemporal variance-guided filtering \[SVGF\].
         #[default]
@@ -50,6 +53,7 @@ choices! {
 
     /// Share of the pixels that have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum Sampling {
         /// Every one. What is not finite is counted and black.
         #[default]
@@ -62,6 +66,7 @@ choices! {
 
     /// The rule by which [`Preset::Percentile`] finds out that light has changed.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum AdaptiveRule {
         /// The mean difference between a frame and its history over 24×24 pixels, against its standard error. Sees a light that
         /// comes on as well as one that goes out.
@@ -74,6 +79,7 @@ choices! {
 
     /// The way in which the percentiles of a block are found. The result is the same to the bit.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum BlockSort {
         /// Every pixel counts those before it: one barrier.
         #[default]
@@ -84,6 +90,7 @@ choices! {
 
     /// Source of the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`].
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum GradientSource {
         /// The host's path tracer re-shades one pixel a stratum with the surface and the seed of a pixel of the previous frame,
         /// which the stage `forward_project` picks (`glsl/host/gradient_sample.glsl`). Costs no extra samples.

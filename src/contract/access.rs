@@ -5,7 +5,7 @@ use ash::vk;
 /// The access of a pass to a resource.
 ///
 /// Closed and small on purpose, so that it maps onto any host's own vocabulary. Stage, access mask, layout, usage flags and
-/// descriptor type follow from it, so a declaration cannot contradict itself.
+/// descriptor type follow from it, so a declaration cannot contradict itself. A host may match every one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Access {

@@ -7,6 +7,7 @@ choices! {
     /// A view of `debug_view`, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the
     /// number behind the colour. Surfaces only: the background is black. A view that the preset has nothing for is a dark chequer.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum DebugView {
         /// Frames accumulated, 0 to 32 in false colours.
         #[default]

@@ -5,6 +5,8 @@ use crate::config::Config;
 use crate::error::Error;
 
 /// The place of a pass in the host's frame.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
@@ -22,6 +24,8 @@ impl Phase {
 }
 
 /// The copy of a history that a use means. Everything else is always `Current`.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum UseFrame {

@@ -4,6 +4,8 @@ use crate::shaders::Component;
 use ash::vk;
 
 /// The formats that an image may have.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageFormat {
     /// One format. Images that we write are declared so, and the shader carries the same format qualifier.

@@ -11,6 +11,7 @@ mod forward;
 
 choices! {
     /// The reason why all history is dropped for one frame.
+    #[non_exhaustive]
     pub enum ResetReason {
         /// The first frame after creation or [`FrameState::invalidate`]; forced, so a host need not report it.
         Created = 1 => "created",

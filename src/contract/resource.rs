@@ -4,6 +4,8 @@ use super::ImageFormat;
 use ash::vk;
 
 /// The owner of a resource and the life of its content.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lifetime {
     /// A resource of the host that is only read.
@@ -39,6 +41,8 @@ impl Lifetime {
 }
 
 /// The shape of a resource: image or buffer.
+///
+/// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A 2D image with one mip level and one layer, of `div_ceil(allocated_extent, divisor)` texels.

@@ -24,6 +24,7 @@ pub struct TuningField {
 choices! {
     /// The curve of the tone map.
     #[derive(Default)]
+    #[non_exhaustive]
     pub enum ToneCurve {
         /// Fit of the ACES reference curve (Narkowicz 2015).
         #[default]

@@ -28,7 +28,8 @@ impl Barriers {
         storages: &mut Storages,
     ) {
         self.collect(declaration, frame, pass, storages);
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass; every storage that was collected is live, and in the state that its
+        // scope says.
         unsafe { self.flush(device, cmd, omit) };
     }
 
@@ -57,7 +58,7 @@ impl Barriers {
                 self.push(storage, home, true);
             }
         }
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass; the host keeps what it bound alive, in the state that its scope says.
         unsafe { self.flush(device, cmd, false) };
     }
 
@@ -67,7 +68,7 @@ impl Barriers {
     /// Obligations of `Executor::record`.
     pub unsafe fn single(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storage: &mut Storage, next: Scope, keep: bool) {
         self.to(storage, next, keep);
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass; the storage is live, and in the state that its scope says.
         unsafe { self.flush(device, cmd, false) };
     }
 
@@ -106,7 +107,8 @@ impl Barriers {
                 } else {
                     vk::ClearColorValue { float32: [f32::NAN; 4] }
                 };
-                // SAFETY: the caller's; the barrier before brings the image to TRANSFER_DST_OPTIMAL.
+                // SAFETY: `cmd` is recording; the image is live, has usage `TRANSFER_DST`, and the barrier before brings it to
+                // TRANSFER_DST_OPTIMAL.
                 unsafe {
                     self.flush(device, cmd, false);
                     device.cmd_clear_color_image(cmd, image, vk::ImageLayout::TRANSFER_DST_OPTIMAL, &colour, &[WHOLE]);
@@ -164,7 +166,8 @@ impl Barriers {
                 .memory_barriers(&self.globals)
                 .image_memory_barriers(&self.images)
                 .buffer_memory_barriers(&self.buffers);
-            // SAFETY: the caller's.
+            // SAFETY: `cmd` is recording outside a render pass on a device with synchronization2; images and buffers are live, and
+            // in the layouts named.
             unsafe { device.cmd_pipeline_barrier2(cmd, &info) };
         }
         self.globals.clear();
@@ -179,7 +182,7 @@ impl Barriers {
 /// Obligations of `Executor::record`.
 pub(crate) unsafe fn buffer_barrier(device: &ash::Device, cmd: vk::CommandBuffer, buffer: vk::Buffer, from: Scope, to: Scope) {
     let barrier = between(buffer, &from, &to);
-    // SAFETY: the caller's.
+    // SAFETY: `cmd` is recording outside a render pass on a device with synchronization2, and the buffer is live.
     unsafe { device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().buffer_memory_barriers(&[barrier])) };
 }
 

@@ -51,7 +51,8 @@ impl Memory {
             labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
             allocated: AllocatedMemory::default(),
         };
-        // SAFETY: the caller's. What was created before a failure is destroyed when `this` is dropped.
+        // SAFETY: the device is live, and formats, extents and limits were checked against it. What was created before a failure is
+        // destroyed when `this` is dropped.
         unsafe {
             this.allocate_own(declaration, options)?;
             this.allocate_transient_images(declaration, options)?;

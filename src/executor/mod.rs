@@ -88,7 +88,8 @@ impl Executor {
     /// Obligations of [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is
     /// complete.
     pub unsafe fn new(host: Device<'_>, declaration: Declaration, options: ExecutorOptions) -> Result<Self, Error> {
-        // SAFETY: the caller's, for each of these.
+        // SAFETY: instance, physical device and device are live, belong together and outlive the executor; the device has
+        // synchronization2, and its formats and limits were checked first.
         unsafe {
             Requirements::new(&declaration).check_executor_device(host)?;
             let denoiser = Denoiser::new(host, declaration)?;
@@ -160,7 +161,7 @@ impl Executor {
     /// Obligations of [`Denoiser::replace_shader`].
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
-        // SAFETY: the caller's.
+        // SAFETY: no GPU work that is not complete uses the pipelines that are replaced, and `spirv` is valid for Vulkan 1.1.
         unsafe { self.denoiser.replace_shader(name, spirv) }
     }
 
@@ -175,7 +176,7 @@ impl Executor {
     /// order.
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
         #[cfg(feature = "capture")]
-        // SAFETY: the caller's: work recorded earlier with the frame's slot is complete.
+        // SAFETY: work recorded earlier with the frame's slot is complete, so that nothing writes to the buffers of its capture.
         unsafe {
             self.capture.collect(frame)
         };
@@ -184,11 +185,12 @@ impl Executor {
                 continue;
             }
             if !self.is_left_out(frame, pass) {
-                // SAFETY: the caller's.
+                // SAFETY: `cmd` is recording outside a render pass on a compute queue; bound images and buffers are live and in the
+                // state they were bound with; the slot's earlier work is complete.
                 unsafe { self.record_pass(cmd, frame, pass)? };
             } else if let Some(profiler) = &self.profiler {
                 // Times of a frame are read together, so there has to be one.
-                // SAFETY: the caller's.
+                // SAFETY: `cmd` is recording, and the first pass, which was recorded before, has reset the queries of the slot.
                 unsafe {
                     profiler.before_pass(cmd, frame.slot, pass);
                     profiler.after_pass(cmd, frame.slot, pass);
@@ -196,11 +198,11 @@ impl Executor {
             }
         }
         #[cfg(feature = "capture")]
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording; the inputs are live with usage `TRANSFER_SRC`, and the slot's earlier work is complete.
         unsafe {
             self.record_capture(cmd, frame, phase)
         };
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass, and what the host bound is live.
         unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())
     }
@@ -221,11 +223,12 @@ impl Executor {
         }
         // The time of the first one counts.
         let profiler = self.profiler.take();
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass on a compute queue; bound images and buffers are live and in the state
+        // they were bound with; the slot's earlier work is complete.
         let result = unsafe { self.record_pass(cmd, frame, pass) };
         self.profiler = profiler;
         result?;
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass, and what the host bound is live.
         unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())
     }
@@ -235,7 +238,8 @@ impl Executor {
     }
 
     pub(crate) unsafe fn record_pass(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, pass: usize) -> Result<(), Error> {
-        // SAFETY: the caller's, for each of these.
+        // SAFETY: `cmd` is recording outside a render pass on a compute queue; ours and the host's images and buffers are live, the
+        // barriers bring them to the declared states, and the slot's earlier work is complete.
         unsafe {
             if pass == 0 {
                 if let Some(profiler) = &mut self.profiler {

@@ -28,7 +28,7 @@ impl Profiler {
     /// # Safety
     /// Obligations of `Executor::new`.
     pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
-        // SAFETY: the caller's.
+        // SAFETY: instance and physical device are live and belong together.
         let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
         // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on
         // the queue.
@@ -45,7 +45,7 @@ impl Profiler {
         };
         for _ in 0..slots {
             let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(queries as u32);
-            // SAFETY: the caller's.
+            // SAFETY: the device is live, and outlives the pools: the host keeps it until the executor is gone.
             let pool = unsafe { host.device.create_query_pool(&info, None) }.map_err(Error::vulkan("vkCreateQueryPool"))?;
             this.pools.push(pool);
         }
@@ -78,28 +78,30 @@ impl Profiler {
     /// Obligations of `Executor::record`.
     pub unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
         self.recorded[slot as usize] = true;
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass; the pool is ours, and the work that used it last, of this slot, is
+        // complete.
         unsafe { self.device.cmd_reset_query_pool(cmd, self.pools[slot as usize], 0, self.ticks.len() as u32) };
     }
 
     /// # Safety
     /// Obligations of `Executor::record`.
     pub unsafe fn before_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording; `start` has reset the queries of this slot, and each is written once.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32) };
     }
 
     /// # Safety
     /// Obligations of `Executor::record`.
     pub unsafe fn after_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording; `start` has reset the queries of this slot, and each is written once.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32 + 1) };
     }
 
     unsafe fn stamp(&self, cmd: vk::CommandBuffer, slot: u32, stamp: u32) {
         let (stage, n) = (vk::PipelineStageFlags2::ALL_COMMANDS, self.queries_per_stamp as u32);
         for query in stamp * n..(stamp + 1) * n {
-            // SAFETY: the caller's.
+            // SAFETY: `cmd` is recording on a device with synchronization2; the pool is ours, and the query was reset in this
+            // frame.
             unsafe { self.device.cmd_write_timestamp2(cmd, stage, self.pools[slot as usize], query) };
         }
     }

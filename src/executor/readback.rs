@@ -60,7 +60,8 @@ impl Executor {
     ) -> Result<(), Error> {
         let (id, copy) = self.locate(name, frame, which)?;
         let storage = self.memory.storages.storage_mut(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
-        // SAFETY: the caller's.
+        // SAFETY: `cmd` is recording outside a render pass; the storage is live, has usage `TRANSFER_SRC` and the state that its
+        // scope says; `buffer` is live, with room for it.
         unsafe {
             let home = storage.scope;
             self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
@@ -86,9 +87,9 @@ impl Executor {
 unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Storage, buffer: vk::Buffer) {
     let scope = |stage, access| Scope { stage, access, layout: vk::ImageLayout::UNDEFINED };
     let copied = scope(vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
-    // SAFETY: the caller's. An earlier copy may have filled the same buffer.
+    // SAFETY: `cmd` is recording and the buffer live. An earlier copy may have filled the same buffer.
     unsafe { buffer_barrier(device, cmd, buffer, copied, copied) };
-    // SAFETY: the caller's.
+    // SAFETY: `cmd` is recording; image or buffer is live and in the state of a copy's source, and `buffer` has room for all of it.
     unsafe {
         match storage.object {
             Object::Image(StoredImage { image, extent, .. }) => {
@@ -101,6 +102,6 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Stora
             }
         }
     }
-    // SAFETY: the caller's.
+    // SAFETY: `cmd` is recording and the buffer live, written by the copy before.
     unsafe { buffer_barrier(device, cmd, buffer, copied, scope(vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_READ)) };
 }

@@ -91,7 +91,7 @@ impl Session {
     /// `spirv` is valid for Vulkan 1.1.
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
-        // SAFETY: every frame was waited for; the rest is the caller's.
+        // SAFETY: every frame was waited for, so that no work uses the old pipeline, and `spirv` is valid for Vulkan 1.1.
         unsafe { self.executor.replace_shader(name, spirv) }
     }
 

@@ -19,7 +19,7 @@ impl Staging {
     /// # Safety
     /// The handles are live, belong together and outlive the result.
     pub unsafe fn new(host: crate::Device<'_>, size: u64) -> Result<Self, Error> {
-        // SAFETY: the caller's.
+        // SAFETY: instance, physical device and device are live, belong together and outlive the result.
         unsafe {
             let types = host.instance.get_physical_device_memory_properties(host.physical_device);
             Self::of_types(host.device, &types, size)
@@ -37,7 +37,8 @@ impl Staging {
             size,
         };
         let usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST | vk::BufferUsageFlags::STORAGE_BUFFER;
-        // SAFETY: the caller's; what was created before a failure is destroyed when `this` is dropped.
+        // SAFETY: the device is live and outlives the result. What was created before a failure is destroyed when `this` is
+        // dropped.
         unsafe {
             let info = vk::BufferCreateInfo::default().size(size).usage(usage);
             this.buffer = device.create_buffer(&info, None).map_err(Error::vulkan("vkCreateBuffer"))?;
@@ -71,7 +72,7 @@ impl Staging {
 
 // SAFETY: the memory is ours alone, and the mapped bytes are reached through `&mut self` alone.
 unsafe impl Send for Staging {}
-// SAFETY: as above.
+// SAFETY: a shared reference reaches the handle and the size alone; the mapped bytes need `&mut self`.
 unsafe impl Sync for Staging {}
 
 impl Drop for Staging {

@@ -54,7 +54,9 @@ impl Graph {
         let mut reached = vec![false; self.passes.len()];
         reached[earlier] = true;
         for index in earlier + 1..=later {
-            let reads = |u: &&crate::contract::Use| u.frame == UseFrame::Current && u.access.reads();
+            // Every pass may count bad values, in any order.
+            let reads =
+                |u: &&crate::contract::Use| u.frame == UseFrame::Current && u.access.reads() && u.resource != self.statistics;
             reached[index] = self.passes[index].uses.iter().filter(reads).any(|u| {
                 let writers = self.touches(u.resource, UseFrame::Current, Access::writes);
                 writers.iter().any(|&writer| writer < index && reached[writer])

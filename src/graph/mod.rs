@@ -32,6 +32,8 @@ mod pass;
 mod port;
 mod resources;
 mod stage;
+#[cfg(test)]
+mod tests;
 
 pub use pass::Value;
 pub use port::*;

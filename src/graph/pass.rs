@@ -179,6 +179,12 @@ impl Graph {
                 resource.lifetime = Lifetime::History;
             }
         }
+        let of_name = self.passes.iter().filter_map(|p| p.shader()).find(|shader| shader.name == pass.shader.name);
+        if of_name.is_some_and(|other| *other != *pass.shader) {
+            // Pipelines, and code that is replaced, are found by this name.
+            let problem = format!("another shader is called `{}` as well; give one of them another name", pass.shader.name);
+            return self.fail(&pass.node, "shader", problem);
+        }
         let automatic = Automatic { frame: self.current(self.constants), statistics: self.current(self.statistics) };
         match matching::declare(&pass, &automatic, &self.resources) {
             Ok(declared) => {

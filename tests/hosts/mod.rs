@@ -1,14 +1,11 @@
 //! Hosts that share nothing but the contract give the same image, bit for bit, and none of them a validation message.
 //!
-//! Each runs in a process of its own, which is this test program once more: a host has no code for validation, so the layer is switched on
-//! from outside, and reports on the standard output.
+//! Each is a program of its own, an example of this package: a host has no code for validation, so the layer is switched on from outside, and
+//! reports on the standard output.
 
 mod cpp;
+mod examples;
 mod fewer_features;
-#[path = "../../examples/host_ash.rs"]
-mod host_ash;
-#[path = "../../examples/host_vk_graph.rs"]
-mod host_vk_graph;
 mod submissions;
 
 use super::support::{assert_valid, session};
@@ -42,18 +39,13 @@ pub fn configurations() -> impl Iterator<Item = Config> {
     presets.into_iter().map(|preset| Config { preset, ..Config::new(synthetic::EXTENT) })
 }
 
-/// Names the host that a process of this program runs instead of the tests.
+/// Set where a process of this program is a host that makes a mistake instead of the tests.
 const VARIABLE: &str = "ATROUS_TEST_HOST";
 
-/// Runs the host that the environment asks for; `None`: the tests are to be run.
+/// Runs the host with the mistake where the environment asks for it; `None`: the tests are to be run.
 pub fn run_as_host() -> Option<i32> {
-    let result = match std::env::var(VARIABLE).ok()?.as_str() {
-        "host_ash" => host_ash::main(),
-        "host_vk_graph" => host_vk_graph::main(),
-        "missing_barrier" => missing_barrier(),
-        other => Err(format!("no host is called {other}").into()),
-    };
-    Some(result.map_or_else(
+    std::env::var_os(VARIABLE)?;
+    Some(missing_barrier().map_or_else(
         |error| {
             eprintln!("{error}");
             1
@@ -80,13 +72,8 @@ pub fn checksums(name: &str, output: &Output) -> Vec<String> {
     out.lines().filter(|l| l.contains("checksum")).map(str::to_owned).collect()
 }
 
-fn run_host(name: &str) -> Output {
-    let mut command = Command::new(std::env::current_exe().expect("this program"));
-    validated(command.env(VARIABLE, name)).output().expect("a process")
-}
-
-fn of_host(name: &str) -> Vec<String> {
-    checksums(name, &run_host(name))
+fn of_example(name: &str) -> Vec<String> {
+    checksums(name, &validated(&mut Command::new(examples::program(name))).output().expect("a process"))
 }
 
 /// A frame that lacks a barrier, on a device that knows nothing of validation.
@@ -100,7 +87,8 @@ fn missing_barrier() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 fn the_layer_is_listening() {
-    let output = run_host("missing_barrier");
+    let mut command = Command::new(std::env::current_exe().expect("this program"));
+    let output = validated(command.env(VARIABLE, "missing_barrier")).output().expect("a process");
     let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
     assert!(text.contains("SYNC-HAZARD-READ-AFTER-WRITE") && text.contains("Validation"), "{text}");
 }
@@ -138,9 +126,9 @@ pub fn params(index: u32) -> FrameParams {
 }
 
 fn plain_ash_gives_the_bits_of_the_executor() {
-    assert_eq!(of_host("host_ash"), of_executor());
+    assert_eq!(of_example("host_ash"), of_executor());
 }
 
 fn vk_graph_gives_the_bits_of_the_executor() {
-    assert_eq!(of_host("host_vk_graph"), of_executor());
+    assert_eq!(of_example("host_vk_graph"), of_executor());
 }

@@ -85,7 +85,7 @@ impl Rig {
     pub fn staging(&mut self, size: usize) -> (vk::Buffer, *mut u8) {
         let gpu = self.gpu.clone();
         let usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
-        // SAFETY: as above.
+        // SAFETY: the device is live; the buffer and its memory are destroyed with the rig.
         unsafe {
             let info = vk::BufferCreateInfo::default().size(size as u64).usage(usage);
             let buffer = gpu.device().create_buffer(&info, None).expect("buffer");
@@ -105,7 +105,7 @@ impl Rig {
         let fits = |i: &u32| needs.memory_type_bits >> i & 1 == 1 && types.memory_types[*i as usize].property_flags.contains(flags);
         let index = (0..types.memory_type_count).find(fits).expect("a type of memory");
         let info = vk::MemoryAllocateInfo::default().allocation_size(needs.size).memory_type_index(index);
-        // SAFETY: as above.
+        // SAFETY: the device is live, and the memory is freed with the rig.
         let memory = unsafe { host.device.allocate_memory(&info, None) }.expect("memory");
         self.memory.push(memory);
         memory

@@ -31,7 +31,7 @@ impl Channels<'_> {
         let names = self.setup.mapping.roles.get(&role)?;
         let mut texels = vec![[0.0; 4]; self.setup.pixels()];
         let mut bad = vec![false; texels.len()];
-        for (component, name) in names.iter().enumerate().take(role.kind().len()) {
+        for (component, name) in names.iter().enumerate().take(role.kind().components()) {
             let Some(Samples::Float(values)) = self.samples.get(name) else { return None };
             for ((texel, value), bad) in texels.iter_mut().zip(values).zip(&mut bad) {
                 // An infinite depth is the sky.
@@ -76,19 +76,6 @@ impl Channels<'_> {
         };
         let both = self.setup.mapping.has(Role::Direct) && self.setup.mapping.has(Role::Indirect);
         match (self.setup.config.signals, both) {
-            (Signals::Together, true) => {
-                let parts = (self.vectors(Role::Direct), self.vectors(Role::Indirect));
-                if let (Some(direct), Some(indirect)) = parts {
-                    images.insert("noisy_radiance", combine(&direct, &indirect, |a, b| a + b));
-                }
-            }
-            (Signals::Together, false) if self.setup.mapping.has(Role::Lighting) => {
-                images.extend(self.vectors(Role::Lighting).map(|l| ("noisy_radiance", l)));
-            }
-            (Signals::Together, false) => {
-                let noisy = self.vectors(Role::Noisy);
-                images.extend(noisy.map(|n| ("noisy_radiance", rest(&n, &emission))));
-            }
             (Signals::Apart, true) => {
                 images.extend(self.vectors(Role::Direct).map(|d| ("noisy_direct", d)));
                 images.extend(self.vectors(Role::Indirect).map(|d| ("noisy_indirect", d)));
@@ -98,6 +85,19 @@ impl Channels<'_> {
                 let (noisy, direct) = (self.vectors(Role::Noisy), self.direct());
                 images.extend(noisy.map(|n| ("noisy_indirect", rest(&rest(&n, &emission), &direct))));
                 images.extend(direct.map(|d| ("noisy_direct", d)));
+            }
+            (_, true) => {
+                let parts = (self.vectors(Role::Direct), self.vectors(Role::Indirect));
+                if let (Some(direct), Some(indirect)) = parts {
+                    images.insert("noisy_radiance", combine(&direct, &indirect, |a, b| a + b));
+                }
+            }
+            (_, false) if self.setup.mapping.has(Role::Lighting) => {
+                images.extend(self.vectors(Role::Lighting).map(|l| ("noisy_radiance", l)));
+            }
+            (_, false) => {
+                let noisy = self.vectors(Role::Noisy);
+                images.extend(noisy.map(|n| ("noisy_radiance", rest(&n, &emission))));
             }
         }
         images.extend(emission.map(|e| ("emission", e)));

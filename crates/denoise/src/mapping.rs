@@ -144,8 +144,9 @@ impl Names<'_> {
         layers.dedup();
         let in_view = |l: &&&str| view.as_ref().is_some_and(|v| l.starts_with(&format!("{v}.")));
         let preferred = layers.iter().find(in_view).or(layers.first());
-        let whole =
-            || (entry.role.kind().len() == 1 && !ending.is_empty()).then(|| self.find(ending).map(|name| vec![name])).flatten();
+        let whole = || {
+            (entry.role.kind().components() == 1 && !ending.is_empty()).then(|| self.find(ending).map(|name| vec![name])).flatten()
+        };
         preferred.and_then(|l| self.layer(l, entry.components)).or_else(whole)
     }
 
@@ -164,7 +165,7 @@ impl Names<'_> {
 
     fn asked_for(&self, path: &Path, role: Role, name: &str, header: &ExrHeader) -> Result<Vec<String>> {
         let missing = || ToolError::NoChannel { path: path.to_owned(), channel: name.to_owned(), known: list(header) };
-        let wanted = role.kind().len();
+        let wanted = role.kind().components();
         let parts: Vec<&str> = name.split(',').map(str::trim).collect();
         if parts.len() == wanted && parts.iter().all(|p| self.find(&p.to_lowercase()).is_some()) {
             return Ok(parts.iter().filter_map(|p| self.find(&p.to_lowercase())).collect());

@@ -82,7 +82,7 @@ pub enum Kind {
 
 impl Kind {
     /// Numbers per pixel.
-    pub const fn len(self) -> usize {
+    pub const fn components(self) -> usize {
         match self {
             Self::Colour | Self::Vector => 3,
             Self::Motion => 2,

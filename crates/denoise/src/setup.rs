@@ -203,8 +203,8 @@ fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
         lines.push(format!("  {:<16} {}", role.name(), short(names)));
     }
     let signals = match config.signals {
-        Signals::Together => "together, as one signal",
         Signals::Apart => "direct and indirect apart",
+        _ => "together, as one signal",
     };
     lines.push(format!("  {:<16} {signals}, by {}", "filtered", config.preset.title()));
     lines

@@ -126,11 +126,81 @@ fn default_of(spirv: &[u32], spec_id: u32) -> Option<u32> {
     const FALSE: u32 = 49;
     const CONSTANT: u32 = 50;
     let decorated = |i: &&[u32]| i[0] & 0xffff == DECORATE && i.len() == 4 && i[2] == SPEC_ID && i[3] == spec_id;
-    let id = instructions(spirv).find(|i| decorated(&i))?[1];
+    let id = instructions(spirv).find(decorated)?[1];
     instructions(spirv).find_map(|i| match (i[0] & 0xffff, i.len()) {
         (TRUE, 3) if i[2] == id => Some(1),
         (FALSE, 3) if i[2] == id => Some(0),
         (CONSTANT, 4) if i[2] == id => Some(i[3]),
         _ => None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "#version 450
+        #extension GL_EXT_samplerless_texture_functions : require
+        layout(local_size_x = 16, local_size_y = 4) in;
+        layout(constant_id = 0) const uint WIRED = 0xffffffffu;
+        layout(constant_id = 3) const bool BOX = true;
+        const int RADIUS = BOX ? 1 : 2;
+        layout(push_constant) uniform Push { uint present; float sigma_l; } push;
+        layout(set = 0, binding = 2) uniform texture2D first;
+        layout(set = 0, binding = 7) uniform texture2D second;
+        layout(set = 0, binding = 4, r32f) uniform writeonly image2D result;";
+    const MAIN: &str = "void main() {
+            vec4 value = texelFetch(first, ivec2(RADIUS), 0) * push.sigma_l;
+            if ((WIRED & push.present) != 0u) value += texelFetch(second, ivec2(0), 0);
+            imageStore(result, ivec2(0), value);
+        }";
+
+    fn reflected(source: &str, optional: &[&str]) -> Result<Shader, String> {
+        let mut options = shaderc::CompileOptions::new().expect("options");
+        options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
+        let compiler = shaderc::Compiler::new().expect("shaderc");
+        let compiled = compiler.compile_into_spirv(source, shaderc::ShaderKind::Compute, "mine", "main", Some(&options));
+        let compiled = compiled.expect("GLSL");
+        let optional: Vec<_> = optional.iter().map(|name| (*name).to_owned()).collect();
+        reflect("mine", "mine_1", compiled.as_binary_u8().to_vec(), compiled.as_binary(), &optional)
+    }
+
+    #[test]
+    fn a_module_tells_its_bindings_members_constants_and_workgroup() {
+        let shader = reflected(&format!("{HEAD} {MAIN}"), &["second"]).expect("a shader");
+        assert_eq!((&*shader.stage, &*shader.name, shader.workgroup), ("mine", "mine_1", [16, 4, 1]));
+        let bindings: Vec<_> = shader.bindings.iter().map(|b| (b.number, &*b.name, b.kind, b.optional)).collect();
+        let sampled = BindingKind::SampledImage(Component::Float);
+        let written = BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly);
+        assert_eq!(bindings, [(2, "first", sampled, false), (4, "result", written, false), (7, "second", sampled, true)]);
+        let members: Vec<_> = shader.members.iter().map(|m| (&*m.name, m.offset, m.scalar)).collect();
+        assert_eq!(members, [("present", 0, Scalar::Uint), ("sigma_l", 4, Scalar::Float)]);
+        let constants: Vec<_> = shader.constants.iter().map(|c| (&*c.name, c.id, c.scalar, c.default)).collect();
+        assert_eq!(constants, [("WIRED", 0, Scalar::Uint, u32::MAX), ("BOX", 3, Scalar::Bool, 1)]);
+    }
+
+    #[test]
+    fn what_a_pass_cannot_be_made_of_is_named() {
+        let edits = [
+            ("first;", "first;", "result", "no other binding of its kind"),
+            ("binding = 7", "binding = 32", "second", "numbers are 0 to 31"),
+            ("binding = 7", "binding = 2", "second", "another one has its number"),
+            ("set = 0, binding = 7", "set = 1, binding = 7", "second", "descriptor set 1"),
+            ("float sigma_l", "float sigma_l; float many[31]", "second", "`many` is of type"),
+            ("uint present", "layout(offset = 124) uint present", "second", "132 bytes of push constants"),
+            ("uint present;", "uint bits;", "second", "needs the constant WIRED and the push constant `present`"),
+            ("uniform texture2D second", "uniform itexture2D second", "second", "sampled image of i32"),
+            ("r32f) uniform writeonly image2D", "rg32f) uniform writeonly image2D", "second", "Rg32f"),
+        ];
+        for (old, new, optional, problem) in edits {
+            let main = if new.contains("bits") { MAIN.replace("present", "bits") } else { MAIN.to_owned() };
+            let main = if new.contains("itexture2D") {
+                main.replace("texelFetch(second, ivec2(0), 0)", "vec4(texelFetch(second, ivec2(0), 0))")
+            } else {
+                main
+            };
+            let error = reflected(&format!("{} {main}", HEAD.replacen(old, new, 1)), &[optional]).expect_err(problem);
+            assert!(error.contains(problem) && error.starts_with("mine_1"), "{error}");
+        }
+    }
 }

@@ -287,7 +287,7 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
     ];
     match options.signals {
         Signals::Apart => inputs.extend([("noisy_direct", &outputs.direct), ("noisy_indirect", &outputs.indirect)]),
-        Signals::Together => inputs.push(("noisy_radiance", &outputs.scattered)),
+        _ => inputs.push(("noisy_radiance", &outputs.scattered)),
     }
     if let Some(volume) = tracer.volume() {
         inputs.push(("noisy_volume", &volume.noisy_volume));

@@ -99,7 +99,7 @@ impl Capturing {
     /// GPU work recorded with the slot for earlier frames is complete.
     pub unsafe fn collect(&mut self, frame: &FrameContext) {
         if self.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index != frame.index) {
-            // SAFETY: the caller's.
+            // SAFETY: GPU work recorded with the slot for earlier frames is complete, so that nothing writes to its buffers.
             unsafe { self.write(frame.slot) };
         }
         match self.begun.iter().position(|f| f.index == frame.index) {
@@ -160,7 +160,7 @@ impl Capturing {
         let mut slots: Vec<_> = self.slots.iter().filter_map(|(slot, s)| Some((s.frame?.index, *slot))).collect();
         slots.sort_unstable();
         for (_, slot) in slots {
-            // SAFETY: the caller's.
+            // SAFETY: all GPU work that was recorded is complete, so that nothing writes to the buffers of any slot.
             unsafe { self.write(slot) };
         }
         self.slots.clear();
@@ -232,7 +232,7 @@ impl Executor {
     /// # Safety
     /// GPU work recorded with this executor is complete.
     pub unsafe fn finish_capture(&mut self) -> Result<u32, Error> {
-        // SAFETY: the caller's.
+        // SAFETY: all GPU work that was recorded with this executor is complete, so that nothing writes to its buffers.
         unsafe { self.capture.finish() }
     }
 }

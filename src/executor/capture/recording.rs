@@ -22,7 +22,7 @@ impl Executor {
         let is_last = inputs.iter().filter_map(|(id, _)| last_phase(*id)).max() == Some(phase);
         let here: Vec<_> = inputs.iter().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
         for (id, name) in here {
-            // SAFETY: the caller's.
+            // SAFETY: `cmd` is recording outside a render pass; the slot's earlier work is complete, so that its buffers are idle.
             if let Err(error) = unsafe { self.copy_input(cmd, frame, *id, name) } {
                 return self.capture.fail(error);
             }
@@ -55,7 +55,8 @@ impl Executor {
         slot.copies.push(Copied { name: name.to_owned(), format, bytes });
         let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
         let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
-        // SAFETY: the caller's; image and buffer are live and large enough, and the input is handed back at the end of the phase.
+        // SAFETY: `cmd` is recording; image and buffer are live and large enough, and the input is handed back at the end of the
+        // phase.
         unsafe {
             self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
             copy(&self.device, cmd, storage, extent, buffer, bytes as u64);

@@ -106,7 +106,7 @@ impl DescriptorSet {
                     write.buffer_info(&buffers)
                 }
             };
-            // SAFETY: the set is new and not in use; the caller owns live buffers and views.
+            // SAFETY: the set is new, so no work uses it; who makes the set keeps buffers and views as long.
             unsafe { gpu.device().update_descriptor_sets(&[write], &[]) };
         }
         Ok(set)
@@ -128,7 +128,7 @@ impl DescriptorSet {
                 .dst_binding(index as u32)
                 .descriptor_type(*kind)
                 .image_info(&info);
-            // SAFETY: the caller owns live views, and no work uses the set.
+            // SAFETY: the views are of live images, and no work uses the set, since every submission here is waited for.
             unsafe { self.shared.device.update_descriptor_sets(&[write], &[]) };
         }
     }

@@ -59,7 +59,7 @@ impl Fullscreen {
     /// # Errors
     /// No memory.
     pub fn make_pipeline(&mut self, render_pass: vk::RenderPass, subpass: u32, fragment: &Shader) -> Result<()> {
-        // SAFETY: ours or null, and not in use, says the caller.
+        // SAFETY: the pipeline is ours or null, and the presenter waits for its frames before it changes the format.
         unsafe { self.gpu.device().destroy_pipeline(self.pipeline, None) };
         self.pipeline = vk::Pipeline::null();
         self.pipeline = create_pipeline(&self.gpu, self.layout, render_pass, subpass, fragment)?;
@@ -75,7 +75,7 @@ impl Fullscreen {
                 .dst_binding(binding)
                 .descriptor_type(self.kind)
                 .image_info(&info);
-            // SAFETY: the set is not in use, says the caller; the view is alive.
+            // SAFETY: the frame that read the set last is complete: its slot came round, or all were waited for. The view is alive.
             unsafe { self.gpu.device().update_descriptor_sets(&[write], &[]) };
         }
     }
@@ -124,7 +124,7 @@ fn create_pipeline(
         unsafe { gpu.device().destroy_shader_module(fragment, None) };
         made
     });
-    // SAFETY: as above.
+    // SAFETY: the module is ours, and a pipeline does not need it once it is made.
     unsafe { gpu.device().destroy_shader_module(vertex, None) };
     made
 }

@@ -169,6 +169,7 @@ fn explained(view: DebugView) -> &'static str {
         DebugView::BadValues => {
             "Inputs that were not finite: a bar each for depth, normal, motion, radiance, albedo, emission, forward motion"
         }
+        _ => "A view that this window has no words for",
     }
 }
 

@@ -83,7 +83,7 @@ fn tone_mapped(x: [f32; 3], curve: ToneCurve) -> [f32; 3] {
     match curve {
         ToneCurve::Aces => x.map(|c| c.min(1e4)).map(|c| c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)),
         ToneCurve::Reinhard => x.map(|c| c / (1.0 + luminance)),
-        ToneCurve::Linear => x,
+        _ => x,
     }
 }
 
