@@ -13,19 +13,19 @@
 // Bytes of a name, with its null.
 #define ATROUS_NAME_SIZE 64
 
-// Most uses that a pass has.
+// Largest number of uses that a pass has.
 #define ATROUS_MAX_USES 32
 
 // Bytes of the text of a report, with its null.
 #define ATROUS_REPORT_SIZE 4096
 
-// What a function of the C ABI returns.
+// The result of a function of the C ABI.
 enum AtrousStatus
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t
 #endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
  {
-  // Done.
+  // Success.
   ATROUS_STATUS_OK = 0,
   // A pointer is null, a struct_size is wrong, or a value is out of range.
   ATROUS_STATUS_INVALID_ARGUMENT = 1,
@@ -55,7 +55,7 @@ typedef uint32_t AtrousStatus;
 // A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 typedef struct AtrousDenoiser AtrousDenoiser;
 
-// What is decided once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
+// Choices that are made once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
 // parentheses.
 typedef struct AtrousConfig {
   // sizeof(AtrousConfig).
@@ -76,17 +76,17 @@ typedef struct AtrousConfig {
   uint32_t volume;
   // 1: fireflies are removed before accumulation; the percentile preset always does.
   uint32_t firefly_filter;
-  // How the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
+  // The rule by which the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
   uint32_t adaptive_rule;
-  // How percentiles are found: 0 (counting), 1 (odd_even).
+  // The way in which percentiles are found: 0 (counting), 1 (odd_even).
   uint32_t block_sort;
   // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
   uint32_t eaw_weights;
-  // How many pixels of EAW's input have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
+  // Share of the pixels of EAW's input that have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
   uint32_t sampling;
   // Side of the strata of temporal gradients, 2 to 4 pixels.
   uint32_t stratum_size;
-  // Where gradients come from: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
+  // Source of gradients: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
   uint32_t gradient_source;
   // 1: the host has an image of forward motion.
   uint32_t forward_motion;
@@ -96,9 +96,9 @@ typedef struct AtrousConfig {
   uint32_t object_normal;
   // Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
   uint32_t post_process;
-  // What depth is: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
+  // Encoding of depth: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
   uint32_t depth;
-  // How normals are encoded: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
+  // Encoding of normals: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
   uint32_t normal;
   // Space of the normals: 0 (world), 1 (view).
   uint32_t normal_space;
@@ -110,10 +110,10 @@ typedef struct AtrousConfig {
   uint32_t motion_y_up;
   // 1: the motion includes the change of jitter.
   uint32_t motion_jittered;
-  // What z of the motion is: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
+  // Meaning of z of the motion: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
   // depth.
   uint32_t motion_depth;
-  // Which way the camera looks in view space: 0 (negative_z), 1 (positive_z).
+  // Direction in which the camera looks in view space: 0 (negative_z), 1 (positive_z).
   uint32_t view_forward;
   // Linear depths from here on are background.
   float background_depth;
@@ -121,14 +121,14 @@ typedef struct AtrousConfig {
   uint32_t debug_view;
 } AtrousConfig;
 
-// Once per frame; `atrous_frame_params_default` fills it.
+// Parameters of a frame; `atrous_frame_params_default` fills it.
 typedef struct AtrousFrameParams {
   // sizeof(AtrousFrameParams).
   uint32_t struct_size;
-  // Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
+  // Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
   uint32_t frame_slot;
-  // Why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift), 6
-  // (exposure_jump). A host need not say that it is created.
+  // The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift),
+  // 6 (exposure_jump). A host need not report that it is created.
   uint32_t reset;
   // Width rendered this frame, anchored top left.
   uint32_t render_width;
@@ -140,18 +140,18 @@ typedef struct AtrousFrameParams {
   float clip_from_view[16];
   // Offset of the samples from the pixel centres, pixels.
   float jitter[2];
-  // This frame's exposure divided by the previous one's.
+  // Exposure of this frame divided by that of the previous one.
   float exposure_ratio;
   // 1: the host re-shades this frame's `gradient_samples`.
   uint32_t reshaded;
-  // What the pass `debug_view` shows; without one the host leaves the pass out.
+  // The view of the pass `debug_view`; without one the host leaves the pass out.
   //
   // 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
   // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values).
   uint32_t debug_view;
 } AtrousFrameParams;
 
-// Where the passes run. Handles stay the host's.
+// The device on which the passes run. Handles stay the host's.
 typedef struct AtrousCreateInfo {
   // sizeof(AtrousCreateInfo).
   uint32_t struct_size;
@@ -204,7 +204,7 @@ typedef struct AtrousResource {
   AtrousName name;
 } AtrousResource;
 
-// How a pass uses a resource.
+// The use of a resource by a pass.
 typedef struct AtrousUse {
   // Index of the resource.
   uint32_t resource;
@@ -238,7 +238,7 @@ typedef struct AtrousPass {
   uint32_t use_count;
   // The first `use_count` are set.
   struct AtrousUse uses[ATROUS_MAX_USES];
-  // For labels and profiles.
+  // Name for labels and profiles.
   AtrousName name;
 } AtrousPass;
 
@@ -266,7 +266,7 @@ typedef struct AtrousTuningField {
   float max;
   // Default.
   float default_value;
-  // For atrous_set_tuning.
+  // Name for atrous_set_tuning.
   AtrousName name;
 } AtrousTuningField;
 
@@ -274,19 +274,19 @@ typedef struct AtrousTuningField {
 typedef struct AtrousFrame {
   // sizeof(AtrousFrame), set by the host before `atrous_begin_frame`.
   uint32_t struct_size;
-  // As in AtrousFrameParams.
+  // The frame slot of AtrousFrameParams.
   uint32_t frame_slot;
   // Counts frames from 0.
   uint64_t index;
   // Counts resizes.
   uint64_t generation;
-  // Which copy of a resource with two copies is the current one: 0 or 1. The other one is the previous.
+  // The copy of a resource with two copies that is the current one: 0 or 1. The other one is the previous.
   uint32_t current_copy;
   // Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
   uint32_t reset;
 } AtrousFrame;
 
-// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
+// The binding for a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
 // input that is absent.
 typedef struct AtrousBinding {
   // The image of the view: a transfer write has no use for a view.
@@ -303,7 +303,7 @@ typedef struct AtrousBinding {
   uint64_t range;
 } AtrousBinding;
 
-// What the host gave for one frame, read back: tightly packed rows of width texels, each four floats.
+// Guides of the host for one frame, read back: tightly packed rows of width texels, each four floats.
 typedef struct AtrousGuides {
   // sizeof(AtrousGuides).
   uint32_t struct_size;
@@ -323,8 +323,8 @@ typedef struct AtrousGuides {
   const uint32_t *surface_id;
 } AtrousGuides;
 
-// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the frames cannot tell;
-// 4 not given.
+// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
+// frames cannot tell; 4 not given.
 typedef struct AtrousConventionReport {
   // sizeof(AtrousConventionReport), set by the host.
   uint32_t struct_size;
@@ -385,7 +385,7 @@ AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser,
                            uint32_t width,
                            uint32_t height);
 
-// How many resources and passes there are. Either pointer may be null.
+// Gives the numbers of resources and passes. Either pointer may be null.
 //
 // # Safety
 // Pointers are null or valid.
@@ -446,9 +446,9 @@ AtrousStatus atrous_begin_frame(struct AtrousDenoiser *denoiser,
 // Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
 //
 // # Safety
-// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every binding has its
-// declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work that was recorded earlier
-// with the same frame_slot is complete.
+// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every
+// binding has its declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work
+// that was recorded earlier with the same frame_slot is complete.
 AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            const struct AtrousFrame *frame,
                            VkCommandBuffer command_buffer,
@@ -456,8 +456,8 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
 
-// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names the likely
-// mistake. Needs no denoiser and no device.
+// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names
+// the likely mistake. Needs no denoiser and no device.
 //
 // # Safety
 // Pointers are null or valid with their struct_size set; images have as many texels as their extent says.

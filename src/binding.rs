@@ -1,4 +1,4 @@
-//! What a host binds to the uses of a pass, and whether it fits.
+//! Bindings of a host for the uses of a pass, and the check that they fit.
 
 use crate::contract::{Access, Declaration, Dispatch, Lifetime, PassDecl, Shape, Slot};
 use crate::error::Error;
@@ -8,7 +8,7 @@ use ash::vk;
 /// Inputs without which a graph with gradients has none.
 const GRADIENT_INPUTS: [&str; 2] = ["reshaded_radiance", "sparse_gradient"];
 
-/// What a host binds to one use of a pass.
+/// The binding of a host for one use of a pass.
 ///
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,14 +17,14 @@ pub enum Binding {
     Image {
         /// 2D colour (or depth) view of mip 0, layer 0.
         view: vk::ImageView,
-        /// Its layout.
+        /// Layout of the image.
         layout: vk::ImageLayout,
     },
     /// An image itself, for a use with [`crate::Access::Clear`]: mip 0, layer 0, in `TRANSFER_DST_OPTIMAL` or `GENERAL`.
     ClearedImage {
         /// Colour image.
         image: vk::Image,
-        /// Its layout.
+        /// Layout of the image.
         layout: vk::ImageLayout,
     },
     /// A range of a buffer.
@@ -68,12 +68,13 @@ pub(crate) fn present(dispatch: &Dispatch, bindings: &[Binding]) -> u32 {
     bound.fold(0, |bits, (_, binding)| bits | 1 << binding.number)
 }
 
-/// What the host bound to a slot.
+/// The binding of the host for a slot.
 fn given(slot: Slot, bindings: &[Binding]) -> Option<Binding> {
     slot.wired.and_then(|i| bindings.get(i)).copied().filter(|binding| *binding != Binding::Absent)
 }
 
-/// What a descriptor is pointed at: for a binding that is absent another one of its kind, which the shader then does not read.
+/// The binding that a descriptor points at: for a binding that is absent another one of its kind, which the shader then does not
+/// read.
 pub(crate) fn descriptor(slot: Slot, bindings: &[Binding]) -> Binding {
     given(slot, bindings).or_else(|| bindings.get(slot.stand_in).copied()).unwrap_or(Binding::Absent)
 }

@@ -17,7 +17,7 @@ pub struct Denoiser {
     state: FrameState,
     device: ash::Device,
     pipelines: Pipelines,
-    /// Whether it was said that gradients are missing.
+    /// Whether the warning about missing gradients was logged.
     warned: bool,
 }
 
@@ -26,7 +26,7 @@ impl Denoiser {
     /// ([`crate::graph::Graph::finish`]).
     ///
     /// # Errors
-    /// As [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
+    /// Errors of [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
     ///
     /// # Safety
     /// Instance, physical device and device are live, belong together and outlive the result.
@@ -46,7 +46,7 @@ impl Denoiser {
     /// Starts a frame.
     ///
     /// # Errors
-    /// As [`FrameState::begin`].
+    /// Errors of [`FrameState::begin`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let frame = self.state.begin(self.declaration.setup(), params, tuning)?;
         if self.declaration.reshades() && !params.reshaded && frame.reset.is_none() {
@@ -55,7 +55,7 @@ impl Denoiser {
         Ok(frame)
     }
 
-    /// Once: a host that leaves them out does so in every frame.
+    /// Warns once, since a host that leaves gradients out does so in every frame.
     fn warn_of_missing_gradients(&mut self, why: &str) {
         if !std::mem::replace(&mut self.warned, true) {
             log::warn!("atrous: {why}. Without gradients history is dropped for geometry alone, as in SVGF");
@@ -67,15 +67,17 @@ impl Denoiser {
         self.state.invalidate();
     }
 
-    /// Gives the passes that run a shader other code, and keeps the history. Whether there are such passes. The old code stays where this fails.
+    /// Gives the passes that run a shader other code, and keeps the history. Whether there are such passes. The old code stays
+    /// where this fails.
     ///
     /// # Errors
-    /// As [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
+    /// Errors of [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
     ///
     /// # Safety
     /// - `spirv` is valid for Vulkan 1.1: what a compiler made, not what a stranger sent.
-    /// - GPU work that was recorded with this denoiser is complete, in every frame slot, and none is recorded that has yet to be submitted: the
-    ///   old pipeline is destroyed. A host with frames in flight waits for all of them, for example with `vkDeviceWaitIdle`.
+    /// - GPU work that was recorded with this denoiser is complete, in every frame slot, and none is recorded that has yet to be
+    ///   submitted: the old pipeline is destroyed. A host with frames in flight waits for all of them, for example with
+    ///   `vkDeviceWaitIdle`.
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
         crate::hot_reload::check(name, spirv)?;
@@ -85,16 +87,17 @@ impl Denoiser {
 
     /// Records one pass: no barrier, no allocation of memory, no submission.
     ///
-    /// `bindings` stand in the order of the pass's `uses`. Clobbers: compute pipeline, compute descriptor set 0, push constants (and thereby
-    /// the state of `VK_EXT_descriptor_heap`).
+    /// `bindings` stand in the order of the pass's `uses`. Clobbers: compute pipeline, compute descriptor set 0, push constants
+    /// (and thereby the state of `VK_EXT_descriptor_heap`).
     ///
     /// # Errors
     /// [`Error::Bindings`] or [`Error::NotBound`] when `bindings` do not fit the pass; nothing is recorded then.
     ///
     /// # Safety
     /// - `cmd` is recording, outside a render pass, for a queue family with `COMPUTE`, on the device of [`Denoiser::new`].
-    /// - Every binding honours its use: the view has the declared format and the allocated extent (an input: at least the render extent), its
-    ///   layout is reached, earlier writes are visible, it is not written concurrently, and it outlives the execution of `cmd`.
+    /// - Every binding honours its use: the view has the declared format and the allocated extent (an input: at least the render
+    ///   extent), its layout is reached, earlier writes are visible, it is not written concurrently, and it outlives the execution
+    ///   of `cmd`.
     /// - GPU work recorded earlier with the same `frame_slot` is complete.
     pub unsafe fn record(
         &mut self,
@@ -136,8 +139,8 @@ impl Denoiser {
         let push = &bytemuck::bytes_of(&push)[..dispatch.shader.push_bytes() as usize];
         let [x, y] = workgroups(dispatch, frame);
         let point = vk::PipelineBindPoint::COMPUTE;
-        // SAFETY: `cmd` is recording outside a render pass; pipeline, layout and set belong together, and the set is not in use, since earlier
-        // work of the slot is complete.
+        // SAFETY: `cmd` is recording outside a render pass; pipeline, layout and set belong together, and the set is not in use,
+        // since earlier work of the slot is complete.
         unsafe {
             self.write_set(bindable.set, dispatch, bindings);
             self.device.cmd_bind_pipeline(cmd, point, bindable.pipeline);
@@ -177,7 +180,8 @@ impl Denoiser {
         unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[range]) };
     }
 
-    /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not read.
+    /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not
+    /// read.
     unsafe fn write_set(&self, set: vk::DescriptorSet, dispatch: &Dispatch, bindings: &[Binding]) {
         let mut images = [vk::DescriptorImageInfo::default(); MAX_BINDINGS];
         let mut buffers = [vk::DescriptorBufferInfo::default(); MAX_BINDINGS];

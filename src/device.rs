@@ -1,4 +1,4 @@
-//! What a host lends: its device.
+//! The device of a host.
 
 use ash::vk;
 

@@ -2,14 +2,14 @@
 
 use ash::vk;
 
-/// Everything that can go wrong. A message says what was given, what is allowed and what to do.
+/// Everything that can go wrong. A message names the value that was given, the allowed ones and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// An extent is zero or too large.
     #[error("{what} is {given:?} pixels; each side must be 1 to {max}. Give the extent of the image that is filtered")]
     Extent {
-        /// Which extent.
+        /// The field with the extent.
         what: &'static str,
         /// Width and height as given.
         given: [u32; 2],
@@ -76,7 +76,7 @@ pub enum Error {
     FrameParams {
         /// Field.
         name: &'static str,
-        /// What is wrong and what is expected.
+        /// The mistake, and the expected value.
         problem: &'static str,
     },
     /// The device cannot run the passes.
@@ -109,9 +109,9 @@ pub enum Error {
     Graph {
         /// Name of the node.
         node: String,
-        /// Its port: a binding of its shader, a parameter, or a resource.
+        /// Port of the node: a binding of its shader, a parameter, or a resource.
         port: String,
-        /// What was given, what is allowed, and what to do.
+        /// The value that was given, the allowed ones, and the remedy.
         problem: String,
     },
     /// A shader of a host that cannot be a stage.
@@ -119,7 +119,7 @@ pub enum Error {
     Stage {
         /// Name of the stage.
         stage: String,
-        /// What was given, what is allowed, and what to do.
+        /// The value that was given, the allowed ones, and the remedy.
         problem: String,
     },
     /// No resource has this name.
@@ -137,9 +137,9 @@ pub enum Error {
         stage: String,
         /// Name of the binding or of the specialisation constant.
         binding: String,
-        /// What it needs.
+        /// Kind of image or value that the stage needs.
         needed: &'static str,
-        /// What it was given.
+        /// Kind of image or value that it was given.
         given: String,
     },
     /// An image with a wrong format.
@@ -149,7 +149,7 @@ pub enum Error {
         resource: String,
         /// Format as given.
         given: vk::Format,
-        /// What it takes.
+        /// Formats that the resource takes.
         allowed: String,
     },
     /// An image or a slice of texels with a wrong size.
@@ -157,17 +157,17 @@ pub enum Error {
     Size {
         /// Resource.
         resource: String,
-        /// As given.
+        /// Size that was given.
         given: String,
-        /// As needed.
+        /// Size that is needed.
         needed: String,
     },
     /// Memory ran out.
     #[error("out of memory while allocating {bytes} bytes for {what}; lower the allocated extent or free memory on the device")]
     OutOfMemory {
-        /// For what.
+        /// Purpose of the memory.
         what: String,
-        /// How much.
+        /// Size of the memory, bytes.
         bytes: u64,
     },
     /// A capture cannot be started, or ended early.
@@ -175,15 +175,15 @@ pub enum Error {
     Capture {
         /// File or folder.
         path: std::path::PathBuf,
-        /// What is wrong and what to do.
+        /// The mistake and the remedy.
         problem: String,
     },
     /// A shader that cannot take the place of the one that the program was built with.
     #[error("shader `{shader}`: {difference}. The program was built for the other one: build it again")]
     ShaderInterface {
-        /// Its name.
+        /// Name of the shader.
         shader: String,
-        /// What is different, as given and as built.
+        /// The difference between the given interface and the built one.
         difference: String,
     },
     /// A Vulkan call failed.
@@ -191,13 +191,13 @@ pub enum Error {
     Vulkan {
         /// Vulkan function.
         call: &'static str,
-        /// Its result.
+        /// Result of the call.
         result: vk::Result,
     },
 }
 
 impl Error {
-    /// For `map_err` on a Vulkan call.
+    /// The error of a Vulkan call, for `map_err`.
     pub(crate) fn vulkan(call: &'static str) -> impl FnOnce(vk::Result) -> Self {
         move |result| Self::Vulkan { call, result }
     }

@@ -41,6 +41,11 @@ mod shaders;
 #[doc = include_str!("../docs/integrate.md")]
 struct Integrate;
 
+/// The examples in docs/add_a_stage.md.
+#[cfg(all(doctest, feature = "host-stages"))]
+#[doc = include_str!("../docs/add_a_stage.md")]
+struct AddAStage;
+
 pub use binding::Binding;
 pub use choice::Choice;
 pub use config::Config;

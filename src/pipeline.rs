@@ -17,7 +17,7 @@ struct Pipeline {
     pipeline: vk::Pipeline,
 }
 
-/// What a dispatch binds.
+/// The objects that a dispatch binds.
 #[derive(Clone, Copy)]
 pub(crate) struct Bindable {
     pub layout: vk::PipelineLayout,
@@ -30,7 +30,7 @@ pub(crate) struct Pipelines {
     device: ash::Device,
     pipelines: BTreeMap<Key, Pipeline>,
     pools: Vec<vk::DescriptorPool>,
-    /// By slot, then pass.
+    /// Objects by slot, then pass.
     bindables: Vec<Vec<Option<Bindable>>>,
 }
 
@@ -53,7 +53,7 @@ impl Pipelines {
         Ok(this)
     }
 
-    /// What to bind for a pass; `None` for a pass that is no dispatch.
+    /// The objects to bind for a pass; `None` for a pass that is no dispatch.
     pub fn bindable(&self, slot: u32, pass: usize) -> Option<Bindable> {
         *self.bindables.get(slot as usize)?.get(pass)?
     }

@@ -1,4 +1,4 @@
-//! What a device must have, checked before anything is created.
+//! Requirements on a device, checked before anything is created.
 
 use crate::contract::{Declaration, Lifetime, Shape};
 use crate::device::Device;
@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::shaders::BindingKind;
 use ash::vk;
 
-/// What the passes of a declaration need of a device. All of it is mandatory in Vulkan 1.1, so a check fails only on devices that are
+/// The needs of the passes of a declaration. All of them are mandatory in Vulkan 1.1, so a check fails only on devices that are
 /// older, have no compute queue, or are too small for the extent, and on formats that a host's own stage asks for.
 #[derive(Clone, Debug)]
 pub struct Requirements {
@@ -110,7 +110,7 @@ impl Requirements {
     /// [`Error::Unsupported`].
     ///
     /// # Safety
-    /// As [`Self::check`].
+    /// Obligations of [`Self::check`].
     pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
         // SAFETY: the instance is live, and the physical device is one of its own.
         unsafe { self.check(instance, physical_device)? };
@@ -128,7 +128,7 @@ impl Requirements {
         Ok(())
     }
 
-    /// As [`Self::check_executor`], and that the host enabled it on the device that it created.
+    /// Checks what [`Self::check_executor`] does, and that the host enabled it on the device that it created.
     ///
     /// # Errors
     /// [`Error::Unsupported`] says what to create the device with.

@@ -44,7 +44,7 @@ impl Sources {
     fn compile(&self, file: &str) -> Result<Vec<(String, Vec<u32>)>, String> {
         let compiler = glsl::Compiler::new().expect("shaderc");
         let source = glsl::Glsl::read(&self.0.path().join(file), &[self.0.path().join("include")])?;
-        let compile = |v: glsl::Variant| Ok((v.name.clone(), source.compile(&compiler, &v, glsl::Kept::CodeAndNames)?));
+        let compile = |v: glsl::Variant| Ok((v.name.clone(), source.compile(&compiler, &v, glsl::Detail::CodeAndNames)?));
         source.variants().into_iter().map(compile).collect()
     }
 }

@@ -2,7 +2,7 @@
 //! `glsl/window/` into `$OUT_DIR/window_shaders.rs`; with the feature `hot-reload` with their interfaces.
 //! Includes come from `glsl/include`, and from the folder of the crate that holds the header for hosts.
 
-use atrous_glsl::{shaders, Compiler, Glsl, Kept, Variant};
+use atrous_glsl::{shaders, Compiler, Detail, Glsl, Variant};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -27,7 +27,7 @@ fn write_table(folder: &Path, includes: &[PathBuf], table: &Path) -> Result<(), 
         let source = Glsl::read(&file, includes)?;
         for variant in source.variants() {
             let name = &variant.name;
-            let words = source.compile(&compiler, &variant, Kept::Code)?;
+            let words = source.compile(&compiler, &variant, Detail::Code)?;
             let spirv = table.with_file_name(format!("{name}.spv"));
             let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_ne_bytes()).collect();
             fs::write(&spirv, bytes).map_err(|e| format!("{}: {e}", spirv.display()))?;
@@ -46,7 +46,7 @@ fn write_table(folder: &Path, includes: &[PathBuf], table: &Path) -> Result<(), 
 
 #[cfg(feature = "hot-reload")]
 fn interface_of(source: &Glsl, compiler: &Compiler, variant: &Variant) -> Result<String, String> {
-    atrous_glsl::interface(&source.compile(compiler, variant, Kept::Everything)?).map(|lines| format!("{lines:?}"))
+    atrous_glsl::interface(&source.compile(compiler, variant, Detail::Everything)?).map(|lines| format!("{lines:?}"))
 }
 
 #[cfg(not(feature = "hot-reload"))]

@@ -10,7 +10,7 @@ use std::ffi::c_char;
 /// Bytes of the text of a report, with its null.
 pub const ATROUS_REPORT_SIZE: usize = 4096;
 
-/// What the host gave for one frame, read back: tightly packed rows of width texels, each four floats.
+/// Guides of the host for one frame, read back: tightly packed rows of width texels, each four floats.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct AtrousGuides {
@@ -32,8 +32,8 @@ pub struct AtrousGuides {
     pub surface_id: *const u32,
 }
 
-/// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the frames cannot tell;
-/// 4 not given.
+/// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
+/// frames cannot tell; 4 not given.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct AtrousConventionReport {
@@ -51,8 +51,8 @@ pub struct AtrousConventionReport {
     pub text: [c_char; ATROUS_REPORT_SIZE],
 }
 
-/// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names the likely
-/// mistake. Needs no denoiser and no device.
+/// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names
+/// the likely mistake. Needs no denoiser and no device.
 ///
 /// # Safety
 /// Pointers are null or valid with their struct_size set; images have as many texels as their extent says.
@@ -87,7 +87,7 @@ struct Frame {
 
 impl Frame {
     /// # Safety
-    /// As [`atrous_check_conventions`].
+    /// Obligations of [`atrous_check_conventions`].
     unsafe fn read(what: &str, pointer: *const AtrousGuides) -> Result<Self, Failure> {
         // SAFETY: `pointer` is null or points to a struct that begins with its size, and its images are null or have as many texels
         // as the extent says.

@@ -1,4 +1,4 @@
-//! Between the structs of the ABI and those of the crate.
+//! Conversions between the structs of the ABI and those of the crate.
 
 use super::status::Failure;
 use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
@@ -30,7 +30,7 @@ pub(super) fn allowed_or_none<T: Choice>() -> String {
     format!("0 (none), {}", numbers::<T>(shift::<T>()))
 }
 
-/// A choice that has a number 0 itself is told by its number plus 1 where 0 is none.
+/// A choice that has a number 0 itself is passed as its number plus 1, where 0 is none.
 fn shift<T: Choice>() -> u32 {
     T::ALL.iter().any(|value| value.number() == 0).into()
 }

@@ -1,4 +1,4 @@
-//! Everything but recording: creation, declarations, tuning, frames.
+//! Functions of the C ABI but recording: creation, declarations, tuning, frames.
 
 use super::handle::{self, AtrousDenoiser, State};
 use super::pointers::{check_size, read, write};
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
 }
 
 /// # Safety
-/// As [`atrous_create`].
+/// Obligations of [`atrous_create`].
 unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Failure> {
     let nulls = [
         ("instance", info.instance.is_null()),
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
     })
 }
 
-/// How many resources and passes there are. Either pointer may be null.
+/// Gives the numbers of resources and passes. Either pointer may be null.
 ///
 /// # Safety
 /// Pointers are null or valid.

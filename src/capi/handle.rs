@@ -11,7 +11,7 @@ pub struct AtrousDenoiser {
     _private: (),
 }
 
-/// What a handle stands for.
+/// The object behind a handle.
 pub(super) struct State {
     pub instance: ash::Instance,
     pub device: ash::Device,
@@ -27,7 +27,7 @@ pub(super) struct State {
 
 impl State {
     /// # Safety
-    /// As [`Denoiser::new`].
+    /// Obligations of [`Denoiser::new`].
     pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
         let host = crate::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
         // SAFETY: the handles were given to `atrous_create`, and the host keeps them alive until `atrous_destroy`; work recorded

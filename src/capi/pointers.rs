@@ -17,7 +17,7 @@ pub(super) unsafe fn read<T: Copy>(what: &str, pointer: *const T) -> Result<T, F
 /// Whether a struct of the host is as large as this library's.
 ///
 /// # Safety
-/// As [`read`].
+/// Obligations of [`read`].
 pub(super) unsafe fn check_size<T>(what: &str, pointer: *const T) -> Result<(), Failure> {
     if pointer.is_null() {
         return Err(Failure::argument(format!("{what} is NULL; give a pointer to a struct")));
@@ -37,7 +37,7 @@ pub(super) unsafe fn check_size<T>(what: &str, pointer: *const T) -> Result<(), 
 /// Writes `value` to a struct of the host, after its size was checked.
 ///
 /// # Safety
-/// As [`read`], and writable.
+/// Obligations of [`read`], and writable.
 pub(super) unsafe fn write<T: Copy>(
     what: &str,
     pointer: *mut T,

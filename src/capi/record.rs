@@ -13,9 +13,9 @@ use ash::vk::{CommandBuffer, Handle};
 /// Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
 ///
 /// # Safety
-/// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every binding has its
-/// declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work that was recorded earlier
-/// with the same frame_slot is complete.
+/// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every
+/// binding has its declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work
+/// that was recorded earlier with the same frame_slot is complete.
 #[no_mangle]
 pub unsafe extern "C" fn atrous_record(
     denoiser: *mut AtrousDenoiser,

@@ -6,11 +6,11 @@ use std::cell::RefCell;
 use std::ffi::{c_char, CStr, CString};
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
-/// What a function of the C ABI returns.
+/// The result of a function of the C ABI.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum AtrousStatus {
-    /// Done.
+    /// Success.
     Ok = 0,
     /// A pointer is null, a struct_size is wrong, or a value is out of range.
     InvalidArgument = 1,
@@ -30,7 +30,7 @@ pub enum AtrousStatus {
     Panicked = 8,
 }
 
-/// Why a call failed.
+/// The reason of a failed call.
 #[derive(Debug)]
 pub(super) struct Failure {
     pub status: AtrousStatus,

@@ -1,5 +1,5 @@
-//! What crosses the boundary: plain structs. `struct_size` stands first, so that a host that was compiled against another header is
-//! told so.
+//! Structs that cross the boundary. `struct_size` stands first, so that a host that was compiled against another header gets an
+//! error.
 
 use super::GetInstanceProcAddr;
 use ash::vk::{
@@ -10,13 +10,13 @@ use std::ffi::c_char;
 
 /// Bytes of a name, with its null.
 pub const ATROUS_NAME_SIZE: usize = 64;
-/// Most uses that a pass has.
+/// Largest number of uses that a pass has.
 pub const ATROUS_MAX_USES: usize = 32;
 
 /// A small buffer of bytes that a name is copied into.
 pub type AtrousName = [c_char; ATROUS_NAME_SIZE];
 
-/// What is decided once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
+/// Choices that are made once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
 /// parentheses.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -39,17 +39,17 @@ pub struct AtrousConfig {
     pub volume: u32,
     /// 1: fireflies are removed before accumulation; the percentile preset always does.
     pub firefly_filter: u32,
-    /// How the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
+    /// The rule by which the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
     pub adaptive_rule: u32,
-    /// How percentiles are found: 0 (counting), 1 (odd_even).
+    /// The way in which percentiles are found: 0 (counting), 1 (odd_even).
     pub block_sort: u32,
     /// Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
     pub eaw_weights: u32,
-    /// How many pixels of EAW's input have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
+    /// Share of the pixels of EAW's input that have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
     pub sampling: u32,
     /// Side of the strata of temporal gradients, 2 to 4 pixels.
     pub stratum_size: u32,
-    /// Where gradients come from: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
+    /// Source of gradients: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
     pub gradient_source: u32,
     /// 1: the host has an image of forward motion.
     pub forward_motion: u32,
@@ -59,9 +59,9 @@ pub struct AtrousConfig {
     pub object_normal: u32,
     /// Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
     pub post_process: u32,
-    /// What depth is: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
+    /// Encoding of depth: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
     pub depth: u32,
-    /// How normals are encoded: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
+    /// Encoding of normals: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
     pub normal: u32,
     /// Space of the normals: 0 (world), 1 (view).
     pub normal_space: u32,
@@ -73,10 +73,10 @@ pub struct AtrousConfig {
     pub motion_y_up: u32,
     /// 1: the motion includes the change of jitter.
     pub motion_jittered: u32,
-    /// What z of the motion is: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
+    /// Meaning of z of the motion: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
     /// depth.
     pub motion_depth: u32,
-    /// Which way the camera looks in view space: 0 (negative_z), 1 (positive_z).
+    /// Direction in which the camera looks in view space: 0 (negative_z), 1 (positive_z).
     pub view_forward: u32,
     /// Linear depths from here on are background.
     pub background_depth: f32,
@@ -84,7 +84,7 @@ pub struct AtrousConfig {
     pub debug_view: u32,
 }
 
-/// Where the passes run. Handles stay the host's.
+/// The device on which the passes run. Handles stay the host's.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct AtrousCreateInfo {
@@ -102,16 +102,16 @@ pub struct AtrousCreateInfo {
     pub config: *const AtrousConfig,
 }
 
-/// Once per frame; `atrous_frame_params_default` fills it.
+/// Parameters of a frame; `atrous_frame_params_default` fills it.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousFrameParams {
     /// sizeof(AtrousFrameParams).
     pub struct_size: u32,
-    /// Below frames_in_flight; GPU work recorded earlier with the same slot is complete.
+    /// Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
     pub frame_slot: u32,
-    /// Why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift), 6
-    /// (exposure_jump). A host need not say that it is created.
+    /// The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift),
+    /// 6 (exposure_jump). A host need not report that it is created.
     pub reset: u32,
     /// Width rendered this frame, anchored top left.
     pub render_width: u32,
@@ -123,11 +123,11 @@ pub struct AtrousFrameParams {
     pub clip_from_view: [f32; 16],
     /// Offset of the samples from the pixel centres, pixels.
     pub jitter: [f32; 2],
-    /// This frame's exposure divided by the previous one's.
+    /// Exposure of this frame divided by that of the previous one.
     pub exposure_ratio: f32,
     /// 1: the host re-shades this frame's `gradient_samples`.
     pub reshaded: u32,
-    /// What the pass `debug_view` shows; without one the host leaves the pass out.
+    /// The view of the pass `debug_view`; without one the host leaves the pass out.
     ///
     /// 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
     /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values).
@@ -140,13 +140,13 @@ pub struct AtrousFrameParams {
 pub struct AtrousFrame {
     /// sizeof(AtrousFrame), set by the host before `atrous_begin_frame`.
     pub struct_size: u32,
-    /// As in AtrousFrameParams.
+    /// The frame slot of AtrousFrameParams.
     pub frame_slot: u32,
     /// Counts frames from 0.
     pub index: u64,
     /// Counts resizes.
     pub generation: u64,
-    /// Which copy of a resource with two copies is the current one: 0 or 1. The other one is the previous.
+    /// The copy of a resource with two copies that is the current one: 0 or 1. The other one is the previous.
     pub current_copy: u32,
     /// Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
     pub reset: u32,
@@ -188,7 +188,7 @@ pub struct AtrousResource {
     pub name: AtrousName,
 }
 
-/// How a pass uses a resource.
+/// The use of a resource by a pass.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousUse {
@@ -226,11 +226,11 @@ pub struct AtrousPass {
     pub use_count: u32,
     /// The first `use_count` are set.
     pub uses: [AtrousUse; ATROUS_MAX_USES],
-    /// For labels and profiles.
+    /// Name for labels and profiles.
     pub name: AtrousName,
 }
 
-/// What is bound to a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
+/// The binding for a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
 /// input that is absent.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -277,6 +277,6 @@ pub struct AtrousTuningField {
     pub max: f32,
     /// Default.
     pub default_value: f32,
-    /// For atrous_set_tuning.
+    /// Name for atrous_set_tuning.
     pub name: AtrousName,
 }

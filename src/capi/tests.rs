@@ -1,4 +1,4 @@
-//! What needs no device; `tests/hosts/` and `examples/host_cpp/` do the rest.
+//! Tests that need no device; `tests/hosts/` and `examples/host_cpp/` have the others.
 
 use super::status::guard;
 use super::*;

@@ -1,4 +1,4 @@
-//! Which channels an input becomes: the names of this project's data sets, which `atrous-denoise` knows.
+//! Channels of the inputs in a file: the names of this project's data sets, which `atrous-denoise` knows.
 
 use crate::config::MotionDepth;
 use exr::image::FlatSamples;
@@ -45,7 +45,7 @@ const EMISSION: &str = "emission";
 const OTHER_DENOISED: &str = "other_denoised";
 
 impl Layer {
-    /// What a texture lacks in components a shader reads as 0, so that is what is written.
+    /// The layer of an input. Components that a texture lacks are written as 0, since a shader reads them so.
     pub fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<FlatSamples>, pixels: usize) -> Self {
         let (name, components) = names(input, motion_depth);
         let mut planes = planes.into_iter();

@@ -1,15 +1,16 @@
-//! Texels of a host's image as samples of an EXR file. Floats and integers keep their bits; what is normalised becomes 32-bit float.
+//! Texels of a host's image as samples of an EXR file. Floats and integers keep their bits; what is normalised becomes 32-bit
+//! float.
 
 use ash::vk;
 use exr::image::FlatSamples;
 use half::f16;
 
-/// What a capture takes, for errors.
+/// Formats that a capture takes, for errors.
 pub(crate) const ALLOWED: &str = "for a capture one of R, RG, RGB, RGBA or BGRA with components of 8 or 16 bit (UNORM, SNORM, UINT, 8 bit also \
      SRGB), SFLOAT of 16 or 32 bit or 32-bit UINT, A2B10G10R10_UNORM, B10G11R11_UFLOAT, D16, D24 or D32_SFLOAT; copy the image into one of \
      these and bind the copy";
 
-/// How one component is stored.
+/// The encoding of one component.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sample {
     Unorm8,
@@ -34,7 +35,7 @@ impl Sample {
     }
 }
 
-/// How a texel is stored.
+/// The layout of a texel.
 #[derive(Clone, Copy)]
 enum Texel {
     /// Components one after the other; where red, green, blue and alpha are.

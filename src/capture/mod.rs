@@ -1,24 +1,26 @@
-//! Captures: the inputs of some frames as an EXR sequence, which the tool `atrous-denoise` filters again, on a GPU or on the CPU twin.
+//! Captures: the inputs of some frames as an EXR sequence, which the tool `atrous-denoise` filters again, on a GPU or on the CPU
+//! twin.
 //!
 //! A picture that is wrong in an engine becomes a folder that anyone can look into, replay, bisect and attach to a report.
 //!
 //! - **With the built-in executor** it is one call: `Executor::capture(folder, frames)` (features `capture` and `executor`), and
 //!   `Executor::finish_capture` to have the last frames, and any error, at once. `Session::capture` does the same.
-//! - **With a frame graph of your own**: create a [`SequenceWriter`], and call [`SequenceWriter::write_frame`] once per frame with the texels of
-//!   your inputs, copied to the host:
-//!   1. Copy every input image that you bind, by the names of [`crate::Declaration::resources`]: for each with [`Lifetime::Input`], after the last
-//!      pass that uses it ([`crate::Declaration::life`]), with `vkCmdCopyImageToBuffer`. Only the top left [`FrameParams::render_extent`]; of a
-//!      depth-stencil image the depth aspect; rows tightly packed (`bufferRowLength` 0). The image needs `TRANSFER_SRC` usage.
-//!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that frame. Where the
-//!      denoiser forced a reset, say so in [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
+//! - **With a frame graph of your own**: create a [`SequenceWriter`], and call [`SequenceWriter::write_frame`] once per frame with
+//!   the texels of your inputs, copied to the host:
+//!   1. Copy every input image that you bind, by the names of [`crate::Declaration::resources`]: for each with [`Lifetime::Input`],
+//!      after the last pass that uses it ([`crate::Declaration::life`]), with `vkCmdCopyImageToBuffer`. Only the top left
+//!      [`FrameParams::render_extent`]; of a depth-stencil image the depth aspect; rows tightly packed (`bufferRowLength` 0). The
+//!      image needs `TRANSFER_SRC` usage.
+//!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that
+//!      frame. Where the denoiser forced a reset, set [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
 //!
-//! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it, and which pixels
-//! they are at is the same in the replay.
+//! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it,
+//! and which pixels they are at is the same in the replay.
 //!
-//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`] of a preset, so that
-//! texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and ids bit by bit. Normalised formats
-//! become 32-bit float. `docs/denoise.md` lists the channels. A replay starts without history: where its output is to be that of the engine from
-//! the first frame on, call `invalidate` before the first captured frame.
+//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`] of a
+//! preset, so that texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and
+//! ids bit by bit. Normalised formats become 32-bit float. `docs/denoise.md` lists the channels. A replay starts without history:
+//! where its output is to be that of the engine from the first frame on, call `invalidate` before the first captured frame.
 //!
 //! The render extent and the set of images must hold for the whole capture; tunables and `instance_transforms` may change.
 
@@ -52,9 +54,9 @@ pub struct InputImage<'a> {
 /// One frame as the denoiser got it.
 #[derive(Clone, Copy, Debug)]
 pub struct InputFrame<'a> {
-    /// As given to `begin_frame`.
+    /// The parameters that `begin_frame` got.
     pub params: &'a FrameParams,
-    /// As given to `begin_frame`.
+    /// The tunables that `begin_frame` got.
     pub tuning: &'a Tuning,
     /// Every input image that was bound.
     pub images: &'a [InputImage<'a>],
@@ -62,10 +64,11 @@ pub struct InputFrame<'a> {
     pub instance_transforms: Option<&'a [InstanceTransform]>,
 }
 
-/// What follows the number of a frame in the name of the file with its transforms: twelve 32-bit floats an instance, little-endian.
+/// Ending of the name of the file with the transforms of a frame, behind its number. The file has twelve 32-bit floats an instance,
+/// little-endian.
 const TRANSFORMS_ENDING: &str = "_instance_transforms.f32";
 
-/// What holds for a sequence, known with its first frame.
+/// The facts that hold for a sequence, known with its first frame.
 struct First {
     extent: [u32; 2],
     images: Vec<String>,
@@ -91,7 +94,7 @@ impl SequenceWriter {
         Ok(Self { folder, declaration: declaration.clone(), first: None, frames: BTreeMap::new() })
     }
 
-    /// Where the sequence is.
+    /// The folder of the sequence.
     pub fn folder(&self) -> &Path {
         &self.folder
     }
@@ -104,9 +107,9 @@ impl SequenceWriter {
     /// Writes the next frame, and `sequence.json` anew. Nothing is left behind by what is refused.
     ///
     /// # Errors
-    /// As [`crate::FrameState::begin`] for parameters and tunables; [`Error::UnknownResource`], [`Error::NotBound`] for a required image that is
-    /// missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written, and for a frame with another render
-    /// extent or other images than the first.
+    /// Errors of [`crate::FrameState::begin`] for parameters and tunables; [`Error::UnknownResource`], [`Error::NotBound`] for a
+    /// required image that is missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written,
+    /// and for a frame with another render extent or other images than the first.
     pub fn write_frame(&mut self, frame: &InputFrame<'_>) -> Result<(), Error> {
         let number = self.frames.last_key_value().map_or(0, |(last, _)| last + 1);
         self.write_numbered(number, frame)

@@ -19,7 +19,8 @@ const OF_CONFIG: [&str; 9] = [
     "sampling",
 ];
 
-/// One entry of `frames`. Numbers are doubles: as the decimal of one, a float survives readers that go through doubles with all its bits.
+/// One entry of `frames`. Numbers are doubles: as the decimal of one, a float survives readers that go through doubles with all its
+/// bits.
 #[derive(Serialize)]
 struct Frame {
     i: u64,
@@ -68,7 +69,7 @@ pub(super) fn frame(number: u64, params: &FrameParams, tuning: &Tuning, first: &
     })
 }
 
-/// What does not change from frame to frame.
+/// The part of the file that does not change from frame to frame.
 pub(super) struct Head {
     config: String,
     conventions: String,

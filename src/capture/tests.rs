@@ -1,4 +1,4 @@
-//! What a writer refuses, and that it leaves nothing behind.
+//! Refusals of the writer, and that they leave nothing behind.
 
 use super::*;
 use crate::Config;
@@ -107,7 +107,7 @@ fn a_folder_that_cannot_be_made_is_named() {
     assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
 }
 
-/// Of a configuration without defaults, as `old_sequence.json` was written of by the first version that could.
+/// The capture of a configuration without defaults, as the first version that could wrote it into `old_sequence.json`.
 fn written_before(folder: &Path) -> String {
     use crate::config::*;
     let conventions = Conventions {

@@ -4,7 +4,8 @@ use super::*;
 use crate::config::*;
 use crate::{DebugView, ResetReason, ToneCurve};
 
-/// What hosts in C, files and command lines have: a change here breaks them. The numbers follow one another from the first one on.
+/// Numbers and names that hosts in C, files and command lines have: a change here breaks them. The numbers follow one another from
+/// the first one on.
 const STABLE: [(&str, u32, &str); 17] = [
     ("AdaptiveRule", 0, "change_test percentiles"),
     ("BlockSort", 0, "counting odd_even"),

@@ -1,9 +1,9 @@
-//! What a filter is made of.
+//! Choices of a configuration: preset, signals, post-process and the variants of single stages.
 
 use crate::choice::choices;
 
 choices! {
-    /// Which lighting components are filtered.
+    /// Lighting components that are filtered.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum Signals {
@@ -15,11 +15,11 @@ choices! {
         Apart = 1 => "apart",
     }
 
-    /// What is done after the denoised radiance.
+    /// Passes behind the denoised radiance.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum PostProcess {
-        /// Nothing: the host tone maps.
+        /// None: the host tone maps.
         #[default]
         None = 0 => "none",
         /// Tone map into `display`.
@@ -28,7 +28,7 @@ choices! {
         ToneMapTaa = 2 => "tone_map_taa",
     }
 
-    /// Which filter: a list of nodes.
+    /// The filter: a list of nodes.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum Preset {
@@ -51,7 +51,7 @@ choices! {
         Volume = 5 => "volume",
     }
 
-    /// How many pixels have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
+    /// Share of the pixels that have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum Sampling {
@@ -64,7 +64,7 @@ choices! {
         OneOf4x4 = 2 => "one_of_4x4",
     }
 
-    /// How [`Preset::Percentile`] finds out that light has changed.
+    /// The rule by which [`Preset::Percentile`] finds out that light has changed.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum AdaptiveRule {
@@ -72,12 +72,12 @@ choices! {
         /// comes on as well as one that goes out.
         #[default]
         ChangeTest = 0 => "change_test",
-        /// As published: history outside of the percentiles of the noisy frame is dropped. At one sample a pixel the low percentile
-        /// is next to 0, so that a light that comes on is not seen.
+        /// The published rule: history outside of the percentiles of the noisy frame is dropped. At one sample a pixel the low
+        /// percentile is next to 0, so that a light that comes on is not seen.
         Percentiles = 1 => "percentiles",
     }
 
-    /// How the percentiles of a block are found. The result is the same to the bit.
+    /// The way in which the percentiles of a block are found. The result is the same to the bit.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum BlockSort {
@@ -88,7 +88,7 @@ choices! {
         OddEven = 1 => "odd_even",
     }
 
-    /// Where the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`] come from.
+    /// Source of the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`].
     #[derive(Default)]
     #[non_exhaustive]
     pub enum GradientSource {

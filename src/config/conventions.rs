@@ -1,22 +1,22 @@
-//! How a host encodes depth, normals and motion.
+//! Encodings of a host's depth, normals and motion.
 
 use crate::choice::choices;
 
 choices! {
-    /// How `depth` is encoded.
+    /// Encoding of `depth`.
     #[derive(Default)]
     pub enum DepthEncoding {
         /// View-space depth along the view axis, positive, in scene units.
         #[default]
         Linear = 0 => "linear",
-        /// What a depth buffer holds. `FrameParams::clip_from_view` says how: reversed, infinite and orthographic projections all
+        /// The values of a depth buffer, by `FrameParams::clip_from_view`: reversed, infinite and orthographic projections all
         /// work.
         Device = 1 => "device",
         /// Distance from the camera to the surface along the ray.
         RayLength = 2 => "ray_length",
     }
 
-    /// How `normal` is encoded.
+    /// Encoding of `normal`.
     #[derive(Default)]
     pub enum NormalEncoding {
         /// xyz in −1..1; need not be of unit length.
@@ -30,7 +30,7 @@ choices! {
         OctahedralUnorm = 3 => "octahedral_unorm",
     }
 
-    /// In which space normals are.
+    /// Space of normals.
     #[derive(Default)]
     pub enum NormalSpace {
         /// World space.
@@ -62,10 +62,10 @@ choices! {
         CurrentMinusPrevious = 1 => "current_minus_previous",
     }
 
-    /// What the z component of `motion` is (2.5D motion).
+    /// Meaning of the z component of `motion` (2.5D motion).
     #[derive(Default)]
     pub enum MotionDepth {
-        /// Nothing: the previous depth is computed from the matrices, which is right for what does not move along the view axis by
+        /// No depth: the previous depth is computed from the matrices, which is right for what does not move along the view axis by
         /// itself.
         #[default]
         None = 0 => "none",
@@ -75,29 +75,29 @@ choices! {
         Absolute = 2 => "absolute",
     }
 
-    /// Which way the camera looks in view space.
+    /// Direction in which the camera looks in view space.
     #[derive(Default)]
     pub enum ViewForward {
-        /// Along −z (right-handed; OpenGL, glTF).
+        /// View along −z (right-handed; OpenGL, glTF).
         #[default]
         NegativeZ = 0 => "negative_z",
-        /// Along +z (left-handed; Direct3D).
+        /// View along +z (left-handed; Direct3D).
         PositiveZ = 1 => "positive_z",
     }
 }
 
-/// How the host encodes its guides. Only the stage `import` knows them; behind it there is one encoding.
+/// Encodings of the host's guides. Only the stage `import` knows them; behind it there is one encoding.
 ///
 /// With the feature `serde`, what a file leaves out has its default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Conventions {
-    /// What depth is. Default: [`DepthEncoding::Linear`].
+    /// Encoding of depth. Default: [`DepthEncoding::Linear`].
     pub depth: DepthEncoding,
     /// Linear depths from here on are background; above 0. Default: infinity, which a file has as `"inf"`.
     #[cfg_attr(feature = "serde", serde(with = "super::serde_forms::distance"))]
     pub background_depth: f32,
-    /// How normals are encoded. Default: [`NormalEncoding::Xyz`].
+    /// Encoding of normals. Default: [`NormalEncoding::Xyz`].
     pub normal: NormalEncoding,
     /// Space of the normals. Default: [`NormalSpace::World`].
     pub normal_space: NormalSpace,
@@ -110,9 +110,9 @@ pub struct Conventions {
     pub motion_y_up: bool,
     /// Whether the motion includes the change of jitter. Default: false.
     pub motion_jittered: bool,
-    /// What z of the motion is. Default: [`MotionDepth::None`].
+    /// Meaning of z of the motion. Default: [`MotionDepth::None`].
     pub motion_depth: MotionDepth,
-    /// Which way the camera looks. Default: [`ViewForward::NegativeZ`].
+    /// Direction in which the camera looks. Default: [`ViewForward::NegativeZ`].
     pub view_forward: ViewForward,
 }
 

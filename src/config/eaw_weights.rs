@@ -1,4 +1,4 @@
-//! Which edge-stopping functions of EAW are on.
+//! Switches of the edge-stopping functions of EAW.
 
 use crate::error::Error;
 use std::fmt;
@@ -8,11 +8,11 @@ use std::str::FromStr;
 /// feature `serde` a list of names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EawWeights {
-    /// By radiance. Default: true.
+    /// Weight by radiance. Default: true.
     pub radiance: bool,
-    /// By normal. Default: true.
+    /// Weight by normal. Default: true.
     pub normal: bool,
-    /// By position. Default: true.
+    /// Weight by position. Default: true.
     pub position: bool,
 }
 
@@ -30,7 +30,7 @@ impl EawWeights {
         self.radiance as u32 | (self.normal as u32) << 1 | (self.position as u32) << 2
     }
 
-    /// From [`Self::bits`]; `None` where another bit is set.
+    /// The weights of [`Self::bits`]; `None` where another bit is set.
     pub const fn from_bits(bits: u32) -> Option<Self> {
         match bits {
             0..=7 => Some(Self { radiance: bits & 1 != 0, normal: bits & 2 != 0, position: bits & 4 != 0 }),

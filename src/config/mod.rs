@@ -1,4 +1,5 @@
-//! What is decided once: extents, preset, signals, and how the host encodes its guides. Changing it re-declares every resource.
+//! The configuration of a preset: extents, preset, signals, and the encodings of the host's guides. Changing it re-declares every
+//! resource.
 
 use crate::error::Error;
 
@@ -16,7 +17,7 @@ pub use conventions::{
 };
 pub use eaw_weights::EawWeights;
 
-/// What is decided once. [`crate::Tuning`] holds what may change from frame to frame.
+/// Choices that are made once for a preset. [`crate::Tuning`] holds what may change from frame to frame.
 ///
 /// With the feature `serde`, what a file leaves out has its default. An extent has none: [`Config::validate`] refuses a file
 /// without one, until the host sets it.
@@ -48,13 +49,13 @@ pub struct Config {
     /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\].
     /// [`Preset::Percentile`] always does. Default: false.
     pub firefly_filter: bool,
-    /// How the preset `Percentile` sees changed light. Default: [`AdaptiveRule::ChangeTest`].
+    /// The rule by which the preset `Percentile` sees changed light. Default: [`AdaptiveRule::ChangeTest`].
     pub adaptive_rule: AdaptiveRule,
-    /// How percentiles are found. Default: [`BlockSort::Counting`].
+    /// The way in which percentiles are found. Default: [`BlockSort::Counting`].
     pub block_sort: BlockSort,
     /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
     pub stratum_size: u32,
-    /// Where the temporal gradients come from. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
+    /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
     pub gradient_source: GradientSource,
     /// Whether the host has an image `forward_motion`, for surfaces that deform: at every pixel of the previous frame its motion to
     /// this frame. Only for forward-projected gradients. Default: false.
@@ -106,7 +107,7 @@ impl Config {
         }
     }
 
-    /// What a file starts from.
+    /// The configuration that a file starts from.
     #[cfg(feature = "serde")]
     fn without_extent() -> Self {
         Self::new([0; 2])

@@ -1,8 +1,8 @@
-//! How a pass touches a resource; everything that Vulkan wants to know is derived from it.
+//! Accesses of a pass to a resource; everything that Vulkan wants to know is derived from them.
 
 use ash::vk;
 
-/// How a pass touches a resource.
+/// The access of a pass to a resource.
 ///
 /// Closed and small on purpose, so that it maps onto any host's own vocabulary. Stage, access mask, layout, usage flags and
 /// descriptor type follow from it, so a declaration cannot contradict itself. A host may match every one.
@@ -13,7 +13,8 @@ pub enum Access {
     Sampled = 0,
     /// Storage image or buffer that is only read.
     StorageRead = 1,
-    /// Storage image or buffer of which **every** texel of the render rect is written and none is read: old contents may be discarded.
+    /// Storage image or buffer of which **every** texel of the render rect is written and none is read: old contents may be
+    /// discarded.
     StorageWrite = 2,
     /// Storage image or buffer that is read and written, or written in part only.
     StorageReadWrite = 3,
@@ -48,7 +49,8 @@ impl Access {
     pub const ALL: [Self; 6] =
         [Self::Sampled, Self::StorageRead, Self::StorageWrite, Self::StorageReadWrite, Self::Uniform, Self::Clear];
 
-    /// Stage and access mask. `Clear` derives `ALL_TRANSFER`, since validation layers disagree on `CLEAR` and `COPY` for fills and updates.
+    /// Stage and access mask. `Clear` derives `ALL_TRANSFER`, since validation layers disagree on `CLEAR` and `COPY` for fills and
+    /// updates.
     pub const fn scope(self) -> BufferAccess {
         use vk::{AccessFlags2 as A, PipelineStageFlags2 as S};
         let (stage, access) = match self {

@@ -1,4 +1,4 @@
-//! Which transients can share memory: those whose lifetimes do not overlap.
+//! Sharing of memory between transients whose lifetimes do not overlap.
 
 /// One thing to place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,7 +9,7 @@ pub struct Span {
     pub last: usize,
     /// Bytes.
     pub size: u64,
-    /// Its offset is a multiple of this; at least 1.
+    /// Alignment of the offset; at least 1.
     pub alignment: u64,
 }
 
@@ -19,7 +19,8 @@ impl Span {
     }
 }
 
-/// An offset for every span, and the bytes needed in all. Largest first, each at the lowest offset that is free during its whole life.
+/// An offset for every span, and the bytes needed in all. Largest first, each at the lowest offset that is free during its whole
+/// life.
 pub fn alias(spans: &[Span]) -> (Vec<u64>, u64) {
     let mut order: Vec<usize> = (0..spans.len()).collect();
     order.sort_by_key(|&i| (std::cmp::Reverse(spans[i].size), spans[i].first, i));

@@ -1,23 +1,23 @@
-//! What a phase touches: for hosts that put something between two phases.
+//! Resources that a phase touches, for hosts that put something between two phases.
 
 use super::{Access, Declaration, Phase, ResourceId, UseFrame};
 
 /// First and last access of a resource inside one phase: for semaphores and queue ownership between phases.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BoundaryUse {
-    /// Which resource.
+    /// The resource.
     pub resource: ResourceId,
-    /// Which copy.
+    /// The copy.
     pub frame: UseFrame,
-    /// Its first access.
+    /// First access of the phase.
     pub first: Access,
-    /// Its last access.
+    /// Last access of the phase.
     pub last: Access,
     /// Whether the phase writes it.
     pub written: bool,
 }
 
-/// What a phase touches.
+/// Resources that a phase touches.
 pub type Boundary = Vec<BoundaryUse>;
 
 impl Declaration {

@@ -1,10 +1,10 @@
-//! What the stage `debug_view` can show.
+//! Views of the stage `debug_view`.
 
 use super::Declaration;
 use crate::choice::choices;
 
 choices! {
-    /// What `debug_view` shows, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the
+    /// A view of `debug_view`, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the
     /// number behind the colour. Surfaces only: the background is black. A view that the preset has nothing for is a dark chequer.
     #[derive(Default)]
     #[non_exhaustive]
@@ -28,8 +28,8 @@ choices! {
         Percentiles = 6 => "percentiles",
         /// Share of the luminance that the firefly filter took away, 0 to 1.
         Fireflies = 7 => "fireflies",
-        /// Why there is no history. Grey: there is. Orange: off screen; light blue: background or another id; green: depth; yellow:
-        /// normal; red: reset. a: a [`crate::reference::Reason`] as a number.
+        /// The reason why there is no history. Grey: there is. Orange: off screen; light blue: background or another id; green:
+        /// depth; yellow: normal; red: reset. a: a [`crate::reference::Reason`] as a number.
         Disocclusion = 8 => "disocclusion",
         /// Motion: red to the right, green downwards, less blue the longer, logarithmic up to 64 pixels. a: its length, pixels.
         Motion = 9 => "motion",

@@ -4,17 +4,17 @@ use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId, Setup, Wor
 use crate::config::Config;
 use crate::error::Error;
 
-/// Where in the host's frame a pass belongs.
+/// The place of a pass in the host's frame.
 ///
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
-    /// After the G-buffer, before light transport.
+    /// Behind the G-buffer, before light transport.
     BeforeLighting = 0,
-    /// After light transport.
+    /// Behind light transport.
     AfterLighting = 1,
-    /// Whenever the host does tone mapping and anti-aliasing.
+    /// Wherever the host does tone mapping and anti-aliasing.
     PostProcess = 2,
 }
 
@@ -23,37 +23,39 @@ impl Phase {
     pub const ALL: [Self; 3] = [Self::BeforeLighting, Self::AfterLighting, Self::PostProcess];
 }
 
-/// Which copy of a history a use means. Everything else is always `Current`.
+/// The copy of a history that a use means. Everything else is always `Current`.
 ///
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum UseFrame {
-    /// Of this frame.
+    /// The copy of this frame.
     Current = 0,
-    /// Of the frame before.
+    /// The copy of the frame before.
     Previous = 1,
 }
 
-/// How a pass uses one resource. The order of a pass's uses is that of the numbers of its bindings, and what a host binds follows it.
+/// The use of one resource by a pass. The uses of a pass stand in the order of the numbers of its bindings, and so do the bindings
+/// of a host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
-    /// Which resource.
+    /// The resource.
     pub resource: ResourceId,
-    /// Which copy.
+    /// The copy of it.
     pub frame: UseFrame,
-    /// How.
+    /// The access to it.
     pub access: Access,
 }
 
-/// The smallest schedulable unit: one dispatch, or the upload that starts a frame. Hazard-free inside; every barrier belongs between passes.
+/// The smallest schedulable unit: one dispatch, or the upload that starts a frame. Hazard-free inside; every barrier belongs
+/// between passes.
 #[derive(Clone, Debug)]
 pub struct PassDecl {
     /// Unique in a denoiser: for labels and profiles.
     pub name: String,
-    /// Where in the frame.
+    /// Place in the frame.
     pub phase: Phase,
-    /// What it touches.
+    /// Resources that the pass touches.
     pub uses: Vec<Use>,
     pub(crate) work: Work,
 }
@@ -62,7 +64,7 @@ pub struct PassDecl {
 #[derive(Clone, Debug)]
 pub struct Declaration {
     pub(crate) setup: Setup,
-    /// What a preset was declared from; `None` for a graph of a host.
+    /// The configuration that a preset was declared from; `None` for a graph of a host.
     pub(crate) config: Option<Config>,
     pub(crate) resources: Vec<ResourceDecl>,
     pub(crate) passes: Vec<PassDecl>,
@@ -84,7 +86,7 @@ impl Declaration {
         self.setup.allocated_extent
     }
 
-    /// What is fixed for every frame.
+    /// The settings that are fixed for every frame.
     pub fn setup(&self) -> &Setup {
         &self.setup
     }
@@ -134,7 +136,7 @@ impl Declaration {
         })
     }
 
-    /// Which physical copy a use means in a frame: 0 or 1.
+    /// The physical copy that a use means in a frame: 0 or 1.
     pub fn copy(&self, u: &Use, frame: &FrameContext) -> usize {
         match self.resource(u.resource).lifetime {
             Lifetime::History => frame.history_copy(u.frame),

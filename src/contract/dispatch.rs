@@ -1,11 +1,11 @@
-//! What a dispatch records: the shader, and where everything that it reads comes from. Made once, so that recording looks nothing up.
+//! Work of a pass: its shader, and the source of everything that it reads. Made once, so that recording looks nothing up.
 
 use super::{PassDecl, Use};
 
 use crate::reference::Twin;
 use crate::shaders::{Shader, ShaderRef};
 
-/// What a pass records.
+/// The commands that a pass records.
 #[derive(Clone, Debug)]
 pub(crate) enum Work {
     /// Uploads [`crate::FrameConstants`] to binding 0 and fills binding 1 with zeros.
@@ -31,7 +31,7 @@ pub(crate) struct Dispatch {
     pub twin: Option<Twin>,
 }
 
-/// What stands at a binding of a shader.
+/// The content of a binding of a shader.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Slot {
     /// The use of the pass; `None`: the graph has nothing for it.
@@ -40,14 +40,14 @@ pub(crate) struct Slot {
     pub stand_in: usize,
 }
 
-/// Where a push constant comes from.
+/// The source of a push constant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parameter {
-    /// These bits, in every frame.
+    /// Fixed bits, in every frame.
     Fixed(u32),
     /// A tunable of the frame, by its index.
     Tuning(usize),
-    /// Which bindings the host bound.
+    /// Bits of the bindings that the host bound.
     Present,
     /// The view of the frame.
     View,
@@ -89,7 +89,8 @@ impl PassDecl {
         self.shader().map(|s| &*s.stage)
     }
 
-    /// Number and GLSL name of the binding at which each use stands, in the order of the uses; empty for a pass that is no dispatch.
+    /// Number and GLSL name of the binding at which each use stands, in the order of the uses; empty for a pass that is no
+    /// dispatch.
     pub fn bindings(&self) -> impl Iterator<Item = (u32, &str)> {
         let slots = self.dispatch().into_iter().flat_map(|d| d.slots.iter().zip(d.shader.bindings.iter()));
         slots.filter(|(slot, _)| slot.wired.is_some()).map(|(_, binding)| (binding.number, &*binding.name))

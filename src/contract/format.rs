@@ -1,14 +1,14 @@
-//! What format an image must have.
+//! Formats that an image may have.
 
 use crate::shaders::Component;
 use ash::vk;
 
-/// What format an image must have.
+/// The formats that an image may have.
 ///
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageFormat {
-    /// This one. Images that we write are declared so, and the shader carries the same format qualifier.
+    /// One format. Images that we write are declared so, and the shader carries the same format qualifier.
     Exactly(vk::Format),
     /// Any format of this numeric class; the second is the one to take where there is no reason for another.
     Any(Component, vk::Format),
@@ -41,7 +41,8 @@ impl std::fmt::Display for ImageFormat {
     }
 }
 
-/// The numeric class that a shader sees, `None` for formats that no input of ours can have (signed integers, multi-planar, unknown ones).
+/// The numeric class that a shader sees, `None` for formats that no input of ours can have (signed integers, multi-planar, unknown
+/// ones).
 pub(crate) fn component_of(format: vk::Format) -> Option<Component> {
     use vk::Format as F;
     match format {

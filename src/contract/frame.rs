@@ -1,4 +1,4 @@
-//! What a host says once per frame, what is remembered of the frame before, and the block that every pass reads.
+//! A frame: the parameters of the host, the memory of the frame before, and the block that every pass reads.
 
 use super::{DebugView, Setup, Tuning};
 use crate::choice::choices;
@@ -10,10 +10,10 @@ use glam::Mat4;
 mod forward;
 
 choices! {
-    /// Why all history is dropped for one frame.
+    /// The reason why all history is dropped for one frame.
     #[non_exhaustive]
     pub enum ResetReason {
-        /// The first frame after creation or [`FrameState::invalidate`]; forced, a host need not say it.
+        /// The first frame after creation or [`FrameState::invalidate`]; forced, so a host need not report it.
         Created = 1 => "created",
         /// The camera jumped.
         CameraCut = 2 => "camera_cut",
@@ -28,7 +28,7 @@ choices! {
     }
 }
 
-/// Once per frame, from the host. With the feature `serde`, a file may leave out what has a default.
+/// Parameters of a frame, from the host. With the feature `serde`, a file may leave out what has a default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct FrameParams {
@@ -47,16 +47,16 @@ pub struct FrameParams {
     /// Offset of this frame's samples from the pixel centres, pixels, −1 to 1. Default: 0, 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub jitter: [f32; 2],
-    /// This frame's exposure divided by the previous frame's, where the host's radiance is pre-exposed. Scales the history.
+    /// Exposure of this frame divided by that of the previous one, where the host's radiance is pre-exposed. Scales the history.
     /// Default: 1.
     #[cfg_attr(feature = "serde", serde(default = "unchanged"))]
     pub exposure_ratio: f32,
     /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous
-    /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and says so once. Default: false.
+    /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and logs that once. Default: false.
     #[cfg_attr(feature = "serde", serde(default))]
     pub reshaded: bool,
-    /// What the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame. Default:
-    /// `None`.
+    /// The view that the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame.
+    /// Default: `None`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub debug_view: Option<DebugView>,
 }
@@ -114,28 +114,28 @@ impl FrameParams {
     }
 }
 
-/// What every pass of one frame sees.
+/// The state of a frame that all its passes see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameContext {
     /// Counts frames from 0; its parity says which copy of a history is current.
     pub index: u64,
-    /// As in [`FrameParams::frame_slot`].
+    /// The frame slot: [`FrameParams::frame_slot`].
     pub slot: u32,
-    /// As in [`FrameParams::render_extent`].
+    /// The render extent: [`FrameParams::render_extent`].
     pub render_extent: [u32; 2],
-    /// Why history is dropped this frame, if it is.
+    /// The reason why history is dropped in this frame, if it is.
     pub reset: Option<ResetReason>,
-    /// As in [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with another
-    /// view.
+    /// The view: [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with
+    /// another view.
     pub debug_view: Option<DebugView>,
-    /// What the first pass uploads.
+    /// The block that the first pass uploads.
     pub constants: FrameConstants,
     /// The numbers that shaders read as push constants.
     pub tuning: Tuning,
 }
 
 impl FrameContext {
-    /// Which of the two copies of a history a use refers to: 0 or 1.
+    /// The copy of a history that a use refers to, of two: 0 or 1.
     pub const fn history_copy(&self, frame: super::UseFrame) -> usize {
         ((self.index & 1) as usize) ^ matches!(frame, super::UseFrame::Previous) as usize
     }

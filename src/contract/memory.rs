@@ -1,4 +1,4 @@
-//! What a declaration costs.
+//! Memory that a declaration needs.
 
 use super::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Span};
 

@@ -1,4 +1,4 @@
-//! What a host sees: plain data that declares every resource, every pass and how a pass touches a resource.
+//! The contract with a host: plain data that declares every resource, every pass and each access of a pass to a resource.
 //!
 //! Nothing in here talks to Vulkan or contains `unsafe`: the types map one to one onto a host's own frame graph.
 

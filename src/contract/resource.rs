@@ -1,23 +1,24 @@
-//! What a pass reads and writes: images and buffers with an owner and a life.
+//! Resources of passes: images and buffers with an owner and a life.
 
 use super::ImageFormat;
 use ash::vk;
 
-/// Who owns a resource and how long its content lives.
+/// The owner of a resource and the life of its content.
 ///
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lifetime {
-    /// Of the host; only read.
+    /// A resource of the host that is only read.
     Input {
-        /// May be bound as [`crate::Binding::Absent`].
+        /// Whether it may be bound as [`crate::Binding::Absent`].
         optional: bool,
     },
-    /// Of the host; every texel of the render rect is written.
+    /// A resource of the host; every texel of the render rect is written.
     Output,
     /// Content is undefined before its first use in a frame and dead after its last: the host may alias it.
     Transient,
-    /// Two copies. [`super::UseFrame::Previous`] is what [`super::UseFrame::Current`] was one frame ago; two suffice for any number of frames in flight.
+    /// Two copies. [`super::UseFrame::Previous`] is what [`super::UseFrame::Current`] was one frame ago; two suffice for any number
+    /// of frames in flight.
     History,
     /// One copy that survives the frame: its last read as `Previous` comes before its first write as `Current`.
     HistoryInPlace,
@@ -39,7 +40,7 @@ impl Lifetime {
     }
 }
 
-/// What a resource is.
+/// The shape of a resource: image or buffer.
 ///
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

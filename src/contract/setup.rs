@@ -1,16 +1,16 @@
-//! What is fixed for every frame of a denoiser.
+//! Settings that are fixed for every frame of a denoiser.
 
 use crate::config::{check_extent, Config, Conventions};
 use crate::error::Error;
 
-/// What is fixed for every frame of a denoiser, whatever its passes are.
+/// Settings that are fixed for every frame of a denoiser, whatever its passes are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
     /// Width and height that images are allocated with; each frame renders into its top left part.
     pub allocated_extent: [u32; 2],
     /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
-    /// How the host encodes its guides. Default: [`Conventions::default`].
+    /// Encodings of the host's guides. Default: [`Conventions::default`].
     pub conventions: Conventions,
 }
 
@@ -35,7 +35,7 @@ impl Setup {
 }
 
 impl Config {
-    /// What is fixed for every frame.
+    /// The settings that are fixed for every frame.
     pub fn setup(&self) -> Setup {
         let &Self { allocated_extent, frames_in_flight, conventions, .. } = self;
         Setup { allocated_extent, frames_in_flight, conventions }

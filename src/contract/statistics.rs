@@ -1,4 +1,4 @@
 //! The counters of bad input.
 
-/// How many values `statistics` counts; see `glsl/include/statistics.glsl`.
+/// Number of counters in `statistics`; see `glsl/include/statistics.glsl`.
 pub(crate) const STATISTICS_COUNT: u64 = 8;

@@ -4,12 +4,12 @@ use crate::choice::choices;
 use crate::config::Preset;
 use crate::error::Error;
 
-/// What a tunable is: for user interfaces and for error messages.
+/// The description of a tunable: for user interfaces and for error messages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TuningField {
     /// Name of the field in [`Tuning`].
     pub name: &'static str,
-    /// What it is and what raising it does.
+    /// Meaning of the tunable, and the effect of raising it.
     pub doc: &'static str,
     /// Unit, empty for a plain number.
     pub unit: &'static str,
@@ -38,7 +38,8 @@ choices! {
 
 macro_rules! tuning {
     ($($(#[doc = $doc:literal])+ $name:ident: $unit:literal, $min:literal ..= $max:literal, $default:literal;)+) => {
-        /// Per-frame numbers. Every field documents unit, range, default and what raising it does; see [`Tuning::FIELDS`] for the same as data.
+        /// Per-frame numbers. Every field documents unit, range, default and what raising it does; see [`Tuning::FIELDS`] for the
+        /// same as data.
         ///
         /// With the feature `serde`, what a file leaves out has its default; [`Tuning::validate`] checks what it has.
         #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,9 +67,9 @@ macro_rules! tuning {
                 match name { $(stringify!($name) => Some(self.$name),)+ _ => None }
             }
 
-            /// What reads the bits of each number, in their order, and of the tone curve behind them.
+            /// Functions that read the bits of each number, in their order, and of the tone curve behind them.
             const READERS: &'static [fn(&Tuning) -> u32] = &[$(|t| t.$name.to_bits(),)+ |t| t.tone_curve as u32];
-            /// What sets each number from its bits, in the same order.
+            /// Functions that set each number from its bits, in the order of [`Self::READERS`].
             const WRITERS: &'static [fn(&mut Tuning, u32)] = &[$(|t, bits| t.$name = f32::from_bits(bits),)+ |t, bits| t.tone_curve = ToneCurve::try_from(bits).unwrap_or_default()];
 
             /// Sets a field by its name.
@@ -87,53 +88,70 @@ macro_rules! tuning {
 }
 
 tuning! {
-    /// Smallest weight of the new sample in the accumulated irradiance (SVGF 4.1). Raising it reacts faster to changed light and leaves more noise.
+    /// Smallest weight of the new sample in the accumulated irradiance (SVGF 4.1). Raising it reacts faster to changed light and
+    /// leaves more noise.
     alpha: "1", 0.0 ..= 1.0, 0.2;
-    /// The same for the moments of luminance, from which the variance comes. Raising it follows changes faster and makes the filter width unsteady.
+    /// Smallest weight of the new sample in the moments of luminance, from which the variance comes. Raising it follows changes
+    /// faster and makes the filter width unsteady.
     alpha_moments: "1", 0.0 ..= 1.0, 0.2;
-    /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the running mean.
+    /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the
+    /// running mean.
     max_history_length: "frames", 1.0 ..= 1024.0, 256.0;
-    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood (SVGF 4.2). Raising it blurs longer after a disocclusion.
+    /// Pixels with a shorter history take their variance from a 7×7 neighbourhood (SVGF 4.2). Raising it blurs longer after a
+    /// disocclusion.
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
     /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
     sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
-    /// Normal edge stopping: exponent of the cosine (SVGF eq. 4). Raising it keeps finer relief and leaves more noise on curved surfaces.
+    /// Normal edge stopping: exponent of the cosine (SVGF eq. 4). Raising it keeps finer relief and leaves more noise on curved
+    /// surfaces.
     sigma_n: "1", 0.0 ..= 1024.0, 128.0;
     /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
     sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
-    /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks ghosts.
+    /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks
+    /// ghosts.
     depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
-    /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy surfaces.
+    /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy
+    /// surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
-    /// How the edge functions lose influence with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising it blurs more far away.
+    /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising
+    /// it blurs more far away.
     edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
     /// Lower percentile of the luminance of 8×8 pixels (PSVGF). At one sample a pixel next to 0, whatever it is.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;
     /// Upper percentile (PSVGF). Raising it lets the firefly filter pass more, and the published rule keep more history.
     percentile_up: "share of the pixels", 0.0 ..= 1.0, 0.95;
-    /// Scale of the range between the percentiles, by which a luminance may leave them (PSVGF). Raising it passes more outliers and keeps more history.
+    /// Scale of the range between the percentiles, by which a luminance may leave them (PSVGF). Raising it passes more outliers and
+    /// keeps more history.
     percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 2.0;
-    /// How much of the history a change of the light costs; 0: the adaptive rules are off (PSVGF).
+    /// Share of the history that a change of the light costs; 0: the adaptive rules are off (PSVGF).
     adaptivity: "1", 0.0 ..= 1.0, 1.0;
-    /// From how large a change, in standard errors of its mean, history gives way; at twice as many it is gone. Raising it reacts to larger changes alone.
+    /// Change, in standard errors of its mean, from which history gives way; at twice as many it is gone. Raising it reacts to
+    /// larger changes alone.
     change_threshold: "standard errors", 0.5 ..= 64.0, 2.5;
     /// Luminance that the firefly filter always lets pass on top of the percentiles (PSVGF). Raising it passes more outliers.
     firefly_bias: "luminance of irradiance", 0.0 ..= 65504.0, 0.0;
-    /// Radiance edge stopping of the first level of (EAW); halved from level to level. Of the size of the brightest light, so that geometry alone leads the first level. Raising it blurs more.
+    /// Radiance edge stopping of the first level of (EAW); halved from level to level. Of the size of the brightest light, so that
+    /// geometry alone leads the first level. Raising it blurs more.
     sigma_rt: "irradiance", 0.0001 ..= 65504.0, 4.0;
     /// Normal edge stopping of (EAW). Raising it blurs over edges and relief.
     sigma_rt_n: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
     /// Position edge stopping of (EAW), as a share of the depth. Raising it blurs over gaps.
     sigma_rt_x: "depths", 0.001 ..= 64.0, 0.05;
-    /// Smallest weight of the new sample in the accumulated radiance of a volume, and in its moments. Raising it reacts faster and leaves more noise.
+    /// Smallest weight of the new sample in the accumulated radiance of a volume, and in its moments. Raising it reacts faster and
+    /// leaves more noise.
     volume_alpha: "1", 0.0 ..= 1.0, 0.1;
-    /// Luminance edge stopping of a volume: tolerated difference in standard deviations. Raising it blurs the edges of light shafts more.
+    /// Luminance edge stopping of a volume: tolerated difference in standard deviations. Raising it blurs the edges of light shafts
+    /// more.
     volume_sigma_l: "standard deviations", 0.0 ..= 128.0, 2.0;
-    /// Depth edge stopping of a volume: tolerated difference between the surfaces behind, as a share of the larger depth (PSVGF). Raising it blurs more over the outlines of surfaces.
+    /// Depth edge stopping of a volume: tolerated difference between the surfaces behind, as a share of the larger depth (PSVGF).
+    /// Raising it blurs more over the outlines of surfaces.
     volume_sigma_z: "depths", 0.001 ..= 64.0, 0.1;
-    /// Largest difference between the surfaces behind a pixel of a volume and behind its history, as a share of the larger depth (PSVGF). Raising it keeps more history; at 1 it is not tested.
+    /// Largest difference between the surfaces behind a pixel of a volume and behind its history, as a share of the larger depth
+    /// (PSVGF). Raising it keeps more history; at 1 it is not tested.
     volume_depth_tolerance: "depths", 0.0 ..= 1.0, 0.25;
-    /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light stays after a change by a half; at 5 a change by a fifth drops all of it. Raising it lags less and leaves more noise where light changes a little.
+    /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light
+    /// stays after a change by a half; at 5 a change by a fifth drops all of it. Raising it lags less and leaves more noise where
+    /// light changes a little.
     gradient_scale: "1", 0.0 ..= 16.0, 5.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
@@ -165,9 +183,9 @@ impl Tuning {
         }
     }
 
-    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1 (ASVGF). What was
-    /// accumulated with a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has
-    /// a `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.
+    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1
+    /// (ASVGF). What was accumulated with a lower `alpha` has less noise for the same variance of a sample,
+    /// `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has a `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.
     pub fn for_preset(preset: Preset) -> Self {
         match preset {
             Preset::Svgf | Preset::Eaw | Preset::Volume => Self::default(),

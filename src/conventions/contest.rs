@@ -1,9 +1,10 @@
-//! Which of two hypotheses explains more pixels.
+//! Comparison of two hypotheses by the pixels that each explains.
 //!
-//! A pixel votes for the hypothesis that explains it where the other one does not. So neither the scale of a residual nor the pixels that no
-//! hypothesis explains (things that move by themselves, disocclusions, values that are not finite) decide anything, as long as they are the fewer.
+//! A pixel votes for the hypothesis that explains it where the other one does not. So neither the scale of a residual nor the
+//! pixels that no hypothesis explains (things that move by themselves, disocclusions, values that are not finite) decide anything,
+//! as long as they are the fewer.
 
-/// When a residual explains a pixel, and how much larger that of the other hypothesis must be.
+/// The residual up to which a pixel counts as explained, and the factor by which that of the other hypothesis must be larger.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rule {
     pub explains: f32,
@@ -61,7 +62,7 @@ impl Votes {
     }
 }
 
-/// What a contest says.
+/// The result of a contest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
     First,

@@ -1,4 +1,4 @@
-//! What the pixels of two frames say under one geometry: residuals of depth, motion and normals.
+//! Residuals of depth, motion and normals between two frames under one geometry.
 
 use super::contest::{Residuals, MOTION};
 use super::geometry::Geometry;
@@ -59,7 +59,7 @@ pub(super) struct Scene<'a> {
 /// A pixel under one geometry; NaN and `None` where it says nothing.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Point {
-    /// By how many pixels the depth of the previous frame is off.
+    /// Distance of the depth in the previous frame from its place, pixels.
     pub depth: f32,
     /// Motion of what stands still, pixels of the previous frame. Infinite: it was behind the camera.
     pub motion: Vec2,
@@ -136,8 +136,8 @@ impl<'a> Scene<'a> {
         }
     }
 
-    /// How far from `position` the previous frame has the expected depth, pixels. Against the gradient, so that it does not depend on how depth is
-    /// encoded.
+    /// Distance from `position` to the expected depth in the previous frame, pixels. Against the gradient, so that it does not
+    /// depend on how depth is encoded.
     fn depth_residual(&self, position: Vec2, expected: f32, id: Option<u32>) -> f32 {
         let at = position - Vec2::from(self.constants[0].jitter) - 0.5;
         let [width, height] = self.constants[0].render_extent.map(|side| side as f32);
@@ -158,7 +158,8 @@ impl<'a> Scene<'a> {
         (top + (bottom - top) * part.y - expected).abs() / gradient.max(LEAST_GRADIENT * expected)
     }
 
-    /// The normal of the surface that the depths around a pixel make, towards the camera. Of two neighbours the one whose depth differs less.
+    /// The normal of the surface that the depths around a pixel make, towards the camera. Of two neighbours the one whose depth
+    /// differs less.
     fn normal(&self, p: IVec2, z: f32) -> Option<Vec3> {
         let [width, height] = self.constants[1].render_extent.map(|side| side as i32);
         let now = &self.projections[1];
@@ -178,7 +179,7 @@ impl<'a> Scene<'a> {
         Some(if normal.dot(sight) > 0.0 { -normal } else { normal })
     }
 
-    /// How a reading turns texels into pixels.
+    /// The map from texels to pixels by which a reading takes motion.
     pub fn affine(&self, reading: MotionReading) -> Affine {
         let conventions = reading.apply(&self.setup.conventions);
         let constants = FrameConstants { flags: Flags::of(&conventions, false), ..self.constants[1] };

@@ -4,12 +4,12 @@ use crate::config::{Conventions, DepthEncoding, ViewForward};
 use crate::FrameParams;
 use glam::{Mat4, Vec4};
 
-/// What a host says of depth and matrices, or what it should have said.
+/// Depth and matrices as a host declares them, or as it should have.
 #[derive(Clone, Debug)]
 pub(super) struct Geometry {
-    /// What is wrong with the declared one; empty for the declared one itself.
+    /// The mistake in the declared geometry; empty for the declared one itself.
     pub mistake: &'static str,
-    /// What to change.
+    /// The remedy.
     pub remedy: String,
     pub conventions: Conventions,
     pub previous: FrameParams,
@@ -137,7 +137,7 @@ impl Geometry {
         self.with(mistake, remedy, |view| view, |m, _| clip(m))
     }
 
-    /// With other matrices: `view` of the view, `clip` of the projection and the view as they are.
+    /// A geometry with other matrices: `view` of the view, `clip` of the projection and the view as they are.
     fn with(&self, mistake: &'static str, remedy: &str, view: impl Fn(Mat4) -> Mat4, clip: impl Fn(Mat4, Mat4) -> Mat4) -> Self {
         let change = |params: &FrameParams| {
             let [v, c] = [params.view_from_world, params.clip_from_view].map(|m| Mat4::from_cols_array_2d(&m));

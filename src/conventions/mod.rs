@@ -1,19 +1,19 @@
-//! Do the guides agree with the declared [`Conventions`]? Asked on demand, of two consecutive frames.
+//! Test of the guides of two consecutive frames against the declared [`Conventions`], on demand.
 //!
-//! A wrong sign, unit, axis or matrix is the most common mistake of an integration, and all of them look alike: ghosts, blur, boiling. So every
-//! reading that a mistake away from the declared one is held against the pixels of what stands still:
+//! A wrong sign, unit, axis or matrix is the most common mistake of an integration, and all of them look alike: ghosts, blur,
+//! boiling. So every reading that a mistake away from the declared one is held against the pixels of what stands still:
 //!
 //! - the **depth** of this frame, reprojected with the matrices, must be the depth of the previous frame;
 //! - the **motion** must lead where depth and matrices lead, z of it to the depth there;
 //! - the **normals** must be those of the surface that the depth makes.
 //!
-//! A pixel votes for the reading that explains it where the declared one does not. A mistake is named where at least four of five votes are for
-//! it; what moves by itself, disocclusions and values that are not finite are outvoted or have no vote. Frames that show no difference are
-//! said to be inconclusive: take two frames between which the camera moves **and turns**, in a scene with slanted surfaces, with a few pixels of
-//! motion, and with jitter on if the engine has jitter.
+//! A pixel votes for the reading that explains it where the declared one does not. A mistake is named where at least four of five
+//! votes are for it; what moves by itself, disocclusions and values that are not finite are outvoted or have no vote. Frames that
+//! show no difference are reported as inconclusive: take two frames between which the camera moves **and turns**, in a scene with
+//! slanted surfaces, with a few pixels of motion, and with jitter on if the engine has jitter.
 //!
-//! It runs on the CPU in a fraction of a second and needs no device. Of an engine's frames it is had by a capture (`Executor::capture`, feature `capture`)
-//! and `cargo run --release -p atrous-denoise -- FOLDER --check`; or directly:
+//! It runs on the CPU in a fraction of a second and needs no device. Of an engine's frames it is had by a capture
+//! (`Executor::capture`, feature `capture`) and `cargo run --release -p atrous-denoise -- FOLDER --check`; or directly:
 //!
 //! ```
 //! use atrous::config::{Conventions, MotionDirection, MotionUnit};
@@ -66,7 +66,7 @@ use geometry::Geometry;
 use glam::IVec2;
 use trial::Trial;
 
-/// What the host gave for one frame. Images have one extent, at least the render extent, and the encodings of the conventions.
+/// Guides of the host for one frame. Images have one extent, at least the render extent, and the encodings of the conventions.
 #[derive(Clone, Copy, Debug)]
 pub struct Guides<'a> {
     /// Matrices, jitter, render extent. `frame_slot` does not matter; the current frame must not be a reset.
@@ -107,11 +107,12 @@ impl Guides<'_> {
     }
 }
 
-/// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the declared conventions, and names the likely mistake.
+/// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the declared conventions, and names the
+/// likely mistake.
 ///
 /// # Errors
-/// [`Error::Size`] or [`Error::RenderExtent`] for images that do not fit together; [`Error::FrameParams`] or [`Error::Extent`] for parameters that
-/// [`crate::Denoiser::begin_frame`] would refuse as well, and for a current frame that is a reset.
+/// [`Error::Size`] or [`Error::RenderExtent`] for images that do not fit together; [`Error::FrameParams`] or [`Error::Extent`] for
+/// parameters that [`crate::Denoiser::begin_frame`] would refuse as well, and for a current frame that is a reset.
 pub fn check(conventions: &Conventions, previous: &Guides, current: &Guides) -> Result<Report, Error> {
     previous.validate("previous")?;
     current.validate("current")?;

@@ -1,4 +1,4 @@
-//! What z of the motion is, where it is declared to be something.
+//! The test of z of the motion, where it is declared to be something.
 
 use super::contest::{explained, Residuals, Rule, Votes};
 use super::report::{Finding, Measure, Verdict};

@@ -16,7 +16,7 @@ impl MotionReading {
         Self { unit: c.motion_unit, direction: c.motion_direction, y_up: c.motion_y_up, jittered: c.motion_jittered }
     }
 
-    /// With the opposite sign.
+    /// The reading with the opposite sign.
     pub fn negated(self) -> Self {
         use MotionDirection as D;
         let direction = match self.direction {
@@ -50,12 +50,12 @@ impl MotionReading {
         all
     }
 
-    /// In how many ways `other` differs.
+    /// Number of ways in which `other` differs.
     pub fn differences(self, other: Self) -> usize {
         self.changes(other).0.len()
     }
 
-    /// In which ways `other` differs, and what to change to get there.
+    /// Ways in which `other` differs, and the changes that lead there.
     pub fn changes(self, other: Self) -> (Vec<String>, Vec<String>) {
         let (mut mistakes, mut remedies) = (Vec::new(), Vec::new());
         let mut change = |mistake: &str, remedy: String| {
@@ -117,14 +117,14 @@ impl NormalReading {
         all
     }
 
-    /// How far `other` is. All components negated are one mistake, as one component is.
+    /// Number of ways in which `other` differs. All components negated are one mistake, as one component is.
     pub fn differences(self, other: Self) -> usize {
         let negated = self.signs.iter().zip(other.signs).filter(|(a, b)| **a != *b).count();
         let negated = if negated == 3 { 1 } else { negated };
         usize::from(self.encoding != other.encoding) + usize::from(self.space != other.space) + negated
     }
 
-    /// In which ways `other` differs, and what to change to get there.
+    /// Ways in which `other` differs, and the changes that lead there.
     pub fn changes(self, other: Self) -> (Vec<String>, Vec<String>) {
         let (mut mistakes, mut remedies) = (Vec::new(), Vec::new());
         if self.encoding != other.encoding {

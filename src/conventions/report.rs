@@ -1,9 +1,9 @@
-//! What the test says.
+//! The report of the test.
 
 use crate::config::Conventions;
 use std::fmt;
 
-/// What became of one of the questions.
+/// The answer to one of the questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u32)]
 pub enum Verdict {
@@ -19,27 +19,27 @@ pub enum Verdict {
     Absent = 4,
 }
 
-/// Which residual.
+/// A residual that is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// How far the depth of the previous frame is from where depth and matrices of this frame put it, pixels.
+    /// Distance of the depth of the previous frame from where depth and matrices of this frame put it, pixels.
     Depth,
-    /// Between the host's motion and that of what stands still, by depth and matrices; pixels.
+    /// Difference between the host's motion and that of what stands still, by depth and matrices; pixels.
     Motion,
-    /// Between z of the host's motion, read as the previous depth, and that of what stands still; percent.
+    /// Difference between z of the host's motion, read as the previous depth, and that of what stands still; percent.
     MotionDepth,
-    /// Between the host's normals and those of the surface that the depth makes, degrees.
+    /// Angle between the host's normals and those of the surface that the depth makes, degrees.
     Normals,
 }
 
 /// Medians of a residual over the pixels that tell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
-    /// Which residual.
+    /// The residual.
     pub measure: Measure,
-    /// With the declared conventions. Infinite: beyond the image or behind the camera.
+    /// Size of the residual with the declared conventions. Infinite: beyond the image or behind the camera.
     pub declared: f32,
-    /// With what fits better.
+    /// Size of the residual with the conventions that fit better.
     pub fitting: Option<f32>,
     /// Pixels that tell.
     pub pixels: usize,
@@ -48,13 +48,13 @@ pub struct Evidence {
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
-    /// In one word.
+    /// The answer in one word.
     pub verdict: Verdict,
-    /// What is wrong, or why nothing can be said; empty where all is well.
+    /// The mistake, or the reason why there is no answer; empty where all is well.
     pub mistake: String,
-    /// What to change; empty where nothing is known.
+    /// The remedy; empty where nothing is known.
     pub remedy: String,
-    /// In numbers.
+    /// The answer in numbers.
     pub evidence: Vec<Evidence>,
     /// Mistakes that these two frames would not show.
     pub untested: Vec<String>,
@@ -66,7 +66,7 @@ impl Finding {
     }
 }
 
-/// What the test says of two frames; [`fmt::Display`] has it in sentences.
+/// Findings of the test on two frames; [`fmt::Display`] has them in sentences.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
     /// Depth, handedness, matrices and jitter.

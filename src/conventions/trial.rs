@@ -11,7 +11,8 @@ use crate::error::Error;
 /// Motion below this many pixels is not called motion.
 const MOVES: f32 = 0.25;
 
-/// A geometry with its residuals. Those of motion and normals are by the readings that fit best, so that a mistake there is not blamed on it.
+/// A geometry with its residuals. Those of motion and normals are by the readings that fit best, so that a mistake there is not
+/// blamed on it.
 pub(super) struct Trial<'a> {
     pub geometry: Geometry,
     pub(super) scene: Scene<'a>,
@@ -79,7 +80,7 @@ impl<'a> Trial<'a> {
         Evidence { measure, declared, fitting: None, pixels: residuals.iter().filter(|r| !r.is_nan()).count() }
     }
 
-    /// Why frames cannot tell.
+    /// The finding for frames that show nothing, with the reason.
     pub(super) fn nothing_tells(&self) -> Finding {
         let (surfaces, pixels, motion) = (self.surfaces(), self.pair.pixels.len(), self.median_motion());
         let why = if surfaces < contest::LEAST {
@@ -137,7 +138,7 @@ impl<'a> Trial<'a> {
         votes
     }
 
-    /// The same for normals.
+    /// The finding for normals.
     pub fn normals_finding(&self, declared: &Conventions) -> (Finding, NormalReading) {
         let declared = NormalReading::declared(declared);
         if !self.scene.has_normals() {
@@ -161,7 +162,7 @@ impl<'a> Trial<'a> {
     }
 }
 
-/// Of the residuals by several readings those that explain most; the earlier ones where several do.
+/// Residuals of the reading that explains most; of the earliest where several do.
 fn best(rule: Rule, readings: impl Iterator<Item = Residuals>) -> Residuals {
     let count = |residuals: &Residuals| residuals.iter().filter(|r| **r <= rule.explains).count();
     readings.reduce(|best, other| if count(&other) > count(&best) { other } else { best }).unwrap_or_default()
@@ -170,9 +171,9 @@ fn best(rule: Rule, readings: impl Iterator<Item = Residuals>) -> Residuals {
 /// The first candidate against all others.
 pub(super) struct Contest {
     outcomes: Vec<Outcome>,
-    /// What fits: the first candidate, or the one that beat it and is not beaten itself.
+    /// The candidate that fits: the first one, or the one that beat it and is not beaten itself.
     pub(super) champion: usize,
-    /// Between the first candidate and the champion.
+    /// Contest between the first candidate and the champion.
     votes: Votes,
 }
 
@@ -187,8 +188,8 @@ impl Contest {
         Self { votes: pairwise(0, champion), outcomes, champion }
     }
 
-    /// The finding: a mistake where another candidate won; agreement where a decisive one was ruled out. `name` says what is wrong and what to
-    /// change; those that are single mistakes and could not be told apart are listed.
+    /// The finding: a mistake where another candidate won; agreement where a decisive one was ruled out. `name` says what is wrong
+    /// and what to change; those that are single mistakes and could not be told apart are listed.
     pub(super) fn finding(
         &self,
         measure: Measure,
@@ -215,7 +216,7 @@ impl Contest {
     }
 }
 
-/// Of those that beat the first candidate the earliest that no other one of them beats; 0 where none does.
+/// The earliest candidate that beats the first one and that no other such candidate beats; 0 where none does.
 fn champion(outcomes: &[Outcome], outcome: impl Fn(usize, usize) -> Outcome) -> usize {
     let winners = (1..outcomes.len()).filter(|i| outcomes[*i] == Outcome::Second);
     winners.reduce(|champion, other| if outcome(champion, other) == Outcome::Second { other } else { champion }).unwrap_or(0)

@@ -15,7 +15,7 @@ pub(crate) struct Barriers {
 
 impl Barriers {
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     #[allow(clippy::too_many_arguments)]
     pub unsafe fn before_pass(
         &mut self,
@@ -50,7 +50,7 @@ impl Barriers {
     /// Brings the host's images and buffers back to the state that they were bound in.
     ///
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storages: &mut Storages) {
         for storage in storages.touched_host_storages() {
             if let Some(home) = storage.home {
@@ -65,7 +65,7 @@ impl Barriers {
     /// One barrier outside of any pass.
     ///
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn single(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storage: &mut Storage, next: Scope, keep: bool) {
         self.to(storage, next, keep);
         // SAFETY: `cmd` is recording outside a render pass; the storage is live, and in the state that its scope says.
@@ -75,7 +75,7 @@ impl Barriers {
     /// Fills what is undefined with NaN: transients, copies about to be written, and on a reset all previous copies.
     ///
     /// # Safety
-    /// As `Executor::record`; images have `TRANSFER_DST` usage.
+    /// Obligations of `Executor::record`; images have `TRANSFER_DST` usage.
     pub unsafe fn poison(
         &mut self,
         device: &ash::Device,
@@ -117,8 +117,8 @@ impl Barriers {
         }
     }
 
-    /// Orders an image after what was done to its memory through others: a barrier of the image alone does not reach that, and a global one does
-    /// not come before the image's own layout transition.
+    /// Orders an image after what was done to its memory through others: a barrier of the image alone does not reach that, and a
+    /// global one does not come before the image's own layout transition.
     fn take_over(&mut self, storage: &mut Storage, source: &Scope, next: Scope) {
         self.globals.push(dependency(source, &next));
         storage.scope.merge(source);
@@ -179,7 +179,7 @@ impl Barriers {
 /// One barrier of a buffer that is not ours to track.
 ///
 /// # Safety
-/// As `Executor::record`.
+/// Obligations of `Executor::record`.
 pub(crate) unsafe fn buffer_barrier(device: &ash::Device, cmd: vk::CommandBuffer, buffer: vk::Buffer, from: Scope, to: Scope) {
     let barrier = between(buffer, &from, &to);
     // SAFETY: `cmd` is recording outside a render pass on a device with synchronization2, and the buffer is live.

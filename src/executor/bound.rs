@@ -1,4 +1,4 @@
-//! What a host binds: images and buffers of its own, for inputs and outputs.
+//! Images and buffers of a host, for inputs and outputs.
 
 use super::scope::Scope;
 use super::storage::Storage;
@@ -52,7 +52,8 @@ impl Executor {
         Ok(())
     }
 
-    /// Binds a buffer of the host to an input, until it is bound anew. `stage` and `access` are the host's own uses before each phase.
+    /// Binds a buffer of the host to an input, until it is bound anew. `stage` and `access` are the host's own uses before each
+    /// phase.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is no input buffer, [`Error::Size`].

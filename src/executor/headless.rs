@@ -6,17 +6,17 @@ use ash::vk;
 use std::ffi::{c_void, CStr};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// How much the Khronos validation layer checks.
+/// Use of the Khronos validation layer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Validation {
-    /// Not at all.
+    /// No validation.
     #[default]
     Off,
-    /// Everything, with synchronisation validation. [`HeadlessDevice::validation_errors`] has the messages.
+    /// All checks, with synchronisation validation. [`HeadlessDevice::validation_errors`] has the messages.
     On,
 }
 
-/// What is asked of a headless device.
+/// Options of a headless device.
 #[derive(Clone, Debug, Default)]
 pub struct HeadlessOptions {
     /// Index or part of the name of the physical device; `None`: discrete before integrated before software.
@@ -80,7 +80,7 @@ impl HeadlessDevice {
         })
     }
 
-    /// For [`crate::Denoiser`] and [`super::Executor`].
+    /// The handles for [`crate::Denoiser`] and [`super::Executor`].
     pub fn host(&self) -> Device<'_> {
         Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device }
     }

@@ -11,7 +11,7 @@ use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, 
 use gpu_allocator::MemoryLocation;
 use std::ffi::{CStr, CString};
 
-/// Everything that an executor allocates, and what a host bound.
+/// Everything that an executor allocates, and the images and buffers that a host bound.
 pub(crate) struct Memory {
     device: ash::Device,
     allocator: Option<Allocator>,
@@ -31,7 +31,7 @@ enum Owned {
 
 impl Memory {
     /// # Safety
-    /// As `Executor::new`.
+    /// Obligations of `Executor::new`.
     pub unsafe fn new(host: Device<'_>, declaration: &Declaration, options: &ExecutorOptions) -> Result<Self, Error> {
         let allocator = Allocator::new(&AllocatorCreateDesc {
             instance: host.instance.clone(),

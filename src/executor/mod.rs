@@ -1,7 +1,7 @@
 //! The built-in frame graph: for hosts without one, for tools and for tests.
 //!
-//! It allocates what a declaration asks for, aliases transients by lifetime, keeps history pairs, derives every barrier from the declared
-//! uses, and times passes. A host with a frame graph of its own needs none of this.
+//! It allocates what a declaration asks for, aliases transients by lifetime, keeps history pairs, derives every barrier from the
+//! declared uses, and times passes. A host with a frame graph of its own needs none of this.
 
 mod barriers;
 mod bound;
@@ -35,7 +35,7 @@ use barriers::Barriers;
 use memory::Memory;
 use profiler::Profiler;
 
-/// What an executor is asked for beyond the declaration.
+/// Options of an executor beyond the declaration.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExecutorOptions {
     /// Usage that every image gets on top of what passes need, for example `TRANSFER_SRC` to read results back.
@@ -82,10 +82,11 @@ impl Executor {
     /// Creates the denoiser, and allocates histories, transients and outputs.
     ///
     /// # Errors
-    /// As [`Denoiser::new`] and [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
+    /// Errors of [`Denoiser::new`] and [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
     ///
     /// # Safety
-    /// As [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is complete.
+    /// Obligations of [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is
+    /// complete.
     pub unsafe fn new(host: Device<'_>, declaration: Declaration, options: ExecutorOptions) -> Result<Self, Error> {
         // SAFETY: instance, physical device and device are live, belong together and outlive the executor; the device has
         // synchronization2, and its formats and limits were checked first.
@@ -128,7 +129,7 @@ impl Executor {
     /// Starts a frame, and collects the timestamps that its slot holds.
     ///
     /// # Errors
-    /// As [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to.
+    /// Errors of [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to.
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let declaration = self.denoiser.declaration();
         let missing = (0..declaration.resources().len() as u32).map(ResourceId).find(|&id| {
@@ -154,10 +155,10 @@ impl Executor {
     /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`].
     ///
     /// # Errors
-    /// As [`Denoiser::replace_shader`].
+    /// Errors of [`Denoiser::replace_shader`].
     ///
     /// # Safety
-    /// As [`Denoiser::replace_shader`].
+    /// Obligations of [`Denoiser::replace_shader`].
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
         // SAFETY: no GPU work that is not complete uses the pipelines that are replaced, and `spirv` is valid for Vulkan 1.1.
@@ -167,11 +168,12 @@ impl Executor {
     /// Records every pass of a phase with its barriers; `debug_view` in frames with a view.
     ///
     /// # Errors
-    /// As [`Denoiser::record`].
+    /// Errors of [`Denoiser::record`].
     ///
     /// # Safety
-    /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is complete; bound
-    /// images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in order.
+    /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is
+    /// complete; bound images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in
+    /// order.
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
         #[cfg(feature = "capture")]
         // SAFETY: work recorded earlier with the frame's slot is complete, so that nothing writes to the buffers of its capture.
@@ -209,10 +211,10 @@ impl Executor {
     /// [`crate::Config::debug_view`] or a view.
     ///
     /// # Errors
-    /// As [`Denoiser::record`].
+    /// Errors of [`Denoiser::record`].
     ///
     /// # Safety
-    /// As [`Self::record`].
+    /// Obligations of [`Self::record`].
     pub unsafe fn record_debug_view(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) -> Result<(), Error> {
         let passes = self.denoiser.declaration().passes();
         let Some(pass) = passes.iter().position(|p| p.draws_view()) else { return Ok(()) };

@@ -26,11 +26,12 @@ pub(crate) struct Profiler {
 
 impl Profiler {
     /// # Safety
-    /// As `Executor::new`.
+    /// Obligations of `Executor::new`.
     pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
         // SAFETY: instance and physical device are live and belong together.
         let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
-        // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on the queue.
+        // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on
+        // the queue.
         let queries_per_stamp = if properties.device_type == vk::PhysicalDeviceType::CPU { 2 } else { 1 };
         let queries = 2 * passes * queries_per_stamp;
         let mut this = Self {
@@ -74,7 +75,7 @@ impl Profiler {
     }
 
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
         self.recorded[slot as usize] = true;
         // SAFETY: `cmd` is recording outside a render pass; the pool is ours, and the work that used it last, of this slot, is
@@ -83,14 +84,14 @@ impl Profiler {
     }
 
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn before_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
         // SAFETY: `cmd` is recording; `start` has reset the queries of this slot, and each is written once.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32) };
     }
 
     /// # Safety
-    /// As `Executor::record`.
+    /// Obligations of `Executor::record`.
     pub unsafe fn after_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
         // SAFETY: `cmd` is recording; `start` has reset the queries of this slot, and each is written once.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32 + 1) };

@@ -9,7 +9,7 @@ use crate::contract::{bytes_per_texel, FrameContext, Lifetime, ResourceId, UseFr
 use crate::error::Error;
 use ash::vk;
 
-/// What a copy of a resource consists of.
+/// Format and size of a copy of a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Readback {
     /// Format of the texels; `UNDEFINED` for a buffer.
@@ -26,7 +26,7 @@ impl Readback {
 }
 
 impl Executor {
-    /// What a copy of a resource will hold.
+    /// The format and size that a copy of a resource will have.
     ///
     /// # Errors
     /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input that nothing is bound to.
@@ -41,15 +41,15 @@ impl Executor {
         })
     }
 
-    /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has run. A transient holds what the last pass
-    /// that used its memory left there, unless it has memory of its own: see [`super::ExecutorOptions::no_aliasing`].
+    /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has run. A transient holds what the
+    /// last pass that used its memory left there, unless it has memory of its own: see [`super::ExecutorOptions::no_aliasing`].
     ///
     /// # Errors
-    /// As [`Self::readback`].
+    /// Errors of [`Self::readback`].
     ///
     /// # Safety
-    /// As [`Self::record`]; images have `TRANSFER_SRC` usage (see [`super::ExecutorOptions::extra_image_usage`]), and `buffer` has
-    /// `TRANSFER_DST` usage and room for [`Readback::bytes`].
+    /// Obligations of [`Self::record`]; images have `TRANSFER_SRC` usage (see [`super::ExecutorOptions::extra_image_usage`]), and
+    /// `buffer` has `TRANSFER_DST` usage and room for [`Readback::bytes`].
     pub unsafe fn record_copy(
         &mut self,
         cmd: vk::CommandBuffer,

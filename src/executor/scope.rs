@@ -1,9 +1,9 @@
-//! What was last done to an image or buffer, as one side of a barrier.
+//! The last access to an image or buffer, as one side of a barrier.
 
 use crate::contract::Access;
 use ash::vk;
 
-/// What was last done to an image or buffer.
+/// The last access to an image or buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Scope {
     pub stage: vk::PipelineStageFlags2,
@@ -12,7 +12,7 @@ pub(crate) struct Scope {
 }
 
 impl Scope {
-    /// Nothing yet.
+    /// No access yet.
     pub const NONE: Self =
         Self { stage: vk::PipelineStageFlags2::NONE, access: vk::AccessFlags2::NONE, layout: vk::ImageLayout::UNDEFINED };
 

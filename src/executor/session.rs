@@ -11,7 +11,7 @@ use ash::vk;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// What is asked of a session.
+/// Options of a session.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SessionOptions {
     /// See [`ExecutorOptions::poison`].
@@ -38,14 +38,14 @@ pub struct Session {
     pub(super) gpu: Arc<HeadlessDevice>,
 }
 
-/// What [`Session::run_traced`] calls back with: before (`false`) and after (`true`) each pass, by index.
+/// The function that [`Session::run_traced`] calls before (`false`) and after (`true`) each pass, with its index.
 pub type Trace<'a> = dyn FnMut(&mut Session, &FrameContext, usize, bool) -> Result<(), Error> + 'a;
 
 impl Session {
     /// Opens a session on a device.
     ///
     /// # Errors
-    /// As [`Executor::new`].
+    /// Errors of [`Executor::new`].
     pub fn new(gpu: Arc<HeadlessDevice>, declaration: Declaration, options: SessionOptions) -> Result<Self, Error> {
         let executor_options = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
@@ -81,10 +81,11 @@ impl Session {
         self.executor.invalidate();
     }
 
-    /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    /// Gives the passes that run a shader other code, and keeps the history: see
+    /// [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///
     /// # Errors
-    /// As [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
+    /// Errors of [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///
     /// # Safety
     /// `spirv` is valid for Vulkan 1.1.
@@ -97,7 +98,7 @@ impl Session {
     /// Runs one frame with all its phases, and waits for it.
     ///
     /// # Errors
-    /// As [`Executor::begin_frame`] and [`Executor::record`].
+    /// Errors of [`Executor::begin_frame`] and [`Executor::record`].
     pub fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let frame = self.executor.begin_frame(params, tuning)?;
         self.frame = Some(frame);
@@ -111,10 +112,11 @@ impl Session {
         Ok(frame)
     }
 
-    /// As [`Self::run`], with every pass submitted and waited for on its own, and a look at the images before and after each.
+    /// Runs one frame as [`Self::run`] does, with every pass submitted and waited for on its own, and a call of `trace` before and
+    /// after each.
     ///
     /// # Errors
-    /// As [`Self::run`], and whatever `trace` returns.
+    /// Errors of [`Self::run`], and whatever `trace` returns.
     pub fn run_traced(&mut self, params: &FrameParams, tuning: &Tuning, trace: &mut Trace<'_>) -> Result<FrameContext, Error> {
         let frame = self.executor.begin_frame(params, tuning)?;
         self.frame = Some(frame);
@@ -127,11 +129,11 @@ impl Session {
         Ok(frame)
     }
 
-    /// Texels of the output `debug_view` for the last frame with any view, as often as there are views to show: rgb as it is displayed, linear;
-    /// alpha: the number behind it.
+    /// Texels of the output `debug_view` for the last frame with any view, as often as there are views to show: rgb as it is
+    /// displayed, linear; alpha: the number behind it.
     ///
     /// # Errors
-    /// As [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
+    /// Errors of [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };
@@ -148,10 +150,11 @@ impl Session {
         self.download_copy(name, UseFrame::Current).map(|(format, bytes)| to_floats(format, &bytes))
     }
 
-    /// The same as raw texels, of either copy of a history.
+    /// Raw texels of an output, a history or a transient, of either copy of a history: the bytes that [`Self::download`] makes
+    /// floats of.
     ///
     /// # Errors
-    /// As [`Self::download`].
+    /// Errors of [`Self::download`].
     pub fn download_bytes(&mut self, name: &str, frame: UseFrame) -> Result<Vec<u8>, Error> {
         self.download_copy(name, frame).map(|(_, bytes)| bytes)
     }
@@ -171,7 +174,7 @@ impl Session {
     /// Captures the next `frames` frames: see [`Executor::capture`]. Frames of [`Self::run_traced`] are not captured.
     ///
     /// # Errors
-    /// As [`Executor::capture`].
+    /// Errors of [`Executor::capture`].
     #[cfg(feature = "capture")]
     pub fn capture(&mut self, folder: impl AsRef<std::path::Path>, frames: u32) -> Result<(), Error> {
         self.executor.capture(folder, frames)
@@ -180,7 +183,7 @@ impl Session {
     /// Writes what was captured and not yet written, and ends the capture: see [`Executor::finish_capture`].
     ///
     /// # Errors
-    /// As [`Executor::finish_capture`].
+    /// Errors of [`Executor::finish_capture`].
     #[cfg(feature = "capture")]
     pub fn finish_capture(&mut self) -> Result<u32, Error> {
         // SAFETY: every frame was waited for.

@@ -1,4 +1,4 @@
-//! What a session is given: images and buffers from slices.
+//! Inputs of a session: images and buffers from slices.
 
 use super::barriers::buffer_barrier;
 use super::scope::Scope;
@@ -12,7 +12,8 @@ use crate::error::Error;
 use ash::vk;
 
 impl Session {
-    /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do not matter.
+    /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do
+    /// not matter.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::Format`] for an image of ids, [`Error::Size`] for a wrong number of texels.
@@ -23,7 +24,7 @@ impl Session {
     /// Sets an input image of ids.
     ///
     /// # Errors
-    /// As [`Self::upload`].
+    /// Errors of [`Self::upload`].
     pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
         self.upload_bytes(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
     }

@@ -52,7 +52,7 @@ pub(crate) struct Storage {
 }
 
 impl Storage {
-    /// Of our own, with undefined content.
+    /// An image or buffer of our own, with undefined content.
     pub fn own(object: Object) -> Self {
         Self { object, scope: Scope::NONE, home: None, touched: false }
     }
@@ -81,13 +81,13 @@ impl Storage {
 
 /// Every physical image and buffer of a declaration.
 pub(crate) struct Storages {
-    /// By resource, then copy.
+    /// Storages by resource, then copy.
     storages: Vec<[Option<Storage>; 2]>,
-    /// What a resource has when nothing of the host is bound to it: an output of our own, or nothing.
+    /// Storages of resources to which nothing of the host is bound, by resource: an output of our own, or nothing.
     own: Vec<Option<Storage>>,
-    /// By resource: the transients that share memory with it.
+    /// Transients that share memory with a resource, by resource.
     aliases: Vec<Vec<ResourceId>>,
-    /// By resource: the pass that a transient starts in.
+    /// The pass that a transient starts in, by resource.
     first_pass: Vec<Option<usize>>,
 }
 
@@ -101,7 +101,7 @@ impl Storages {
         Self { storages: vec![[None, None]; count], own: vec![None; count], aliases: vec![Vec::new(); count], first_pass }
     }
 
-    /// Something of our own.
+    /// Stores an object of our own.
     pub fn set(&mut self, id: ResourceId, copy: usize, storage: Storage) {
         self.storages[id.0 as usize][copy] = Some(storage);
         if copy == 0 {
@@ -109,7 +109,7 @@ impl Storages {
         }
     }
 
-    /// Notes which transients overlap in memory: `offsets` is where each span was placed.
+    /// Notes transients that overlap in memory: `offsets` is where each span was placed.
     pub fn share(&mut self, ids: &[ResourceId], spans: &[Span], offsets: &[u64]) {
         let shares =
             |i: usize, j: usize| i != j && offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
@@ -161,7 +161,7 @@ impl Storages {
         self.first_pass[id.0 as usize] == Some(pass)
     }
 
-    /// What was last done to the memory of a transient through those that share it; `None` where it has its memory alone.
+    /// The last access to the memory of a transient through those that share it; `None` where it has its memory alone.
     pub fn scope_of_aliases(&self, id: ResourceId) -> Option<Scope> {
         let aliases = Some(&self.aliases[id.0 as usize]).filter(|a| !a.is_empty())?;
         let mut scope = Scope::NONE;

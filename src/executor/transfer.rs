@@ -97,7 +97,7 @@ pub(crate) fn whole_image(extent: [u32; 2]) -> vk::BufferImageCopy {
         .image_extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
 }
 
-/// What a session's uploads and the frame's passes see of an input.
+/// The scope of an input behind a session's uploads and before the frame's passes.
 pub(crate) const UPLOADED: Scope = Scope {
     stage: vk::PipelineStageFlags2::COMPUTE_SHADER,
     access: vk::AccessFlags2::SHADER_SAMPLED_READ,

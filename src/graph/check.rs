@@ -1,4 +1,4 @@
-//! What types cannot tell of a graph: reads of what nothing wrote, cycles, two writers, histories without an end.
+//! Checks of a whole graph for what types cannot see: reads of what nothing wrote, cycles, two writers, histories without an end.
 
 use super::Graph;
 use crate::contract::{Access, Lifetime, PassDecl, ResourceId, UseFrame};
@@ -27,7 +27,7 @@ impl Graph {
         (0..self.passes.len()).filter(|&i| touches(&self.passes[i])).collect()
     }
 
-    /// Everything that is read in a frame was written earlier in it, or is the host's.
+    /// Checks that everything that is read in a frame was written earlier in it, or is the host's.
     fn check_reads(&mut self, id: ResourceId) {
         let resource = &self.resources[id.0 as usize];
         if matches!(resource.lifetime, Lifetime::Input { .. }) {
@@ -65,7 +65,7 @@ impl Graph {
         reached[later]
     }
 
-    /// Whole contents come from one node; others may work in place behind it.
+    /// Checks that whole contents come from one node; others may work in place behind it.
     fn check_writers(&mut self, id: ResourceId) {
         let whole = |access: Access| access.writes() && !access.reads();
         let mut owners: Vec<_> =

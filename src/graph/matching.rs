@@ -7,17 +7,17 @@ use crate::contract::{
 };
 use crate::shaders::{access, vk_format, BindingKind, PushMember, Scalar, Shader, ShaderBinding, LEVEL, PRESENT, WIRED};
 
-/// What the graph itself binds where a shader has it.
+/// Images that the graph itself binds where a shader has them.
 pub(super) struct Automatic {
     pub frame: Image,
     pub statistics: Image,
 }
 
-/// What does not fit between a pass and its shader.
+/// A mismatch between a pass and its shader.
 pub(super) struct Mismatch {
     /// The binding, constant or parameter.
     pub port: String,
-    /// What was given, what is allowed and what to do.
+    /// The value that was given, the allowed ones, and the remedy.
     pub problem: String,
 }
 
@@ -149,7 +149,7 @@ fn match_constants(pass: &Pass, slots: &[Slot]) -> Result<Vec<(u32, u32)>, Misma
     Ok(constants)
 }
 
-/// Where each push constant comes from, in their order.
+/// The source of each push constant, in their order.
 fn match_parameters(pass: &Pass) -> Result<Vec<Parameter>, Mismatch> {
     let shader = &*pass.shader;
     for (i, (name, _)) in pass.parameters.iter().enumerate() {

@@ -1,9 +1,9 @@
 //! A denoiser composed from nodes: what a host builds, what the presets are built with.
 //!
-//! A [`Graph`] collects nodes. A node is a method of the graph: it takes ports, adds its resources and passes, and returns ports. A wrong wire
-//! does not compile, since ports are typed by what is in their images; what types cannot tell is an [`Error::Graph`] of [`Graph::finish`] with the
-//! node, the port and what to do. The result is a [`Declaration`], plain data, which [`crate::Denoiser`] records on a GPU and
-//! [`crate::reference::Engine`] runs on the CPU.
+//! A [`Graph`] collects nodes. A node is a method of the graph: it takes ports, adds its resources and passes, and returns ports. A
+//! wrong wire does not compile, since ports are typed by what is in their images; what types cannot tell is an [`Error::Graph`] of
+//! [`Graph::finish`] with the node, the port and what to do. The result is a [`Declaration`], plain data, which [`crate::Denoiser`]
+//! records on a GPU and [`crate::reference::Engine`] runs on the CPU.
 //!
 //! ```
 //! use atrous::graph::{Feedback, Graph};
@@ -23,8 +23,8 @@
 //! # Ok::<(), atrous::Error>(())
 //! ```
 //!
-//! Names of resources and passes are those of the node with the label of the signal behind it: `noisy_direct` gives `moments_direct`. A node that
-//! stands twice in a graph for the same signal needs a [`Graph::scope`], whose name goes behind that.
+//! Names of resources and passes are those of the node with the label of the signal behind it: `noisy_direct` gives
+//! `moments_direct`. A node that stands twice in a graph for the same signal needs a [`Graph::scope`], whose name goes behind that.
 
 mod check;
 mod matching;
@@ -50,13 +50,13 @@ use crate::error::Error;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Where the history of an accumulation comes from.
+/// Source of the history of an accumulation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Feedback {
     /// The accumulated picture itself. Keeps more detail.
     #[default]
     Accumulated,
-    /// What the first level of a filter writes, as \[SVGF\] 4.1 has it: [`crate::nodes::Atrous::feedback`]. Takes more noise.
+    /// The output of the first level of a filter, as \[SVGF\] 4.1 has it: [`crate::nodes::Atrous::feedback`]. Takes more noise.
     Filtered,
 }
 
@@ -69,9 +69,9 @@ pub struct Graph {
     config: Option<Config>,
     resources: Vec<ResourceDecl>,
     passes: Vec<PassDecl>,
-    /// By resource: what the graph knows of it beyond its declaration.
+    /// Facts beyond the declaration, by resource.
     states: Vec<ResourceState>,
-    /// By pass: the node that it belongs to.
+    /// The node of each pass, by pass.
     owners: Vec<String>,
     nodes: BTreeSet<String>,
     scopes: Vec<String>,
@@ -80,12 +80,12 @@ pub struct Graph {
     statistics: ResourceId,
 }
 
-/// What a graph knows of a resource.
+/// Facts about a resource that its declaration does not have.
 #[derive(Clone, Debug, Default)]
 struct ResourceState {
     /// Passes that have written it.
     version: u32,
-    /// What stands behind the names of resources and passes of its signal; empty for the only one.
+    /// Label behind the names of resources and passes of its signal; empty for the only one.
     label: String,
 }
 
@@ -116,7 +116,7 @@ impl Graph {
         Self { setup: config.setup(), config: Some(*config), ..Self::new(config.allocated_extent) }
     }
 
-    /// How the host encodes its guides. Default: [`Conventions::default`].
+    /// Sets the encodings of the host's guides. Default: [`Conventions::default`].
     pub fn conventions(self, conventions: Conventions) -> Self {
         Self { setup: Setup { conventions, ..self.setup }, ..self }
     }
@@ -126,8 +126,8 @@ impl Graph {
         Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }
     }
 
-    /// Nodes of `body` under names of their own: `_name` stands behind the names of their resources and passes. For a node that stands twice in a
-    /// graph. Inputs of the host keep their names, so that both read the same ones.
+    /// Nodes of `body` under names of their own: `_name` stands behind the names of their resources and passes. For a node that
+    /// stands twice in a graph. Inputs of the host keep their names, so that both read the same ones.
     pub fn scope<T>(&mut self, name: &str, body: impl FnOnce(&mut Self) -> T) -> T {
         self.scopes.push(name.to_owned());
         let result = body(self);
@@ -146,9 +146,9 @@ impl Graph {
     /// The graph as plain data.
     ///
     /// # Errors
-    /// [`Error::Extent`] and [`Error::Config`] for extents and frames in flight that are out of range; [`Error::Graph`] names node, port and
-    /// remedy: an image of another graph, stale content, a read of what nothing writes, a cycle, two writers, a history that nothing writes, a
-    /// format that does not fit, a name that is taken.
+    /// [`Error::Extent`] and [`Error::Config`] for extents and frames in flight that are out of range; [`Error::Graph`] names node,
+    /// port and remedy: an image of another graph, stale content, a read of what nothing writes, a cycle, two writers, a history
+    /// that nothing writes, a format that does not fit, a name that is taken.
     pub fn finish(mut self) -> Result<Declaration, Error> {
         self.setup.validate()?;
         if self.errors.is_empty() {
@@ -158,7 +158,7 @@ impl Graph {
         errors.into_iter().next().map_or(Ok(Declaration { setup, config, resources, passes }), Err)
     }
 
-    /// Notes what is wrong with a node. The first error is the one that [`Self::finish`] returns, since later ones may follow from it.
+    /// Notes an error of a node. The first one is the one that [`Self::finish`] returns, since later ones may follow from it.
     pub(crate) fn fail(&mut self, node: &str, port: &str, problem: String) {
         self.errors.push(Error::Graph { node: node.to_owned(), port: port.to_owned(), problem });
     }

@@ -7,7 +7,7 @@ use crate::contract::{Access, Grid, Lifetime, PassDecl, Phase, Shape, Use, UseFr
 use crate::reference::Twin;
 use crate::shaders::ShaderRef;
 
-/// Where a number of a node comes from.
+/// Source of a number of a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Value {
     /// The field of [`Tuning`] that has the name of the parameter: it may change from frame to frame.
@@ -15,7 +15,7 @@ pub enum Value {
     Own,
     /// Another field of [`Tuning`], by name.
     Tunable(&'static str),
-    /// This number in every frame.
+    /// A fixed number, in every frame.
     Fixed(f32),
 }
 
@@ -26,12 +26,12 @@ pub(crate) struct Wire {
     pub frame: UseFrame,
 }
 
-/// Where the push constant `level` comes from.
+/// Source of the push constant `level`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Level {
-    /// There is none.
+    /// No such push constant.
     None,
-    /// This one.
+    /// A fixed level.
     Number(u32),
     /// The view of the frame.
     View,
@@ -99,7 +99,7 @@ impl Pass {
         self
     }
 
-    /// Where a member of the push constants comes from, where it is not the tunable of its name.
+    /// Sets the source of a member of the push constants, where it is not the tunable of its name.
     pub fn value(mut self, member: &str, value: Value) -> Self {
         if value != Value::Own {
             self.parameters.push((member.to_owned(), value));
@@ -121,7 +121,7 @@ impl Pass {
         }
     }
 
-    /// What the image held one frame ago.
+    /// Binds the content that an image had one frame ago.
     pub fn previous(mut self, binding: &str, image: Image) -> Self {
         self.wires.push((binding.to_owned(), Wire { image, frame: UseFrame::Previous }));
         self
@@ -198,7 +198,7 @@ impl Graph {
         }
     }
 
-    /// Why an image cannot be wired, whatever the shader does with it.
+    /// The reason why an image cannot be wired, whatever the shader does with it.
     fn refusal(&self, wire: &Wire) -> Option<String> {
         match wire.image {
             Image::NONE => {
@@ -210,7 +210,7 @@ impl Graph {
         }
     }
 
-    /// Why the content of an image that a pass reads is not what it was when the value was made.
+    /// The binding whose image has other content than when the value was made, and the reason.
     fn stale(&self, binding: &str, wire: &Wire, pass: &PassDecl) -> Option<(String, String)> {
         let reads = pass.use_of(binding).is_some_and(|u| u.access.reads());
         let id = wire.image.id;

@@ -1,12 +1,12 @@
-//! What nodes hand to one another: images of a graph, typed by what is in them.
+//! Ports of nodes: images of a graph, typed by what is in them.
 
 use crate::contract::ResourceId;
 use std::marker::PhantomData;
 
 /// An image of a graph with the content that one node left in it.
 ///
-/// A node that works in place leaves other content in the same image: the value from before is stale then, and a graph that still reads it is
-/// refused.
+/// A node that works in place leaves other content in the same image: the value from before is stale then, and a graph that still
+/// reads it is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Image {
     pub(super) graph: u32,
@@ -27,7 +27,8 @@ impl Image {
 
 /// One image of one kind, or two: one for each signal that is filtered in the same passes.
 ///
-/// A port of another kind does not compile where this one is wanted. [`Port::of`] makes one of an image that a stage of the host wrote.
+/// A port of another kind does not compile where this one is wanted. [`Port::of`] makes one of an image that a stage of the host
+/// wrote.
 #[derive(Debug)]
 pub struct Port<K> {
     images: [Image; 2],
@@ -65,18 +66,18 @@ impl<K> Port<K> {
         self.images[0]
     }
 
-    /// How many signals: 1 or 2.
+    /// Number of signals: 1 or 2.
     pub fn signals(&self) -> usize {
         self.count
     }
 
-    /// The same images under another kind, for what two kinds have in common.
+    /// The images of this port under another kind, for what two kinds have in common.
     pub(crate) fn cast<L>(self) -> Port<L> {
         Port { images: self.images, count: self.count, kind: PhantomData }
     }
 }
 
-/// What can be in the images of a [`Port`].
+/// Kinds of a [`Port`]: the content of its images.
 pub mod kind {
     /// Linear HDR radiance in rgb.
     #[derive(Debug)]
@@ -96,13 +97,13 @@ pub mod kind {
     /// Motion of a volume in pixels, two packed half floats.
     #[derive(Debug)]
     pub enum VolumeMotion {}
-    /// How far history is still true: 1, keep it, to 0, drop it.
+    /// Share of the history that is still true: 1, keep it, to 0, drop it.
     #[derive(Debug)]
     pub enum Confidence {}
     /// Two percentiles of luminance for every 8×8 pixels, packed half floats.
     #[derive(Debug)]
     pub enum Percentiles {}
-    /// How far a frame departs from its history, for every 8×8 pixels, packed.
+    /// Departure of a frame from its history, for every 8×8 pixels, packed.
     #[derive(Debug)]
     pub enum Difference {}
     /// Display-referred linear colour in rgb, 0 to 1.
@@ -122,7 +123,7 @@ pub type VolumeRadiance = Port<kind::VolumeRadiance>;
 pub type VolumeEstimate = Port<kind::VolumeEstimate>;
 /// Motion of a volume.
 pub type VolumeMotion = Port<kind::VolumeMotion>;
-/// How far history is still true.
+/// Share of the history that is still true.
 pub type Confidence = Port<kind::Confidence>;
 /// Percentiles of luminance of blocks.
 pub type Percentiles = Port<kind::Percentiles>;
@@ -156,7 +157,7 @@ pub struct Guides {
     pub object_normal: Option<Image>,
 }
 
-/// What the next frame accumulates onto: colour and moments of luminance of every signal.
+/// The history that the next frame accumulates onto: colour and moments of luminance of every signal.
 #[derive(Clone, Copy, Debug)]
 pub struct History {
     pub(crate) colour: [Image; 2],

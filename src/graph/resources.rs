@@ -20,8 +20,8 @@ pub(crate) const HOST_SCALAR: ImageFormat = ImageFormat::Any(Component::Float, v
 pub(crate) const HOST_ID: ImageFormat = ImageFormat::Any(Component::Uint, vk::Format::R32_UINT);
 
 impl Graph {
-    /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives `moments_direct`;
-    /// `noisy_radiance`, and a name without that prefix, none.
+    /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives
+    /// `moments_direct`; `noisy_radiance`, and a name without that prefix, none.
     pub fn radiance(&mut self, name: &str) -> Radiance {
         let image = self.input(name, HOST_COLOUR, 1, false);
         let label = name.strip_prefix("noisy_").filter(|label| *label != "radiance").unwrap_or_default();
@@ -29,7 +29,8 @@ impl Graph {
         Port::of(image)
     }
 
-    /// Two signals that are filtered in the same passes with shared geometry weights, as \[SVGF\] does with direct and indirect light.
+    /// Two signals that are filtered in the same passes with shared geometry weights, as \[SVGF\] does with direct and indirect
+    /// light.
     pub fn pair<K>(&mut self, first: &Port<K>, second: &Port<K>) -> Port<K> {
         let images: Vec<_> = first.images().iter().chain(second.images()).copied().collect();
         Port::of_images(&images).unwrap_or_else(|| {
@@ -42,13 +43,15 @@ impl Graph {
         })
     }
 
-    /// An image with one texel for every `divisor` × `divisor` pixels, of the host's own use between stages of its own: see [`super::StageCall`].
+    /// An image with one texel for every `divisor` × `divisor` pixels, of the host's own use between stages of its own: see
+    /// [`super::StageCall`].
     pub fn transient(&mut self, name: &str, format: vk::Format, divisor: u32) -> Image {
         let name = self.scoped(name, "");
         self.image(name, ImageFormat::Exactly(format), divisor, Lifetime::Transient)
     }
 
-    /// What an accumulation of these signals leaves for the next frame. Make it before the nodes that read the previous one.
+    /// Makes the history that an accumulation of these signals leaves for the next frame. Make it before the nodes that read the
+    /// previous one.
     pub fn history<K>(&mut self, of: &Port<K>, feedback: Feedback) -> History {
         let mut colour = of.images().to_vec();
         for image in &mut colour {

@@ -12,10 +12,11 @@ use std::sync::Arc;
 
 /// A compute shader of the host that runs as a stage.
 ///
-/// Everything that the graph has to know of it is read from the SPIR-V: bindings of descriptor set 0 with their names, push constants,
-/// specialisation constants, workgroup size. A uniform block called `frame` is bound to the frame's constants (`glsl/include/frame.glsl`), a storage
-/// buffer called `statistics` to the counters. Members of the push constants called `level` and `present`, and those with the name of a tunable, are
-/// filled by the recorder. One invocation is dispatched for each pixel of the render extent.
+/// Everything that the graph has to know of it is read from the SPIR-V: bindings of descriptor set 0 with their names, push
+/// constants, specialisation constants, workgroup size. A uniform block called `frame` is bound to the frame's constants
+/// (`glsl/include/frame.glsl`), a storage buffer called `statistics` to the counters. Members of the push constants called `level`
+/// and `present`, and those with the name of a tunable, are filled by the recorder. One invocation is dispatched for each pixel of
+/// the render extent.
 #[derive(Clone, Debug)]
 pub struct Stage {
     shader: Arc<Shader>,
@@ -23,11 +24,12 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// Reads a module. Compile it for Vulkan 1.1 (SPIR-V 1.3) and keep the names (no stripping), since bindings are matched by name.
+    /// Reads a module. Compile it for Vulkan 1.1 (SPIR-V 1.3) and keep the names (no stripping), since bindings are matched by
+    /// name.
     ///
     /// # Errors
-    /// [`Error::Stage`] for what is no compute shader, has a binding without a name or of a kind that passes cannot have, numbers bindings with a gap or in
-    /// another set than 0, or has more than 128 bytes of push constants.
+    /// [`Error::Stage`] for what is no compute shader, has a binding without a name or of a kind that passes cannot have, numbers
+    /// bindings with a gap or in another set than 0, or has more than 128 bytes of push constants.
     pub fn new(name: &str, spirv: &[u32]) -> Result<Self, Error> {
         let failed = |problem: String| Error::Stage { stage: name.to_owned(), problem };
         let code = spirv.iter().flat_map(|word| word.to_ne_bytes()).collect();
@@ -59,7 +61,7 @@ pub struct StageOutputs {
 }
 
 impl StageOutputs {
-    /// What was written through a binding; `None` where the stage has no such binding that it writes.
+    /// The image that was written through a binding; `None` where the stage has no such binding that it writes.
     pub fn image(&self, binding: &str) -> Option<Image> {
         self.images.get(binding).copied()
     }
@@ -88,7 +90,7 @@ impl StageCall<'_> {
         self
     }
 
-    /// What an image held one frame ago. It keeps two copies from then on.
+    /// Binds the content that an image had one frame ago. It keeps two copies from then on.
     pub fn previous(mut self, binding: &str, image: Image) -> Self {
         self.pass = self.pass.previous(binding, image);
         self
@@ -130,7 +132,8 @@ impl StageCall<'_> {
         self
     }
 
-    /// Adds the stage. Every storage image that it writes and that was not given is made: a transient of the format that the shader names.
+    /// Adds the stage. Every storage image that it writes and that was not given is made: a transient of the format that the shader
+    /// names.
     pub fn add(mut self) -> StageOutputs {
         let mut images = BTreeMap::new();
         for binding in self.shader.bindings.iter() {

@@ -1,4 +1,4 @@
-//! How far the history of a pixel is still true, from temporal gradients. \[ASVGF\] 3.5, eq. 14.
+//! Turns temporal gradients into confidence in the history of each pixel. \[ASVGF\] 3.5, eq. 14.
 
 use crate::contract::Lifetime;
 use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, CONFIDENCE, HOST_SCALAR};

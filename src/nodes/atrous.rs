@@ -53,7 +53,7 @@ impl Default for VolumeAtrous {
     }
 }
 
-/// What the levels of one filter share.
+/// Parameters that the levels of one filter share.
 pub(super) struct Levels<'a> {
     pub node: &'a str,
     pub count: u32,
@@ -89,8 +89,8 @@ impl Graph {
         })
     }
 
-    /// The passes of a wavelet filter. The first level may write a history; the last one an image of its own, which can be an output; those between
-    /// alternate between two.
+    /// The passes of a wavelet filter. The first level may write a history; the last one an image of its own, which can be an
+    /// output; those between alternate between two.
     pub(super) fn levels<K>(&mut self, levels: Levels, input: &Port<K>, pass: impl Fn(String, u32) -> Pass) -> Port<K> {
         let Levels { node, count, feedback } = levels;
         if !(1..=10).contains(&count) {

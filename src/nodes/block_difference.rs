@@ -1,4 +1,4 @@
-//! How far a frame departs from its own history, block by block.
+//! Measures the departure of a frame from its own history, block by block.
 
 use super::BLOCK_SIZE;
 use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};

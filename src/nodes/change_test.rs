@@ -1,4 +1,4 @@
-//! How far the history of a pixel is still true, from the departure of blocks: a test in both directions.
+//! Turns the departure of blocks into confidence in the history of each pixel: a test in both directions.
 
 use crate::contract::Lifetime;
 use crate::graph::{Confidence, Difference, Graph, Pass, Port, CONFIDENCE};

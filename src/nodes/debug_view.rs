@@ -1,21 +1,21 @@
-//! What the denoiser knows of each pixel, as a picture. Not a stage of a filter: nothing reads it.
+//! Shows the denoiser's knowledge of each pixel as a picture. Not a stage of a filter: nothing reads it.
 
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, HDR, HOST_COLOUR};
 use crate::shaders;
 
-/// What a graph has beside the guides; views of what is `None` are a dark chequer.
+/// Images of a graph beside the guides; views of what is `None` are a dark chequer.
 #[derive(Clone, Copy, Debug)]
 pub struct Known {
     /// Noisy radiance of the host, one or two signals.
     pub noisy: Radiance,
     /// Whether it is divided by the optional input `albedo`. Default: true.
     pub albedo: bool,
-    /// What accumulations left.
+    /// The history that accumulations left.
     pub history: Option<History>,
     /// Whether the colour of the history holds the standard deviation of luminance: a filter wrote it.
     pub deviation: bool,
-    /// How far history was still true.
+    /// Confidence in the history.
     pub confidence: Option<Confidence>,
     /// Reconstructed temporal gradients.
     pub gradient: Option<Gradient>,

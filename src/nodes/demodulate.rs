@@ -10,7 +10,7 @@ use crate::shaders;
 pub struct Demodulate {
     /// Whether the optional input `albedo` of the host divides the radiance; else it passes as it is. Default: true.
     pub albedo: bool,
-    /// How many pixels have a sample: holes are marked for the node `eaw` to paint in. Default: all of them.
+    /// Share of the pixels that have a sample: holes are marked for the node `eaw` to paint in. Default: all of them.
     pub sampling: Sampling,
 }
 

@@ -23,7 +23,8 @@ impl Default for ForwardProject {
 }
 
 impl Graph {
-    /// Samples that the host shades again. Three passes: clear the claims, let the candidates of the previous frame claim strata, write down who won.
+    /// Samples that the host shades again. Three passes: clear the claims, let the candidates of the previous frame claim strata,
+    /// write down who won.
     ///
     /// Give the result to the host: `graph.output_samples("gradient_samples", &samples)`.
     pub fn forward_project(&mut self, guides: &Guides, project: ForwardProject) -> GradientSamples {

@@ -1,10 +1,10 @@
-//! How much the luminance of the same samples changed from the previous frame to this one, per stratum. \[ASVGF\] eq. 2, 3, 13.
+//! Measures the change in luminance of the same samples from the previous frame to this one, per stratum. \[ASVGF\] eq. 2, 3, 13.
 
 use crate::contract::{Grid, Lifetime};
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Pass, Radiance, HDR, HOST_COLOUR, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Where temporal gradients come from.
+/// Source of temporal gradients.
 #[derive(Clone, Copy, Debug)]
 pub enum Gradients {
     /// One pixel a stratum is a sample of the previous frame, shaded again by the host.

@@ -9,7 +9,8 @@ use crate::shaders;
 pub struct Import {
     /// Whether the host has an image `surface_id`. Default: true.
     pub surface_id: bool,
-    /// Whether the host has an image `object_normal`, by which a turning object keeps its history. Costs 8 bytes a pixel. Default: false.
+    /// Whether the host has an image `object_normal`, by which a turning object keeps its history. Costs 8 bytes a pixel. Default:
+    /// false.
     pub object_normal: bool,
 }
 
@@ -22,7 +23,8 @@ impl Default for Import {
 impl Graph {
     /// Packs depth, normal, roughness, id and motion of the host.
     ///
-    /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`, `object_normal`.
+    /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`,
+    /// `object_normal`.
     pub fn import(&mut self, import: Import) -> Guides {
         let node = self.node("import", "");
         let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);

@@ -1,7 +1,7 @@
 //! The stages as nodes of a [`Graph`]: which shader, which images, how each is touched.
 //!
-//! A node is a method of [`Graph`] in the file of its stage, with its parameters in a struct that has defaults. It adds passes and allocates
-//! nothing.
+//! A node is a method of [`Graph`] in the file of its stage, with its parameters in a struct that has defaults. It adds passes and
+//! allocates nothing.
 
 mod adaptive_alpha;
 mod atrous;
@@ -59,7 +59,7 @@ impl Graph {
         }
     }
 
-    /// The same images with the content that they have now, after passes that wrote them.
+    /// The images of a port with the content that they have now, after passes that wrote them.
     fn renewed<K>(&self, port: &Port<K>) -> Port<K> {
         let images: Vec<Image> = port.images().iter().map(|image| self.refreshed(*image)).collect();
         Port::of_images(&images).unwrap_or(*port)

@@ -1,4 +1,4 @@
-//! How far the history of a pixel is still true, by the published rule. [PSVGF], adaptive accumulation.
+//! Turns percentiles into confidence in the history of each pixel, by the published rule. \[PSVGF\], adaptive accumulation.
 
 use crate::contract::Lifetime;
 use crate::graph::{Confidence, Graph, Guides, History, Pass, Percentiles, Port, CONFIDENCE};

@@ -7,7 +7,7 @@ use crate::shaders;
 /// Parameters of the node `temporal_accumulation`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Accumulation {
-    /// What may shorten the history of a pixel \[ASVGF\]. Default: nothing \[SVGF\].
+    /// Confidence that may shorten the history of a pixel \[ASVGF\]. Default: none \[SVGF\].
     pub confidence: Option<Confidence>,
     /// Whether disocclusions borrow the history of pixels nearby \[PSVGF\]. Default: false.
     pub repair: bool,
@@ -57,7 +57,8 @@ impl Graph {
         self.renewed(irradiance)
     }
 
-    /// Accumulates the radiance of a volume in place, along its own motion, tested by the depth of the surface behind alone \[PSVGF\].
+    /// Accumulates the radiance of a volume in place, along its own motion, tested by the depth of the surface behind alone
+    /// \[PSVGF\].
     pub fn volume_accumulation(
         &mut self,
         guides: &Guides,

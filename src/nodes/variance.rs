@@ -1,16 +1,17 @@
-//! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings. \[SVGF\] 4.2.
+//! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings.
+//! \[SVGF\] 4.2.
 
 use super::by_signals;
 use crate::graph::{Estimate, Graph, Guides, History, Irradiance, Pass, Value, VolumeEstimate, VolumeRadiance, HDR};
 use crate::shaders;
 
-/// How the variance of a pixel with a short past is estimated.
+/// The estimator of the variance of a pixel with a short past.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Estimator {
-    /// Over 7×7 pixels while the past is short \[SVGF\].
+    /// Estimate over 7×7 pixels while the past is short \[SVGF\].
     #[default]
     Switched,
-    /// Over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
+    /// Estimate over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
     Fading,
 }
 

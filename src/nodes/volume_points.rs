@@ -26,8 +26,8 @@ impl Graph {
         Volume { noisy, points: self.named_image("volume_points", "", PACKED_64, 1, Lifetime::HistoryInPlace) }
     }
 
-    /// Radiance of a volume, with its points for the next frame from the optional input `scattering_depth`. Behind the node `volume_motion`, which reads
-    /// the points of the previous frame.
+    /// Radiance of a volume, with its points for the next frame from the optional input `scattering_depth`. Behind the node
+    /// `volume_motion`, which reads the points of the previous frame.
     pub fn volume_points(&mut self, volume: &Volume) -> VolumeRadiance {
         let node = self.node("volume_points", "");
         let label = self.label(volume.noisy.image()).to_owned();

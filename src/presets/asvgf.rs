@@ -7,8 +7,8 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Modulate, Va
 
 /// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box. \[ASVGF\] 3.
 ///
-/// It reads `signals`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
-/// configuration.
+/// It reads `signals`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and
+/// `surface_id` of the configuration.
 pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);

@@ -1,11 +1,12 @@
-//! The part that presets with temporal gradients share: before lighting the samples, after it the confidence in each pixel's history.
+//! The part that presets with temporal gradients share: before lighting the samples, after it the confidence in each pixel's
+//! history.
 
 use crate::config::{Config, GradientSource};
 use crate::graph::{Confidence, Gradient, Graph, Guides, Radiance};
 use crate::nodes::{ForwardProject, Gradients};
 
-/// Where gradients come from, by [`Config::gradient_source`]; for [`GradientSource::ForwardProjected`] with the output `gradient_samples`. `None`:
-/// the host's own confidence takes the place of gradients.
+/// The source of gradients, by [`Config::gradient_source`]; for [`GradientSource::ForwardProjected`] with the output
+/// `gradient_samples`. `None`: the host's own confidence takes the place of gradients.
 pub fn gradient_samples(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Gradients> {
     let &Config { stratum_size, forward_motion, surface_id, .. } = config;
     match config.gradient_source {
@@ -20,10 +21,10 @@ pub fn gradient_samples(g: &mut Graph, guides: &Guides, config: &Config) -> Opti
     }
 }
 
-/// How light changed.
+/// The change of light.
 #[derive(Clone, Copy, Debug)]
 pub struct ChangeOfLight {
-    /// How far history is still true.
+    /// Confidence in the history.
     pub confidence: Confidence,
     /// The reconstructed gradients; `None`: the host's own confidence takes their place.
     pub gradient: Option<Gradient>,

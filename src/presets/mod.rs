@@ -1,7 +1,7 @@
 //! Presets: each a short list of nodes, in functions that a host can call in a graph of its own, read, copy and cut.
 //!
-//! A preset takes the guides of [`Graph::import`] and the signals that are filtered, and returns [`Denoised`]. [`Config::declare`] puts around it
-//! what a [`Config`] asks for: the inputs of the host, a volume, the post-process, the debug view.
+//! A preset takes the guides of [`Graph::import`] and the signals that are filtered, and returns [`Denoised`]. [`Config::declare`]
+//! puts around it what a [`Config`] asks for: the inputs of the host, a volume, the post-process, the debug view.
 
 mod asvgf;
 mod eaw;
@@ -25,12 +25,12 @@ use crate::error::Error;
 use crate::graph::{Graph, Guides, Irradiance, Percentiles, Radiance};
 use crate::nodes::{Import, Known};
 
-/// What a preset returns.
+/// The outputs of a preset.
 #[derive(Clone, Copy, Debug)]
 pub struct Denoised {
     /// Denoised radiance.
     pub radiance: Radiance,
-    /// What can be shown of the way there: for [`Graph::debug_view`].
+    /// Images that can be shown of the way there: for [`Graph::debug_view`].
     pub known: Known,
 }
 
@@ -38,7 +38,7 @@ impl Config {
     /// Declares every resource and pass, without a device.
     ///
     /// # Errors
-    /// As [`Config::validate`].
+    /// Errors of [`Config::validate`].
     pub fn declare(&self) -> Result<Declaration, Error> {
         self.validate()?;
         let mut g = Graph::of_config(self);

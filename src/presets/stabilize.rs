@@ -1,14 +1,16 @@
-//! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\] 4).
+//! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\]
+//! 4).
 
 use super::{change_of_light, firefly_filter, gradient_samples, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Demodulate, Known, Modulate};
 
-/// A-RAE: `noisy_radiance` is compared, `other_denoised_radiance` is accumulated, divided by the albedo like every signal, so that textures stay.
-/// \[ASVGF\] 4
+/// A-RAE: `noisy_radiance` is compared, `other_denoised_radiance` is accumulated, divided by the albedo like every signal, so that
+/// textures stay. \[ASVGF\] 4
 ///
-/// It reads `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the configuration.
+/// It reads `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
+/// configuration.
 pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let other = g.radiance("other_denoised_radiance");

@@ -25,11 +25,11 @@ pub const LUMINANCE_EPSILON: f32 = 1e-4;
 /// Inputs of [`atrous`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct AtrousInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// For every signal rgb: irradiance, alpha: standard deviation of its luminance.
+    /// Irradiance of every signal in rgb, standard deviation of its luminance in alpha.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
 }
 

@@ -79,7 +79,7 @@ impl<'a> Bindings<'a> {
     /// A specialisation constant that is a switch.
     ///
     /// # Errors
-    /// As [`Self::constant`].
+    /// Errors of [`Self::constant`].
     pub fn is_on(&self, name: &str) -> Result<bool, Error> {
         Ok(self.constant(name)? != 0)
     }
@@ -116,7 +116,7 @@ impl<'a> Bindings<'a> {
     /// Adds to the counters of bad input.
     ///
     /// # Errors
-    /// As [`Self::bytes`] of `statistics`.
+    /// Errors of [`Self::bytes`] of `statistics`.
     pub fn count(&mut self, statistics: &Statistics) -> Result<(), Error> {
         let before = self.statistics()?;
         let sum: Statistics = std::array::from_fn(|i| before[i].wrapping_add(statistics[i]));
@@ -126,7 +126,7 @@ impl<'a> Bindings<'a> {
     /// The counters of bad input.
     ///
     /// # Errors
-    /// As [`Self::bytes`] of `statistics`.
+    /// Errors of [`Self::bytes`] of `statistics`.
     pub fn statistics(&self) -> Result<Statistics, Error> {
         let mut statistics = Statistics::default();
         let counts = self.bytes("statistics")?.chunks_exact(4).map(bytemuck::pod_read_unaligned);
@@ -137,7 +137,7 @@ impl<'a> Bindings<'a> {
     /// The transforms of the host's instances, where they are bound.
     ///
     /// # Errors
-    /// As [`Self::bytes`] for something else than a buffer.
+    /// Errors of [`Self::bytes`] for something else than a buffer.
     pub fn instance_transforms(&self) -> Result<Option<Vec<InstanceTransform>>, Error> {
         let of_bytes =
             |bytes: &[u8]| bytes.chunks_exact(size_of::<InstanceTransform>()).map(bytemuck::pod_read_unaligned).collect();
@@ -147,7 +147,7 @@ impl<'a> Bindings<'a> {
     /// The number of pixels a side of a stratum.
     ///
     /// # Errors
-    /// As [`Self::constant`]; [`Error::Config`] for 0.
+    /// Errors of [`Self::constant`]; [`Error::Config`] for 0.
     pub fn stratum_size(&self) -> Result<u32, Error> {
         match self.constant("STRATUM_SIZE")? {
             0 => Err(Error::Config { name: "stratum_size", given: 0, min: 2, max: 4 }),
@@ -158,7 +158,7 @@ impl<'a> Bindings<'a> {
     /// Stores an image for every signal, under the names `name_0` and `name_1`.
     ///
     /// # Errors
-    /// As [`Self::write`].
+    /// Errors of [`Self::write`].
     pub fn write_signals<T: Into<Texels>>(&mut self, name: &str, images: Vec<T>) -> Result<(), Error> {
         images.into_iter().enumerate().try_for_each(|(i, image)| self.write(&format!("{name}_{i}"), image))
     }

@@ -12,7 +12,7 @@ use crate::{Error, FrameConstants, Tuning};
 /// Statistics that a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Difference {
-    /// Their mean, this frame minus the history.
+    /// Mean of the differences, this frame minus the history.
     pub mean: f32,
     /// Standard deviation of one difference, that of the history's own noise included.
     pub deviation: f32,
@@ -37,7 +37,7 @@ pub fn unpack_difference(texel: [u16; 4]) -> Difference {
 /// Inputs of [`block_difference`].
 #[derive(Clone, Copy, Debug)]
 pub struct BlockDifferenceInputs<'a> {
-    /// Of both frames.
+    /// Guides of both frames.
     pub guides: HistoryGuides<'a>,
     /// rgb: irradiance of one signal, as left by `firefly`.
     pub irradiance: &'a Image<[f32; 4]>,
@@ -59,7 +59,7 @@ pub fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockD
     })
 }
 
-/// Of (this frame, history, variance of the history relative to that of one sample).
+/// The difference of triples (this frame, history, variance of the history relative to that of one sample).
 fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
     if pairs.is_empty() {
         return Difference::default();

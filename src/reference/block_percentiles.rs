@@ -19,7 +19,7 @@ pub struct Percentiles {
 }
 
 impl Percentiles {
-    /// By how much a luminance may leave the percentiles and still be usual: IPR.
+    /// Distance by which a luminance may leave the percentiles and still be usual: IPR.
     pub(crate) fn range(&self, tuning: &Tuning) -> f32 {
         (self.up - self.low) * tuning.percentile_range
     }
@@ -38,7 +38,7 @@ pub fn unpack_percentiles(texel: u32) -> Percentiles {
 /// Inputs of [`block_percentiles`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct BlockPercentilesInputs<'a> {
-    /// As written by `import`; `None` for a volume, of which every pixel takes part.
+    /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
     pub guide: Option<&'a Image<[u16; 4]>>,
     /// rgb: irradiance of one signal, as written by `demodulate`.
     pub irradiance: &'a Image<[f32; 4]>,

@@ -1,4 +1,4 @@
-//! When what the GPU wrote counts as equal to what the twin wrote.
+//! Rules by which the output of the GPU counts as equal to that of the twin.
 
 use super::binary16::from_half_bits;
 use super::block_difference::unpack_difference;
@@ -17,16 +17,16 @@ use glam::IVec2;
 pub struct Tolerance {
     /// Share of the larger value.
     pub relative: f32,
-    /// Added to it, in the unit of the value.
+    /// Absolute difference that is added, in the unit of the value.
     pub absolute: f32,
     /// Share of the texels that exist.
     pub outliers: f32,
 }
 
-/// How a texel becomes numbers that can be compared.
+/// The reading of a texel as numbers that can be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Values {
-    /// As they are: floats, or packed bits 16 at a time.
+    /// The values as they are: floats, or packed bits 16 at a time.
     Plain,
     /// A 32-bit texel as two halves.
     Halves,
@@ -57,33 +57,33 @@ pub enum Per {
     Block,
     /// Every stratum.
     Stratum,
-    /// Nothing: it is a buffer, and every byte counts.
+    /// No unit: it is a buffer, and every byte counts.
     Buffer,
 }
 
-/// For which passes of a stage a rule holds.
+/// The passes of a stage for which a rule holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum When {
-    /// All of them.
+    /// All passes.
     Always,
-    /// Those whose specialisation constant has this value.
+    /// Passes whose specialisation constant has this value.
     Is(&'static str, u32),
-    /// Those whose specialisation constant has another value.
+    /// Passes whose specialisation constant has another value.
     IsNot(&'static str, u32),
 }
 
-/// How one binding that a stage writes is compared.
+/// The rule by which one binding that a stage writes is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule {
     /// Name of the binding.
     pub binding: &'static str,
     /// The unit that it has a texel for.
     pub per: Per,
-    /// How a texel becomes numbers.
+    /// The reading of a texel as numbers.
     pub values: Values,
     /// The difference that they may have.
     pub tolerance: Tolerance,
-    /// For which passes.
+    /// The passes for which it holds.
     pub when: When,
 }
 

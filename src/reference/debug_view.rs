@@ -47,9 +47,9 @@ const VIRIDIS: [[u8; 3]; 9] = [
 /// and strata.
 #[derive(Clone, Copy, Debug)]
 pub struct DebugViewInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
     /// Counters of bad input.
     pub statistics: &'a Statistics,
@@ -57,7 +57,7 @@ pub struct DebugViewInputs<'a> {
     pub moments: &'a [&'a Image<[u16; 4]>],
     /// `irradiance_history*` of every signal; alpha: standard deviation.
     pub irradiance_history: &'a [&'a Image<[f32; 4]>],
-    /// How far history is kept.
+    /// Share of the history that is kept.
     pub history_confidence: Option<&'a Image<f32>>,
     /// x: δ, y: Δ, one texel a stratum.
     pub gradient: Option<&'a Image<[f32; 4]>>,
@@ -204,7 +204,7 @@ fn root_of_squares(values: impl Iterator<Item = f32>) -> f32 {
     values.map(|v| v * v).sum::<f32>().sqrt()
 }
 
-/// Of a colour in sRGB, 0 to 255. No component lies in the linear part of the curve but black, where this is 0.0009.
+/// Linear values of a colour in sRGB, 0 to 255. No component lies in the linear part of the curve but black, where this is 0.0009.
 fn from_srgb(colour: [f32; 3]) -> [f32; 3] {
     colour.map(|c| ((c / 255.0 + 0.055) / 1.055).powf(2.4))
 }

@@ -16,7 +16,7 @@ pub const ALBEDO_EPSILON: f32 = 0.01;
 /// Inputs of [`demodulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct DemodulateInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: noisy radiance of every signal, linear, scene units.
     pub noisy: &'a [&'a Image<[f32; 4]>],

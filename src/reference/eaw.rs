@@ -18,7 +18,7 @@ const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.
 /// Alpha of a pixel without a sample.
 pub const HOLE: f32 = -1.0;
 
-/// Below this sum of weights a hole sees no pixel of its kind.
+/// Sum of weights below which a hole sees no pixel of its kind.
 const SMALLEST_WEIGHT_SUM: f32 = 1e-6;
 
 /// Depths beyond it are no farther: squares of differences stay finite.
@@ -27,11 +27,11 @@ const FARTHEST: f32 = 1e15;
 /// Inputs of [`eaw`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct EawInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// For every signal rgb: irradiance, alpha: [`HOLE`] where there is none.
+    /// Irradiance of every signal in rgb; alpha: [`HOLE`] where there is none.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
-    /// Which edge functions are on.
+    /// Edge functions that are on.
     pub weights: EawWeights,
     /// Levels that paint in holes; 0 where the input has none.
     pub painting_levels: u32,

@@ -15,7 +15,7 @@ use crate::error::Error;
 pub struct Engine {
     declaration: Declaration,
     state: FrameState,
-    /// By resource, then copy.
+    /// Texels by resource, then copy.
     stored: Vec<[Option<Texels>; 2]>,
     frame: Option<FrameContext>,
     keeps_transients: bool,
@@ -46,7 +46,7 @@ impl Engine {
         Self { keeps_transients: true, ..self }
     }
 
-    /// What it runs.
+    /// The declaration that it runs.
     pub fn declaration(&self) -> &Declaration {
         &self.declaration
     }
@@ -54,8 +54,8 @@ impl Engine {
     /// Sets an input image from one value a texel of its allocated extent, row by row.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input image, [`Error::Format`] for an image of ids, [`Error::Size`] for a
-    /// wrong number of texels.
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input image, [`Error::Format`] for an image of ids,
+    /// [`Error::Size`] for a wrong number of texels.
     pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
         let (id, extent) = self.input_image(name, crate::Component::Float)?;
         self.store_input(id, name, extent, texels.len(), || Ok(Texels::Colour(Image::from_texels(extent, texels.to_vec())?)))
@@ -64,7 +64,7 @@ impl Engine {
     /// Sets an input image of ids.
     ///
     /// # Errors
-    /// As [`Self::upload`], with [`Error::Format`] for an image of floats.
+    /// Errors of [`Self::upload`], with [`Error::Format`] for an image of floats.
     pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
         let (id, extent) = self.input_image(name, crate::Component::Uint)?;
         self.store_input(id, name, extent, texels.len(), || Ok(Texels::Uint(Image::from_texels(extent, texels.to_vec())?)))
@@ -109,8 +109,8 @@ impl Engine {
     /// Runs every pass of a frame; `debug_view` in frames with a view.
     ///
     /// # Errors
-    /// As [`FrameState::begin`]; [`Error::NotBound`] names a required input that was not given; [`Error::Twin`] what a function of a host reports,
-    /// after which the next frame drops all history.
+    /// Errors of [`FrameState::begin`]; [`Error::NotBound`] names a required input that was not given; [`Error::Twin`] what a
+    /// function of a host reports, after which the next frame drops all history.
     pub fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let required = |(i, r): &(usize, &crate::ResourceDecl)| {
             r.lifetime == (Lifetime::Input { optional: false }) && self.stored[*i][0].is_none()
@@ -132,8 +132,8 @@ impl Engine {
     /// Texels of the output `debug_view` for the last frame, with any view.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame; [`Error::NotKept`] for an
-    /// engine without [`Self::keep_transients`].
+    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame, and where
+    /// transients that it shows were not kept: see [`Self::keep_transients`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };
@@ -151,8 +151,8 @@ impl Engine {
     /// Texels of an output or a history of the last frame as floats; after [`Self::keep_transients`] of transients, too.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame and for an absent input; [`Error::NotKept`] for a transient without
-    /// [`Self::keep_transients`].
+    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame, for a transient that was not kept, and for an absent
+    /// input.
     pub fn download(&self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
         self.texels(name, UseFrame::Current).map(Texels::to_floats)
     }
@@ -160,7 +160,7 @@ impl Engine {
     /// Texels of either copy of a resource in the last frame.
     ///
     /// # Errors
-    /// As [`Self::download`].
+    /// Errors of [`Self::download`].
     pub fn texels(&self, name: &str, which: UseFrame) -> Result<&Texels, Error> {
         let id = self.declaration.named(name)?;
         let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;

@@ -13,9 +13,9 @@ use glam::IVec2;
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]
 pub struct FireflyInputs<'a> {
-    /// As written by `import`; `None` for a volume, of which every pixel takes part.
+    /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
     pub guide: Option<&'a Image<[u16; 4]>>,
-    /// As written by `block_percentiles` for this signal.
+    /// The image `block_percentiles` of this signal, from the stage of that name.
     pub block_percentiles: &'a Image<u32>,
     /// rgb: irradiance of one signal, as written by `demodulate`.
     pub irradiance: &'a Image<[f32; 4]>,

@@ -23,16 +23,16 @@ const CANDIDATE_SALT: u32 = 0x9e37_79b9;
 /// Inputs of both passes; guides have the allocated extent, candidates one texel a stratum of it.
 #[derive(Clone, Copy, Debug)]
 pub struct ForwardProjectInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
     /// Guide and candidates of the previous frame. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousCandidates<'a>>,
-    /// As for `import`: indexed by surface id, previous from current.
+    /// Transforms of the host's instances, as for `import`: indexed by surface id, previous from current.
     pub instance_transforms: Option<&'a [InstanceTransform]>,
-    /// At the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear depth in this
-    /// frame, 0 or less where the matrices shall do.
+    /// Motion of the host at the pixels of the previous frame. xy: motion to this frame, in the unit of the conventions; z: linear
+    /// depth in this frame, 0 or less where the matrices shall do.
     pub forward_motion: Option<&'a Image<[f32; 4]>>,
     /// Pixels a side of a stratum.
     pub stratum_size: u32,
@@ -43,7 +43,7 @@ pub struct ForwardProjectInputs<'a> {
 pub struct PreviousCandidates<'a> {
     /// The guide of the previous frame.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by [`forward_project_resolve`].
+    /// The image `candidates`, from [`forward_project_resolve`].
     pub candidates: &'a Image<[u16; 4]>,
 }
 
@@ -113,7 +113,7 @@ fn key_of(frame: &FrameConstants, index: u32, count: u32) -> u32 {
     (pcg(index.wrapping_add(pcg(frame.frame_index))) & !key_mask(count)) | (index + 1)
 }
 
-/// Any pixel of the stratum but the one that is a gradient sample in this frame.
+/// Picks any pixel of the stratum but the one that is a gradient sample in this frame.
 fn next_candidate(
     frame: &FrameConstants,
     strata: Strata,
@@ -133,9 +133,9 @@ fn next_candidate(
     [pixel.x as u16, pixel.y as u16, id as u16, (id >> 16) as u16]
 }
 
-/// Why a candidate is no sample.
+/// The reason why a candidate is no sample.
 enum Lost {
-    /// It is not visible in this frame, or there was none.
+    /// The candidate is not visible in this frame, or there was none.
     Gone,
     /// The host's forward motion is not finite.
     BadMotion,

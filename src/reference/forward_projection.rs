@@ -1,5 +1,5 @@
-//! Where a surface of the previous frame is in this one, to the bit as the GPU computes it: no result rests on a quotient, whose
-//! precision a device may choose, nor on the order of a sum.
+//! Positions in this frame of surfaces of the previous one, to the bit as the GPU computes them: no result rests on a quotient,
+//! whose precision a device may choose, nor on the order of a sum.
 
 use super::reprojection::InstanceTransform;
 use crate::{FrameConstants, Tuning};

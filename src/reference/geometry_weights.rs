@@ -43,7 +43,7 @@ impl Geometry {
         }
     }
 
-    /// For a volume before the surfaces of the guide.
+    /// The geometry of a volume before the surfaces of the guide.
     pub fn of_volume(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>) -> Self {
         let seen = |p| Surface { linear_depth: volume_depth(guide.at(p)), ..Surface::default() };
         Self {

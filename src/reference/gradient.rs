@@ -17,12 +17,12 @@ use glam::{IVec2, UVec2, Vec2};
 #[cfg(test)]
 mod tests;
 
-/// Where the second luminance of a sample comes from.
+/// Source of the second luminance of a sample.
 #[derive(Clone, Copy, Debug)]
 pub enum GradientInput<'a> {
     /// The noisy radiance itself, at the pixels of `gradient_samples`, which the host re-shaded.
     ForwardProjected {
-        /// As written by `forward_project`.
+        /// The image `gradient_samples`, from the stage `forward_project`.
         gradient_samples: &'a Image<[u16; 4]>,
     },
     /// An image at the pixels of the previous frame.
@@ -31,19 +31,19 @@ pub enum GradientInput<'a> {
         reshaded_radiance: Option<&'a Image<[f32; 4]>>,
         /// The guide of the previous frame; not read in a reset frame.
         previous_guide: Option<&'a Image<[u16; 4]>>,
-        /// As written by `import`.
+        /// The image `surface_motion`, from the stage `import`.
         surface_motion: &'a Image<[u16; 4]>,
-        /// As written by `import`.
+        /// The image `depth_gradient`, from the stage `import`.
         depth_gradient: &'a Image<u32>,
     },
     /// The host's own differences, one texel a stratum: x: δ, y: Δ.
     Sparse(Option<&'a Image<[f32; 4]>>),
 }
 
-/// Inputs of [`gradient`]; images have the allocated extent where nothing else is said.
+/// Inputs of [`gradient`]; images have the allocated extent where nothing else is noted.
 #[derive(Clone, Copy, Debug)]
 pub struct GradientInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: noisy radiance of every signal.
     pub noisy: &'a [&'a Image<[f32; 4]>],

@@ -20,11 +20,11 @@ pub const GRADIENT_ITERATIONS: u32 = 5;
 /// Inputs of [`gradient_atrous`].
 #[derive(Clone, Copy, Debug)]
 pub struct GradientAtrousInputs<'a> {
-    /// As written by `gradient`.
+    /// The image `gradient_guide`, from the stage `gradient`.
     pub gradient_guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// As written by `gradient`, or by the iteration before.
+    /// Gradients from the stage `gradient`, or from the iteration before.
     pub gradient: &'a Image<[f32; 4]>,
 }
 

@@ -4,7 +4,7 @@ use crate::error::Error;
 use glam::IVec2;
 use std::thread;
 
-/// Below this many pixels a second thread costs more than it saves.
+/// Number of pixels below which a second thread costs more than it saves.
 const PIXELS_WORTH_THREADS: usize = 4096;
 
 /// An image of `extent` = (width, height) texels, row by row from the top left.

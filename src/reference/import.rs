@@ -37,7 +37,8 @@ pub struct ImportInputs<'a> {
     pub surface_id: Option<&'a Image<u32>>,
     /// x: roughness, 0 to 1.
     pub roughness: Option<&'a Image<[f32; 4]>>,
-    /// Indexed by surface id; instances beyond the end, and those with an entry that is not finite, did not move.
+    /// Transforms of the host's instances by surface id; instances beyond the end, and those with an entry that is not finite, did
+    /// not move.
     pub instance_transforms: Option<&'a [InstanceTransform]>,
 }
 

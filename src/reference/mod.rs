@@ -1,12 +1,12 @@
 //! The CPU twin of every stage: plain `f32`, no `unsafe`, written from the equations and not from the shaders.
 //!
-//! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other.
-//! Each stage is a pure function with inputs and outputs of its own. A [`Stage`] has it behind one interface: its twin reads and writes
+//! A twin reads and writes images in the packed representation of the GPU's images, so that either can stand in for the other. Each
+//! stage is a pure function with inputs and outputs of its own. A [`Stage`] has it behind one interface: its twin reads and writes
 //! [`Bindings`] by the names of the shader, and its rules say when what the GPU wrote is equal. [`STAGES`] lists them all.
 //!
 //! Images have the allocated extent; what lies outside the frame's render extent is never read and is left at its default.
-//! [`Engine`] runs a declaration pass by pass over a sequence of frames and checks its inputs; a stage that is called by itself panics on an
-//! image that is smaller than the render extent.
+//! [`Engine`] runs a declaration pass by pass over a sequence of frames and checks its inputs; a stage that is called by itself
+//! panics on an image that is smaller than the render extent.
 //!
 //! | tag | source |
 //! | --- | --- |

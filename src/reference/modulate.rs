@@ -14,7 +14,7 @@ mod tests;
 /// Inputs of [`modulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct ModulateInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: denoised irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],

@@ -2,22 +2,22 @@
 
 use super::binary16::{from_half_bits, half_bits, store};
 
-/// Why a pixel has no history.
+/// The reason why a pixel has no history.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[repr(u16)]
 pub enum Reason {
-    /// It has one.
+    /// No reason: there is a history.
     #[default]
     None = 0,
-    /// Its surface was outside the previous image.
+    /// The surface was outside the previous image.
     OffScreen = 1,
-    /// There was background, or another surface id.
+    /// Another surface id, or the background, was there.
     Id = 2,
     /// The depth there was not the expected one.
     Depth = 3,
     /// The normal there was not the expected one.
     Normal = 4,
-    /// All history was dropped.
+    /// A reset dropped all history.
     Reset = 5,
 }
 

@@ -13,11 +13,11 @@ use glam::{IVec2, Vec2};
 /// Guides of two frames; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct HistoryGuides<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
     /// The guide of the previous frame. Not read in a reset frame.
     pub previous_guide: &'a Image<[u16; 4]>,

@@ -46,14 +46,16 @@ impl Dispatch {
     }
 }
 
-/// What a twin wrote: the use of the pass, by index, and its texels.
+/// The output of a twin: uses of the pass, by index, with their texels.
 pub type Written = Vec<(usize, Texels)>;
 
 impl Declaration {
-    /// Runs the twin of a pass on texels that `read` gives for its uses, and returns what it wrote. `None` where the pass runs no shader.
+    /// Runs the twin of a pass on texels that `read` gives for its uses, and returns what it wrote. `None` where the pass runs no
+    /// shader.
     ///
     /// # Errors
-    /// [`Error::Twin`] where the stage has no twin, or where an image is missing or of another kind; [`Error::Size`] for another extent.
+    /// [`Error::Twin`] where the stage has no twin, or where an image is missing or of another kind; [`Error::Size`] for another
+    /// extent.
     pub fn run_twin<'t>(
         &self,
         frame: &FrameContext,

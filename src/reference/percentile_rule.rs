@@ -20,9 +20,9 @@ pub(super) fn lin(a: f32, b: f32, x: f32) -> f32 {
 /// Inputs of [`percentile_rule`].
 #[derive(Clone, Copy, Debug)]
 pub struct PercentileRuleInputs<'a> {
-    /// Of both frames.
+    /// Guides of both frames.
     pub guides: HistoryGuides<'a>,
-    /// For every signal `block_percentiles` and the irradiance of the previous frame, which is not read in a reset frame.
+    /// Percentiles of every signal, and its irradiance of the previous frame, which is not read in a reset frame.
     pub signals: &'a [(&'a Image<u32>, &'a Image<[f32; 4]>)],
 }
 

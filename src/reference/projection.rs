@@ -62,7 +62,7 @@ impl Projections {
         }
     }
 
-    /// Where the sample of a pixel lies in the unjittered image, pixels.
+    /// Position of the sample of a pixel in the unjittered image, pixels.
     pub fn sample_position(&self, p: IVec2) -> Vec2 {
         p.as_vec2() + 0.5 + self.sample_offset
     }
@@ -129,7 +129,7 @@ impl Projections {
         self.world_from_view.transform_vector3(view)
     }
 
-    /// Where a world point was in the previous image, pixels; `None` beside or behind the camera.
+    /// Position of a world point in the previous image, pixels; `None` beside or behind the camera.
     pub fn previous_position(&self, world: Vec4) -> Option<Vec2> {
         let clip = self.previous_clip_from_world * world;
         let position = (clip.xy() / clip.w * 0.5 + 0.5) * self.previous_extent;

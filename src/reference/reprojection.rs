@@ -1,4 +1,4 @@
-//! Where the surface of a pixel was in the previous frame: steps 3 to 5 of the stage `import`.
+//! Reprojection of a pixel's surface into the previous frame: steps 3 to 5 of the stage `import`.
 
 use super::conventions::{motion_depth, motion_is_jittered, motion_is_negated, motion_points_up, motion_unit};
 use super::projection::{extent, extent_ratio, previous_sample_offset, sample_offset, Projections};
@@ -19,7 +19,7 @@ pub(crate) struct HostMotion<'a> {
     pub transform: Option<&'a InstanceTransform>,
 }
 
-/// Where the surface was.
+/// The place of a surface in the previous frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reprojection {
     /// Pixels of the previous frame.

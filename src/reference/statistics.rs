@@ -25,7 +25,7 @@ pub enum Counter {
     ScatteringDepth = 7,
 }
 
-/// How many texels are true.
+/// Counts the texels that are true.
 pub(crate) fn count(flags: impl Iterator<Item = bool>) -> u32 {
     flags.filter(|&bad| bad).count() as u32
 }

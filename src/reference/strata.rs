@@ -3,7 +3,7 @@
 use crate::FrameConstants;
 use glam::{IVec2, UVec2};
 
-/// In the candidate of a stratum: there is no pixel to pick.
+/// The candidate of a stratum without a pixel to pick.
 pub(crate) const NO_PIXEL: u16 = u16::MAX;
 
 /// The content of a texel of `gradient_samples`.
@@ -47,7 +47,7 @@ impl Strata {
         Self { size, render_extent: frame.previous_render_extent.into() }
     }
 
-    /// How many there are a side.
+    /// Number of strata in x and y.
     pub fn count(&self) -> UVec2 {
         (self.render_extent + self.size - 1) / self.size
     }
@@ -65,7 +65,7 @@ impl Strata {
         (self.render_extent - self.first_pixel(stratum).as_uvec2()).min(UVec2::splat(self.size))
     }
 
-    /// Its pixels with their places, row by row.
+    /// Pixels of a stratum with their places, row by row.
     pub fn pixels(self, stratum: IVec2) -> impl Iterator<Item = (u32, IVec2)> {
         let extent = self.extent_of(stratum);
         let offsets = (0..extent.y).flat_map(move |y| (0..extent.x).map(move |x| UVec2::new(x, y)));

@@ -1,4 +1,4 @@
-//! Where a surface was in the previous frame, packed; and the depth gradient, packed.
+//! Packing of a surface's place in the previous frame, and of the depth gradient.
 
 use super::binary16::{from_half_bits, half_bits, LARGEST_HALF};
 use super::octahedral::{octahedral8, octahedral8_to_normal};

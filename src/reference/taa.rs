@@ -22,9 +22,9 @@ const GAUSSIAN: f32 = 2.29;
 pub struct TaaInputs<'a> {
     /// rgb: 0..1, as written by `tone_map`.
     pub tone_mapped: &'a Image<[f32; 4]>,
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
     /// `taa_history` of the previous frame. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<&'a Image<[f32; 4]>>,

@@ -10,9 +10,9 @@ use super::*;
 pub struct Stage {
     /// Name of the stage: that of its shader.
     pub name: &'static str,
-    /// Its twin.
+    /// The CPU twin.
     pub twin: Twin,
-    /// How the bindings that it writes are compared, in no particular order. Some have several rules, all of which must hold.
+    /// Rules by which the bindings that it writes are compared, in no particular order. Some have several, all of which must hold.
     pub rules: &'static [Rule],
 }
 
@@ -99,7 +99,7 @@ const IMPORT: &[Rule] = &[
 const FORWARD_PROJECT: &[Rule] =
     &[STATISTICS, strata("claims", EXACT), strata("gradient_samples", EXACT), strata("candidates", EXACT)];
 
-/// Of re-shaded images a surface is looked for, as a tap is.
+/// The stage looks for a surface in re-shaded images, as a tap is looked for.
 const GRADIENT: &[Rule] = &[
     Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
     Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
@@ -131,8 +131,8 @@ const fn stage(name: &'static str, twin: Twin, rules: &'static [Rule]) -> Stage 
     Stage { name, twin, rules }
 }
 
-/// How what a stage of a host writes is compared, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the device's
-/// own precision.
+/// Compares the output of a host's stage, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the
+/// device's own precision.
 pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
     strata("its output", WEIGHTED).compare(divisor, render_extent, gpu, twin)
 }

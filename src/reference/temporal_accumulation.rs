@@ -28,7 +28,7 @@ pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 pub struct SignalHistory<'a> {
     /// rgb: irradiance, as written by level 0 of `atrous`.
     pub irradiance: &'a Image<[f32; 4]>,
-    /// As written by this stage.
+    /// The image `moments` of this stage.
     pub moments: &'a Image<[u16; 4]>,
 }
 
@@ -44,30 +44,30 @@ pub struct PreviousFrame<'a> {
 /// Object-space normals of both frames, packed by [`super::octahedral10`]: they replace the world normals in the history test.
 #[derive(Clone, Copy, Debug)]
 pub struct ObjectNormals<'a> {
-    /// As written by `import` for this frame.
+    /// Object normals of this frame, packed by the stage `import`.
     pub current: &'a Image<u32>,
-    /// As written by `import` for the previous frame.
+    /// Object normals of the previous frame, packed by the stage `import`.
     pub previous: &'a Image<u32>,
 }
 
 /// Inputs of [`temporal_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct TemporalAccumulationInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
     /// rgb: irradiance of every signal, as written by `demodulate`.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
-    /// Where the host gives them.
+    /// Object normals, where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// As written by `adaptive_alpha`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    /// Confidence from `adaptive_alpha`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
-    /// Not read in a reset frame; `None` is treated as one.
+    /// The previous frame, which is not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
 }
 
@@ -80,7 +80,7 @@ pub struct TemporalAccumulationOutputs {
     pub moments: Vec<Image<[u16; 4]>>,
 }
 
-/// Where the history of a pixel is, shared by all signals.
+/// The history of a pixel, shared by all signals.
 #[derive(Clone, Copy, Default)]
 enum History {
     #[default]
@@ -136,7 +136,7 @@ pub fn temporal_accumulation(
 struct Reprojected {
     /// Position in the previous image; pixel centres are whole numbers.
     s: Vec2,
-    /// Where it would be without motion.
+    /// Position that it would have without motion.
     start: Vec2,
     linear_depth: f32,
     depth_tolerance: f32,
@@ -167,12 +167,12 @@ impl Reprojected {
         }
     }
 
-    /// Why the pixel `q` of the previous frame is not this surface.
+    /// The reason why the pixel `q` of the previous frame is not this surface.
     fn refusal(&self, surfaces: &Image<Surface>, q: IVec2) -> Reason {
         self.refusal_aside(surfaces, q, 0.0)
     }
 
-    /// Why a pixel that lies aside is not this surface; the depth may have changed by `slack`.
+    /// The reason why a pixel that lies aside is not this surface; the depth may have changed by `slack`.
     fn refusal_aside(&self, surfaces: &Image<Surface>, q: IVec2, slack: f32) -> Reason {
         let Some(tap) = surfaces.get(q.x, q.y).filter(|_| self.rect.contains(q)) else { return Reason::OffScreen };
         if tap.is_background() || tap.id != self.id {
@@ -209,7 +209,7 @@ impl Reprojected {
         })
     }
 
-    /// Where the way from `start` to `s` leaves the image; `s` itself where it does not.
+    /// The point where the way from `start` to `s` leaves the image; `s` itself where it does not.
     fn cut_at_border(&self) -> Vec2 {
         let last = self.rect.last().as_vec2();
         let (start, way) = (self.start.clamp(Vec2::ZERO, last), self.s - self.start);

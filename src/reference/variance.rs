@@ -22,9 +22,9 @@ const SIDE: usize = 7;
 /// Inputs of [`variance`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct VarianceInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `import`.
+    /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
     /// rgb: accumulated irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
@@ -32,7 +32,7 @@ pub struct VarianceInputs<'a> {
     pub moments: &'a [&'a Image<[u16; 4]>],
 }
 
-/// For every signal rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
+/// Estimates for every signal. rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
 pub fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, deviation)
@@ -62,11 +62,11 @@ fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry,
 /// Inputs of [`volume_variance`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct VolumeVarianceInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: accumulated radiance of the volume.
     pub radiance: &'a Image<[f32; 4]>,
-    /// Its moments of this frame.
+    /// Moments of the volume in this frame.
     pub moments: &'a Image<[u16; 4]>,
 }
 
@@ -99,7 +99,7 @@ fn estimate(
     irradiance.iter().zip(moments).map(signal).collect()
 }
 
-/// Of the window, scaled by how short the history is.
+/// Variance of the window, scaled by how short the history is.
 fn spatial_variance(
     frame: &FrameConstants,
     tuning: &Tuning,

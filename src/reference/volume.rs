@@ -1,12 +1,12 @@
-//! How far one sees through a pixel of a volume, which is all that its filters know of it. Normals and ids of surfaces say nothing
-//! of it.
+//! The distance that one sees through a pixel of a volume, which is all that its filters know of it. Normals and ids of surfaces
+//! mean nothing to them.
 
 use super::guide::unpack_guide;
 
 /// Depth where nothing is hit: beyond every surface, and finite.
 const FAR: f32 = 1e30;
 
-/// How far one sees in a pixel of the guide.
+/// The distance that one sees in a pixel of the guide.
 pub(crate) fn volume_depth(texel: [u16; 4]) -> f32 {
     let surface = unpack_guide(texel);
     if surface.is_background() {

@@ -30,7 +30,7 @@ pub fn unpack_volume_motion(texel: u32) -> [f32; 2] {
 /// The point that contributes most in a pixel.
 #[derive(Clone, Copy, Default)]
 struct Winner {
-    /// In steps.
+    /// Motion in steps of 1/64 pixel.
     motion: [f32; 2],
     /// 0: there is no point.
     weight: f32,
@@ -70,8 +70,8 @@ pub fn volume_motion_claim(
     }
 }
 
-/// For every pixel the mean motion of the points whose keys stayed in the 3×3 pixels around, else that of its surface; see
-/// [`unpack_volume_motion`]. `surface_motion` is as written by `import`.
+/// The mean motion for every pixel of the points whose keys stayed in the 3×3 pixels around, else that of its surface; see
+/// [`unpack_volume_motion`]. `surface_motion` is from the stage `import`.
 pub fn volume_motion_resolve(
     frame: &FrameConstants,
     previous_points: &Image<[u16; 4]>,

@@ -47,7 +47,7 @@ impl From<Arc<Shader>> for ShaderRef {
     }
 }
 
-/// The format that an image must have, since the shader says so.
+/// The format that an image must have, by the qualifier in the shader.
 pub(crate) const fn vk_format(texel: TexelFormat) -> vk::Format {
     match texel {
         TexelFormat::Rgba32f => vk::Format::R32G32B32A32_SFLOAT,
@@ -70,7 +70,7 @@ pub(crate) const fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {
     }
 }
 
-/// How a pass touches what stands at a binding.
+/// The access of a pass to the resource at a binding.
 pub(crate) const fn access(kind: BindingKind) -> Access {
     match kind {
         BindingKind::SampledImage(_) => Access::Sampled,

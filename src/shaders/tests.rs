@@ -108,7 +108,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
     }
 }
 
-/// What may differ between the name of a binding and that of the resource at it: signals by number, ports of filters, images in place.
+/// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
     const RENAMED: [(&str, &[&str]); 11] = [

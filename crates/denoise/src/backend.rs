@@ -1,4 +1,4 @@
-//! What filters frames: the GPU, or the CPU engine. Frames come in order, since both keep a history.
+//! Filters of frames: the GPU, or the CPU engine. Frames come in order, since both keep a history.
 
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
@@ -13,19 +13,19 @@ use std::sync::Arc;
 pub struct FrameOutputs {
     /// Denoised radiance, with albedo and emission.
     pub radiance: Vec<[f32; 3]>,
-    /// What the preset knows of each pixel, where it was asked for.
+    /// Debug views of the preset, where they were asked for.
     pub views: Vec<(DebugView, Picture)>,
 }
 
 /// Filters frames in order.
 pub trait Backend {
-    /// What it runs on.
+    /// The device that it runs on.
     fn name(&self) -> String;
     /// Filters the next frame. Views need [`Config::debug_view`].
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs>;
 }
 
-/// What the library returns.
+/// The result of a call of the library.
 type Outcome<T> = std::result::Result<T, Error>;
 
 /// Runs a declaration from slices to slices: the methods that a session on a GPU and the CPU engine have in common.

@@ -29,14 +29,14 @@ pub struct Camera {
     pub tuning: BTreeMap<String, f32>,
 }
 
-/// What `sequence.json` says.
+/// The content of `sequence.json`.
 #[derive(Clone, Debug, Default)]
 pub struct SequenceFile {
     /// Cameras by frame number.
     pub cameras: BTreeMap<u64, Camera>,
     /// Conventions, as for `--convention`.
     pub conventions: Vec<(String, String)>,
-    /// What is decided once.
+    /// The configuration.
     pub config: CapturedConfig,
     /// Tunables.
     pub tuning: BTreeMap<String, f32>,

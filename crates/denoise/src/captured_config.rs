@@ -1,4 +1,4 @@
-//! What a capture says about the configuration of its denoiser, beside the conventions: the key `config` of `sequence.json`.
+//! The configuration of a capture's denoiser, beside the conventions: the key `config` of `sequence.json`.
 
 use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, Preset, Sampling};
 use atrous::Config;
@@ -21,7 +21,7 @@ pub struct CapturedConfig {
 }
 
 impl CapturedConfig {
-    /// Changes what is said.
+    /// Changes the fields that the capture has.
     pub fn apply(&self, config: &mut Config) {
         fn set<T: Copy>(field: &mut T, value: Option<T>) {
             *field = value.unwrap_or(*field);

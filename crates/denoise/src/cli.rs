@@ -2,7 +2,7 @@
 
 use crate::conventions::keys;
 use crate::roles::Role;
-use crate::setup::Wishes;
+use crate::setup::Options;
 use atrous::config::{Preset, Signals};
 use atrous::Tuning;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -11,8 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// Denoise a sequence of EXR frames with the filters of atrous, and score the result.
 ///
-/// Reads multi-channel EXR from Blender, Mitsuba, PBRT and others; finds colour, albedo, normal, depth, motion and ids by their channel names;
-/// says what it found and what is lost without the rest. See docs/denoise.md.
+/// Reads multi-channel EXR from Blender, Mitsuba, PBRT and others; finds colour, albedo, normal, depth, motion and ids by their
+/// channel names; says what it found and what is lost without the rest. See docs/denoise.md.
 #[derive(Parser, Clone, Debug)]
 #[command(name = "atrous-denoise", version, max_term_width = 110)]
 pub struct Cli {
@@ -24,15 +24,17 @@ pub struct Cli {
     #[arg(short, long, value_name = "FOLDER", required_unless_present = "check")]
     pub output: Option<PathBuf>,
 
-    /// Only tell whether depth, motion, normals and matrices agree with the conventions, and name the likely mistake; needs matrices
+    /// Test only whether depth, motion, normals and matrices agree with the conventions, and name the likely mistake; needs
+    /// matrices
     #[arg(long)]
     pub check: bool,
 
     /// Filter; svgf, or that of a capture, where none is given
     ///
-    /// asvgf reacts to changed light by layers with the samples of the previous frame re-shaded in the scene of this frame (reshade_direct,
-    /// reshade_indirect), percentile by the noisy image alone; best is asvgf where there are such layers, else percentile. eaw filters every frame by
-    /// itself. stabilize accumulates what another denoiser made of the frames (other_denoised), by the gradients of asvgf.
+    /// asvgf reacts to changed light by layers with the samples of the previous frame re-shaded in the scene of this frame
+    /// (reshade_direct, reshade_indirect), percentile by the noisy image alone; best is asvgf where there are such layers, else
+    /// percentile. eaw filters every frame by itself. stabilize accumulates what another denoiser made of the frames
+    /// (other_denoised), by the gradients of asvgf.
     #[arg(long, value_parser = filter())]
     pub preset: Option<Filter>,
 
@@ -92,8 +94,8 @@ pub struct Cli {
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = tunable)]
     pub tunables: Vec<(String, f32)>,
 
-    /// Name the channels of a role: a layer, channels separated by commas, or `none`. Roles: noisy, direct, indirect, emission, albedo, normal,
-    /// depth, position, motion, previous_depth, id, roughness, reference, alpha, ...
+    /// Name the channels of a role: a layer, channels separated by commas, or `none`. Roles: noisy, direct, indirect, emission,
+    /// albedo, normal, depth, position, motion, previous_depth, id, roughness, reference, alpha, ...
     #[arg(long = "channel", value_name = "ROLE=NAME", value_parser = channel)]
     pub channels: Vec<(Role, String)>,
 
@@ -105,8 +107,8 @@ pub struct Cli {
     #[arg(long, value_name = "FILE")]
     pub camera: Option<PathBuf>,
 
-    /// Say how a guide is encoded, where it differs from what the layout usually means
-    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Say how a guide is encoded, where it differs from what the layout usually means: {}", keys()))]
+    /// Encoding of a guide, where it differs from what the layout usually means
+    #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Encoding of a guide, where it differs from what the layout usually means: {}", keys()))]
     pub conventions: Vec<(String, String)>,
 
     /// Print nothing but errors, warnings and scores
@@ -117,7 +119,7 @@ pub struct Cli {
 /// A filter of `--preset`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Filter {
-    /// This one.
+    /// The preset of this name.
     Named(Preset),
     /// The best for what the frames have.
     Best,
@@ -125,7 +127,7 @@ pub enum Filter {
 
 const BEST: &str = "best";
 
-/// A volume alone comes from captures, which say it themselves.
+/// A volume alone comes from captures, which name the preset themselves.
 fn filter() -> impl TypedValueParser<Value = Filter> {
     let presets = Preset::ALL.into_iter().filter(|preset| *preset != Preset::Volume);
     PossibleValuesParser::new(presets.map(Preset::name).chain([BEST])).try_map(|name| match name.as_str() {
@@ -170,9 +172,9 @@ impl Cli {
         self.output.as_deref().unwrap_or(Path::new("."))
     }
 
-    /// What is asked of the setup.
-    pub fn wishes(&self) -> Wishes {
-        Wishes {
+    /// The options for the setup.
+    pub fn options(&self) -> Options {
+        Options {
             channels: self.channels.clone(),
             view_layer: self.view_layer.clone(),
             camera: self.camera.clone(),

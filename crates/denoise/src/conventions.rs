@@ -1,4 +1,4 @@
-//! How a sequence encodes its guides: the defaults of each layout, changed by `sequence.json` and `--convention KEY=VALUE`.
+//! Encodings of a sequence's guides: the defaults of each layout, changed by `sequence.json` and `--convention KEY=VALUE`.
 
 use crate::layouts::Layout;
 use crate::mapping::Mapping;
@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 const ATROUS_BACKGROUND: f32 = 1e4;
 const BLENDER_BACKGROUND: f32 = 1e9;
 
-/// What a layout means by its channels.
+/// The conventions of a layout.
 pub fn of_layout(mapping: &Mapping) -> Conventions {
     let mut c = Conventions { motion_unit: MotionUnit::Pixels, ..Conventions::default() };
     match mapping.layout {

@@ -9,7 +9,7 @@ pub enum ToolError {
     /// A file or folder cannot be read.
     #[error("{}: cannot be read: {source}", path.display())]
     Read { path: PathBuf, source: std::io::Error },
-    /// Not an EXR, a truncated one, a corrupt one, or one that this tool has no use for.
+    /// A file that is no EXR, a truncated or corrupt one, or one that this tool has no use for.
     #[error("{}: not a usable EXR file: {problem}", path.display())]
     Exr { path: PathBuf, problem: String },
     /// A header that asks for more memory than any frame needs.
@@ -24,7 +24,7 @@ pub enum ToolError {
     /// A channel that the first frame has and this one has not, or one that was asked for.
     #[error("{}: no channel `{channel}`; the file has: {known}", path.display())]
     NoChannel { path: PathBuf, channel: String, known: String },
-    /// Nothing to denoise in the file.
+    /// A file with nothing to denoise in it.
     #[error("{}: no colour to denoise was recognised; name it with --channel noisy=LAYER. The file has: {known}", path.display())]
     NoColour { path: PathBuf, known: String },
     /// No file fits FRAMES.
@@ -68,12 +68,12 @@ fn write_hint(source: &std::io::Error) -> &'static str {
 }
 
 impl ToolError {
-    /// For `map_err` on reading.
+    /// The error of reading, for `map_err`.
     pub fn read(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
         move |source| Self::Read { path: path.to_owned(), source }
     }
 
-    /// For `map_err` on writing.
+    /// The error of writing, for `map_err`.
     pub fn write(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
         move |source| Self::Write { path: path.to_owned(), source }
     }

@@ -30,7 +30,7 @@ pub struct Channel {
     pub index: usize,
 }
 
-/// What a file says about itself.
+/// The header of a file.
 #[derive(Clone, Debug)]
 pub struct ExrHeader {
     /// Size of the display window: of the picture.
@@ -51,7 +51,7 @@ pub struct ExrHeader {
 
 /// An open file whose header was read and checked.
 pub struct OpenExr {
-    /// What the file says.
+    /// The header.
     pub header: ExrHeader,
     /// The rest of the file.
     pub reader: Reader<BufReader<File>>,

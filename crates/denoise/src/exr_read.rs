@@ -118,7 +118,7 @@ struct Plane {
     expected: usize,
 }
 
-/// Where decoded lines go.
+/// The place of decoded lines.
 struct Target {
     width: i64,
     height: i64,

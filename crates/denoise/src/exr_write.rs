@@ -11,7 +11,7 @@ use exr::prelude::{SmallVec, Text, Vec2, WritableImage};
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
 
-/// What the channels of the output are called.
+/// Names of the channels of the output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputChannels {
     /// Each set of three gets the colour.
@@ -75,7 +75,7 @@ fn channel(name: &str, half: bool, values: impl Iterator<Item = f32>) -> Option<
     Some(AnyChannel::new(Text::new_or_none(name)?, samples))
 }
 
-/// That of the input, unless it loses precision or is one that cannot be written.
+/// The compression of the input, unless it loses precision or is one that cannot be written.
 fn compression(input: Option<Compression>) -> Compression {
     match input {
         Some(c @ (Compression::Uncompressed | Compression::RLE | Compression::ZIP1 | Compression::ZIP16 | Compression::PIZ)) => c,

@@ -25,7 +25,7 @@ pub struct FrameInputs {
     pub images: BTreeMap<&'static str, Texels>,
     /// Tunables.
     pub tuning: Tuning,
-    /// By surface id, previous from current world space.
+    /// Transforms by surface id, previous from current world space.
     pub instance_transforms: Option<Vec<InstanceTransform>>,
     /// Surface ids.
     pub surface_id: Option<Vec<u32>>,

@@ -18,9 +18,9 @@ pub fn rgb(texels: Texels) -> Vec<[f32; 3]> {
 
 /// The planes of a frame, turned into images one role at a time.
 pub struct Channels<'a> {
-    /// Of the sequence.
+    /// The setup of the sequence.
     pub setup: &'a Setup,
-    /// By the name of the channel.
+    /// Samples by the name of the channel.
     pub samples: BTreeMap<String, Samples>,
     /// Pixels that were not finite and became 0.
     pub replaced: BTreeMap<Role, usize>,
@@ -127,7 +127,7 @@ impl Channels<'_> {
         images.extend(sum.map(|s| ("reshaded_radiance", s)));
     }
 
-    /// What a host says of changes itself, and the picture that is stabilized.
+    /// Inputs by which a host reports changes itself, and the picture that is stabilized.
     pub fn gradients(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
         images.extend(self.vectors(Role::ForwardMotion).map(|m| ("forward_motion", m)));
         images.extend(self.vectors(Role::Confidence).map(|c| ("confidence", c)));

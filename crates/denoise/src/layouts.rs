@@ -1,12 +1,12 @@
 //! Channel names of known renderers, as one table.
 //!
-//! Sources: the data sets of this project; Blender's passes (Cycles' `primitive_motion_vector` for the sign of `Vector`: previous − current in
-//! X and Y, current − next in Z and W, pixels, y up); Mitsuba 3's `aov` integrator (`depth` is the distance along the ray, 0 where nothing is
-//! hit); PBRT-v4's `gbuffer` film; Open Image Denoise's example files (`*_hdr`, `*_alb`, `*_nrm`).
+//! Sources: the data sets of this project; Blender's passes (Cycles' `primitive_motion_vector` for the sign of `Vector`: previous −
+//! current in X and Y, current − next in Z and W, pixels, y up); Mitsuba 3's `aov` integrator (`depth` is the distance along the
+//! ray, 0 where nothing is hit); PBRT-v4's `gbuffer` film; Open Image Denoise's example files (`*_hdr`, `*_alb`, `*_nrm`).
 
 use crate::roles::Role;
 
-/// Who writes channels with these names.
+/// The program that writes channels with these names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// The data sets of this project, and captures of its library.
@@ -22,7 +22,7 @@ pub enum Layout {
 }
 
 impl Layout {
-    /// For messages.
+    /// Name for messages.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Atrous => "atrous data set",
@@ -63,7 +63,7 @@ const fn entry(
 
 use Layout::{Atrous, Blender, Mitsuba, Pbrt, Plain};
 
-/// All of them. The first that fits wins.
+/// All layouts. The first that fits wins.
 pub const ENTRIES: &[Entry] = &[
     entry(Role::Noisy, &[Atrous], &["noisy"], RGB),
     // `Noisy Image` is the unfiltered render where Blender's own denoiser has already been over `Combined`.
@@ -107,7 +107,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::OtherDenoised, &[], &["other_denoised"], RGB),
 ];
 
-/// Which renderer wrote these channels. `layers` are in lower case.
+/// The layout of these channels. `layers` are in lower case.
 pub fn recognise(layers: &[String], channels: &[String]) -> Layout {
     let layer = |wanted: &[&str]| layers.iter().any(|l| wanted.iter().any(|w| l == w || l.ends_with(&format!(".{w}"))));
     let channel = |wanted: &[&str]| channels.iter().any(|c| wanted.contains(&c.as_str()));

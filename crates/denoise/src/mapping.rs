@@ -1,4 +1,4 @@
-//! Which channels of a file play which role.
+//! The map from the channels of a file to their roles.
 
 use crate::error::{Result, ToolError};
 use crate::exr_header::{Channel, ExrHeader};
@@ -14,7 +14,7 @@ pub type Named = [(Role, String)];
 /// The choice for a sequence, made on its first frame.
 #[derive(Clone, Debug)]
 pub struct Mapping {
-    /// Who wrote the file.
+    /// The layout of the file.
     pub layout: Layout,
     /// Channels of each role, in the order of its components.
     pub roles: BTreeMap<Role, Vec<String>>,

@@ -1,4 +1,4 @@
-//! Where a surface was in the previous frame, in the encoding of the metrics: pixels, previous − current, y down.
+//! Motion of surfaces from the previous frame, in the encoding of the metrics: pixels, previous − current, y down.
 
 use crate::frame::FrameInputs;
 use atrous::config::{Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit};

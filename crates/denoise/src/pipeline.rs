@@ -1,5 +1,5 @@
-//! Loading, filtering and saving at the same time, each on a thread, with short queues between them: memory does not grow with the number of
-//! frames.
+//! Loading, filtering and saving at the same time, each on a thread, with short queues between them: memory does not grow with the
+//! number of frames.
 
 use crate::backend::{Backend, FrameOutputs};
 use crate::error::{Result, ToolError};
@@ -13,7 +13,7 @@ const QUEUE: usize = 2;
 
 /// A frame that was filtered, or that only has to be scored (`None`).
 pub struct Finished {
-    /// What was planned.
+    /// The step of the plan.
     pub step: Step,
     /// Inputs.
     pub inputs: FrameInputs,

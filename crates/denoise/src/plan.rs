@@ -1,11 +1,11 @@
-//! Which frames are filtered, written and only scored; resuming.
+//! The plan of a run: frames that are filtered, written or only scored; resuming.
 
 use crate::error::{Result, ToolError};
 use crate::exr_read;
 use crate::frame_files::FrameFiles;
 use std::path::{Path, PathBuf};
 
-/// What happens to a frame.
+/// The treatment of a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
     /// Filtered and written.
@@ -23,16 +23,16 @@ pub struct Step {
     pub files: FrameFiles,
     /// Output.
     pub output: PathBuf,
-    /// What happens.
+    /// The treatment of the frame.
     pub action: Action,
 }
 
-/// How existing outputs are treated.
+/// The treatment of existing outputs.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Existing {
     /// Overwritten.
     pub force: bool,
-    /// Kept; what is missing is made.
+    /// Existing outputs are kept; missing ones are made.
     pub resume: bool,
     /// Finished frames before the first missing one that are filtered again for the sake of the history.
     pub warm_up: usize,
@@ -40,7 +40,7 @@ pub struct Existing {
     pub score: bool,
 }
 
-/// Where the result of a frame goes: the name of its colour, in the output folder.
+/// The path of a frame's result: the name of its colour, in the output folder.
 pub fn output_path(folder: &Path, files: &FrameFiles) -> PathBuf {
     folder.join(files.colour.file_name().unwrap_or(std::ffi::OsStr::new("frame.exr"))).with_extension("exr")
 }

@@ -1,4 +1,4 @@
-//! What a channel can be to the denoiser, and what is lost without it.
+//! Roles that a channel can have for the denoiser, and the loss without it.
 
 /// Meaning of one or more channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -7,7 +7,7 @@ pub enum Role {
     Noisy,
     /// Coverage of the beauty, passed through.
     Alpha,
-    /// Everything that is filtered, as one signal, without the emission.
+    /// All light that is filtered, as one signal, without the emission.
     Lighting,
     /// Light scattered once.
     Direct,
@@ -19,7 +19,7 @@ pub enum Role {
     Environment,
     /// Direct light divided by the albedo (Blender's `DiffDir`); multiplied by [`Role::DiffuseColour`] it is direct light.
     DemodulatedDirect,
-    /// What [`Role::DemodulatedDirect`] was divided by.
+    /// The divisor of [`Role::DemodulatedDirect`].
     DiffuseColour,
     /// Diffuse reflectance at the first hit.
     Albedo,
@@ -57,7 +57,7 @@ pub enum Role {
     SparseGradient,
     /// A host's own confidence in the history.
     Confidence,
-    /// What another denoiser made of the frame, for the preset `stabilize`.
+    /// The output of another denoiser, for the preset `stabilize`.
     OtherDenoised,
     /// Light that a medium scattered towards the eye, apart from the surfaces.
     Volume,
@@ -65,7 +65,7 @@ pub enum Role {
     ScatteringDepth,
 }
 
-/// How many numbers a role has per pixel, and of which type.
+/// Number and type of the components of a role.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// R, G, B; half or float.
@@ -151,7 +151,7 @@ impl Role {
         self.row().2
     }
 
-    /// What is lost without it.
+    /// The loss without the role.
     pub fn loss(self) -> &'static str {
         self.row().3
     }

@@ -1,4 +1,4 @@
-//! What is done with a filtered frame: written, previewed, scored, counted.
+//! Steps behind the filter: a frame is written, previewed, scored, counted.
 
 use crate::error::Result;
 use crate::exr_write::{self, OutputChannels};
@@ -13,7 +13,7 @@ use indicatif::ProgressBar;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// What the user wants of every frame.
+/// The outputs that the user wants of every frame.
 #[derive(Clone, Debug)]
 pub struct Wanted {
     /// Output folder.
@@ -28,11 +28,11 @@ pub struct Wanted {
     pub score: bool,
     /// Exposure of pictures.
     pub exposure: f32,
-    /// For titles.
+    /// Name of the preset, for titles.
     pub preset: String,
 }
 
-/// Writes frames and remembers what is told at the end.
+/// Writes frames and collects the report for the end.
 pub struct Saver {
     wanted: Wanted,
     progress: ProgressBar,
@@ -126,7 +126,8 @@ fn clean(radiance: &mut [[f32; 3]]) -> usize {
     bad.map(|p| *p = [0.0; 3]).count()
 }
 
-/// The names of the input's beauty; `R`, `G`, `B` where it has none, and besides where the layout is this project's own, whose tools read these.
+/// The names of the input's beauty; `R`, `G`, `B` where it has none, and besides where the layout is this project's own, whose
+/// tools read these.
 pub fn output_channels(mapping: &Mapping, half: bool) -> OutputChannels {
     let plain = ["R", "G", "B"].map(str::to_owned);
     let mut colours = Vec::new();

@@ -10,7 +10,7 @@ use atrous_quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rg
 use serde::Serialize;
 use std::path::Path;
 
-/// Why FLIP is not among the metrics.
+/// The reason why FLIP is not among the metrics.
 pub const NO_FLIP: &str =
     "FLIP is left out: the one crate that binds it (nv-flip 0.1) has no HDR-FLIP, which linear radiance needs";
 
@@ -33,7 +33,7 @@ impl Metrics {
     /// Headings and decimals.
     pub const COLUMNS: [(&'static str, usize); 5] = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("temporal", 5)];
 
-    /// In the order of [`Self::COLUMNS`]; NaN for what is not defined.
+    /// The values in the order of [`Self::COLUMNS`]; NaN for what is not defined.
     pub fn values(&self) -> [f64; 5] {
         let or_nan = |v: Option<f64>| v.unwrap_or(f64::NAN);
         [self.rmse, self.rel_mse, or_nan(self.psnr), self.ssim, or_nan(self.temporal_error)]
@@ -60,13 +60,13 @@ impl Metrics {
 pub struct FrameScore {
     /// Number of the frame.
     pub frame: u64,
-    /// Of the result.
+    /// Metrics of the result.
     pub denoised: Metrics,
-    /// Of the input, for comparison.
+    /// Metrics of the input, for comparison.
     pub noisy: Metrics,
 }
 
-/// What the next frame's temporal error needs of this one.
+/// Images of a frame that the temporal error of the next one needs.
 struct Previous {
     number: u64,
     params: FrameParams,
@@ -140,7 +140,7 @@ impl ScoreBook {
         Ok(table)
     }
 
-    /// Everything as JSON.
+    /// All scores as JSON.
     pub fn json(&self, preset: &str, device: &str) -> serde_json::Value {
         let (mean, noisy_mean) = self.means();
         serde_json::json!({

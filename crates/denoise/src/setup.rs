@@ -1,4 +1,4 @@
-//! What is decided on the first frame and holds for the whole sequence, and how it is told to the user.
+//! Decisions that are made on the first frame and hold for the whole sequence, and their report to the user.
 
 use crate::camera::{self, Camera, SequenceFile};
 use crate::conventions;
@@ -12,12 +12,12 @@ use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection
 use atrous::{Config, Tuning};
 use std::path::{Path, PathBuf};
 
-/// What the user asked for.
+/// Options of the user that the setup takes.
 #[derive(Clone, Debug, Default)]
-pub struct Wishes {
+pub struct Options {
     /// Channels by role.
     pub channels: Vec<(Role, String)>,
-    /// Only layers of this view layer.
+    /// View layer to read alone.
     pub view_layer: Option<String>,
     /// Another `sequence.json`.
     pub camera: Option<PathBuf>,
@@ -29,7 +29,7 @@ pub struct Wishes {
     pub levels: Option<u32>,
     /// Filter, where not that of a capture, or SVGF.
     pub preset: Option<Preset>,
-    /// Rather the filter that suits the frames best.
+    /// Whether the filter that suits the frames best is taken.
     pub best: bool,
     /// Side of the strata, where not the default.
     pub stratum_size: Option<u32>,
@@ -37,12 +37,12 @@ pub struct Wishes {
     pub tunables: Vec<(String, f32)>,
 }
 
-/// What holds for all frames.
+/// Settings that hold for all frames.
 #[derive(Clone, Debug)]
 pub struct Setup {
     /// Channels.
     pub mapping: Mapping,
-    /// For the library.
+    /// The configuration for the library.
     pub config: Config,
     /// Cameras.
     pub sequence: Option<SequenceFile>,
@@ -63,15 +63,16 @@ fn best(mapping: &Mapping) -> Preset {
 
 impl Setup {
     /// Looks at the first frames.
-    pub fn new(frames: &[FrameFiles], wishes: &Wishes) -> Result<Self> {
+    pub fn new(frames: &[FrameFiles], options: &Options) -> Result<Self> {
         let Some(first) = frames.first() else { return Err(ToolError::Usage("no frames were given".into())) };
         let header = frame_source::header(first)?;
-        let mut mapping = Mapping::choose(&first.colour, &header, &wishes.channels, wishes.view_layer.as_deref())?;
+        let mut mapping = Mapping::choose(&first.colour, &header, &options.channels, options.view_layer.as_deref())?;
         // Channels about the previous frame are absent in the first.
         if let Some(second) = frames.get(1) {
-            let later: Vec<_> = wishes.channels.iter().filter(|n| is_about_previous(n.0)).cloned().collect();
+            let later: Vec<_> = options.channels.iter().filter(|n| is_about_previous(n.0)).cloned().collect();
             let later: &Named = &later;
-            if let Ok(second) = Mapping::choose(&second.colour, &frame_source::header(second)?, later, wishes.view_layer.as_deref())
+            if let Ok(second) =
+                Mapping::choose(&second.colour, &frame_source::header(second)?, later, options.view_layer.as_deref())
             {
                 mapping.roles.extend(second.roles.into_iter().filter(|(role, _)| is_about_previous(*role)));
             }
@@ -79,11 +80,11 @@ impl Setup {
         // References are dear: not every frame need have one.
         if let (false, Some(with)) = (mapping.has(Role::Reference), frames.iter().find(|f| f.guides.iter().any(|g| g.0 == "ref"))) {
             let named =
-                Mapping::choose(&with.colour, &frame_source::header(with)?, &wishes.channels, wishes.view_layer.as_deref())?;
+                Mapping::choose(&with.colour, &frame_source::header(with)?, &options.channels, options.view_layer.as_deref())?;
             mapping.roles.extend(named.roles.into_iter().filter(|(role, _)| *role == Role::Reference));
         }
         let folder = first.colour.parent().unwrap_or(Path::new("."));
-        let sequence = camera::find(wishes.camera.as_deref(), folder)?;
+        let sequence = camera::find(options.camera.as_deref(), folder)?;
         let mut config = Config::new(header.extent);
         config.frames_in_flight = 1;
         config.surface_id = mapping.has(Role::Id);
@@ -93,12 +94,12 @@ impl Setup {
             file.config.apply(&mut config);
         }
         let captured = sequence.as_ref().and_then(|(_, file)| file.config.preset);
-        config.levels = wishes.levels.unwrap_or(config.levels);
-        config.stratum_size = wishes.stratum_size.unwrap_or(config.stratum_size);
-        config.preset = if wishes.best { best(&mapping) } else { wishes.preset.or(captured).unwrap_or_default() };
+        config.levels = options.levels.unwrap_or(config.levels);
+        config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
+        config.preset = if options.best { best(&mapping) } else { options.preset.or(captured).unwrap_or_default() };
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
-        config.signals = signals(&mapping, config.preset, wishes.signals)?;
+        config.signals = signals(&mapping, config.preset, options.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);
         if let Some((path, file)) = &sequence {
@@ -106,13 +107,13 @@ impl Setup {
             apply(&mut config, &file.conventions, |what| ToolError::Json { path: path.clone(), problem: what })?;
             report.push(format!("  {:<16} {}", "camera", path.display()));
         }
-        apply(&mut config, &wishes.conventions, ToolError::Usage)?;
+        apply(&mut config, &options.conventions, ToolError::Usage)?;
         without(&mut config, &mapping, sequence.is_some(), &mut report);
         config.validate()?;
         if header.windows_differ {
             report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
         }
-        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), tunables: wishes.tunables.clone(), report })
+        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), tunables: options.tunables.clone(), report })
     }
 
     /// Pixels of a frame.
@@ -149,7 +150,7 @@ pub fn is_about_previous(role: Role) -> bool {
     matches!(role, Role::ReshadeDirect | Role::ReshadeIndirect | Role::ReshadeEmission | Role::Reshaded | Role::ForwardMotion)
 }
 
-/// By what the frames have; a capture says it itself.
+/// The source of gradients, by what the frames have; a capture names it itself.
 fn gradient_source(mapping: &Mapping) -> GradientSource {
     match () {
         () if mapping.has(Role::SparseGradient) => GradientSource::Sparse,
@@ -158,7 +159,7 @@ fn gradient_source(mapping: &Mapping) -> GradientSource {
     }
 }
 
-fn signals(mapping: &Mapping, preset: Preset, wish: Option<Signals>) -> Result<Signals> {
+fn signals(mapping: &Mapping, preset: Preset, asked: Option<Signals>) -> Result<Signals> {
     if preset == Preset::Stabilize {
         if !mapping.has(Role::OtherDenoised) {
             return Err(ToolError::Usage(
@@ -168,11 +169,11 @@ fn signals(mapping: &Mapping, preset: Preset, wish: Option<Signals>) -> Result<S
         }
         return Ok(Signals::Together);
     }
-    match (wish, mapping.has_signals_apart()) {
+    match (asked, mapping.has_signals_apart()) {
         (Some(Signals::Apart), false) => Err(ToolError::Usage(
             "--signals apart needs direct and indirect light in separate layers; name them with --channel direct=LAYER and --channel indirect=LAYER".into(),
         )),
-        (Some(wish), _) => Ok(wish),
+        (Some(asked), _) => Ok(asked),
         (None, true) => Ok(Signals::Apart),
         (None, false) => Ok(Signals::Together),
     }

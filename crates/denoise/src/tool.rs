@@ -17,10 +17,10 @@ use atrous::Config;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
 
-/// Does what the options say.
+/// Runs the tool with its options.
 pub fn run(cli: &Cli) -> Result<()> {
     let frames = frame_files::find(&cli.frames)?;
-    let setup = Setup::new(&frames, &cli.wishes())?;
+    let setup = Setup::new(&frames, &cli.options())?;
     if !cli.quiet {
         let [w, h] = setup.config.allocated_extent;
         eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());
@@ -80,7 +80,7 @@ fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {
     }
 }
 
-/// On stderr, and hidden where that is no terminal.
+/// The progress bar on stderr, hidden where that is no terminal.
 fn progress(cli: &Cli, steps: &[Step]) -> ProgressBar {
     if cli.quiet {
         return ProgressBar::hidden();

@@ -1,5 +1,5 @@
-//! From GLSL to SPIR-V. The build scripts of the crate and of the demo use it, and so does what compiles while a program runs: a shader is then
-//! the one that a build would have made.
+//! Compiles GLSL to SPIR-V. The build scripts of the crate and of the demo use it, and so does what compiles while a program runs:
+//! a shader is then the one that a build would have made.
 
 use shaderc::{CompileOptions, Compiler, EnvVersion, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv};
 use std::fs;
@@ -15,19 +15,19 @@ pub struct Glsl {
 
 /// Macros that a shader is compiled with, and the name that it has then.
 pub struct Variant {
-    /// Its file without `.comp`, and its macros, as in `modulate_signals_1`.
+    /// Stem of the file, and the macros, as in `modulate_signals_1`.
     pub name: String,
     macros: String,
 }
 
-/// What a module keeps of its source.
+/// The detail that a module has of its source.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Kept {
-    /// What runs, optimised.
+pub enum Detail {
+    /// The code that runs, optimised.
     Code,
-    /// The same, with the names of what it uses, for reflection while a program runs and for debuggers.
+    /// The code that runs, optimised, with the names of what it uses: for reflection while a program runs and for debuggers.
     CodeAndNames,
-    /// All that was declared, not optimised, for reflection.
+    /// Everything that was declared, not optimised: for reflection.
     Everything,
 }
 
@@ -53,15 +53,16 @@ impl Glsl {
         line.split_whitespace().map(variant).collect()
     }
 
-    /// One module. The error is the compiler's text, which does not name the variant: file (an include's, where the mistake is there), line, problem.
-    pub fn compile(&self, compiler: &Compiler, variant: &Variant, kept: Kept) -> Result<Vec<u32>, String> {
+    /// One module. The error is the compiler's text, which does not name the variant: file (an include's, where the mistake is
+    /// there), line, problem.
+    pub fn compile(&self, compiler: &Compiler, variant: &Variant, detail: Detail) -> Result<Vec<u32>, String> {
         // Options of its own for each module: shaderc's include callback keeps state between compilations otherwise.
         let mut options = CompileOptions::new().map_err(|e| e.to_string())?;
         options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
         options.set_warnings_as_errors();
-        let optimised = kept != Kept::Everything;
+        let optimised = detail != Detail::Everything;
         options.set_optimization_level(if optimised { OptimizationLevel::Performance } else { OptimizationLevel::Zero });
-        if kept == Kept::CodeAndNames {
+        if detail == Detail::CodeAndNames {
             options.set_generate_debug_info();
         }
         for (name, value) in variant.macros.split(',').filter_map(|d| d.split_once('=')) {

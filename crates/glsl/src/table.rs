@@ -1,6 +1,6 @@
 //! Every variant of every shader to SPIR-V, with a table of what they are. A module is compiled when one of its sources changed.
 
-use crate::compile::{resolve, shaders, Glsl, Kept, Variant};
+use crate::compile::{resolve, shaders, Detail, Glsl, Variant};
 use atrous_shader::{entry_point, interface, reflect, BindingKind, Shader};
 use spirq::{ty::Type, var::Variable};
 use std::collections::BTreeSet;
@@ -8,12 +8,12 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::{env, error::Error, fs, time::UNIX_EPOCH};
 
-/// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module is kept in
-/// `modules` beside it from build to build.
+/// Writes the modules into `out`, with the table `shaders.rs`, and the table `interfaces.rs` beside it. What belongs to one module
+/// is kept in `modules` beside it from build to build.
 pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
-    let kept = out.with_file_name("modules");
+    let modules_folder = out.with_file_name("modules");
     fs::create_dir_all(out)?;
-    fs::create_dir_all(&kept)?;
+    fs::create_dir_all(&modules_folder)?;
     let includes = [glsl.join("include")];
     let compiler = shaderc::Compiler::new()?;
     let (mut modules, mut asserts, mut interfaces, mut names) = (String::new(), BTreeSet::new(), String::new(), Vec::new());
@@ -23,7 +23,7 @@ pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
         let mut of_file = String::new();
         for variant in source.variants() {
             let key = key(&file, &includes, &variant)?;
-            let parts = ["key", "rs", "asserts", "interface"].map(|part| kept.join(format!("{}.{part}", variant.name)));
+            let parts = ["key", "rs", "asserts", "interface"].map(|part| modules_folder.join(format!("{}.{part}", variant.name)));
             let spirv = out.join(format!("{}.spv", variant.name));
             if !spirv.is_file() || fs::read_to_string(&parts[0]).ok().as_ref() != Some(&key) {
                 let stage = file.file_stem().unwrap_or_default().to_string_lossy();
@@ -60,7 +60,7 @@ pub fn write_table(glsl: &Path, out: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What a module leaves: its code, and lines of the tables.
+/// The code of a module, and its lines of the tables.
 struct Module {
     bytes: Vec<u8>,
     entry: String,
@@ -76,9 +76,9 @@ fn module(
     optional: &[String],
 ) -> Result<Module, Box<dyn Error>> {
     let name = &variant.name;
-    let compile = |kept| source.compile(compiler, variant, kept).map_err(|e| format!("{name}:\n{e}"));
-    let bytes: Vec<u8> = compile(Kept::Code)?.iter().flat_map(|word| word.to_ne_bytes()).collect();
-    let named = compile(Kept::Everything)?;
+    let compile = |detail| source.compile(compiler, variant, detail).map_err(|e| format!("{name}:\n{e}"));
+    let bytes: Vec<u8> = compile(Detail::Code)?.iter().flat_map(|word| word.to_ne_bytes()).collect();
+    let named = compile(Detail::Everything)?;
     let shader = reflect(stage, name, Vec::new(), &named, optional)?;
     let interface = format!("({name:?}, &{:?}),\n", interface(&named)?);
     Ok(Module { bytes, entry: entry(&shader)?, asserts: asserts(&named)?, interface })
@@ -90,7 +90,7 @@ fn optional(source: &str) -> Vec<String> {
     lines.flat_map(|names| names.split(',')).map(|name| name.trim().to_owned()).collect()
 }
 
-/// What a module is made of: the shader and every file that it includes, the macros, and this program.
+/// The sources of a module: the shader and every file that it includes, the macros, and this program.
 fn key(file: &Path, includes: &[PathBuf], variant: &Variant) -> Result<String, Box<dyn Error>> {
     let program = fs::metadata(env::current_exe()?)?;
     let mut key = format!("{} {:?} {}\n", program.len(), program.modified()?.duration_since(UNIX_EPOCH)?, variant.name);

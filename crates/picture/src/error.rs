@@ -1,9 +1,9 @@
-//! What can be wrong with the input of a picture, and with its file.
+//! Errors in the input of a picture, and of its file.
 
 use crate::Region;
 use std::path::PathBuf;
 
-/// Why a picture, a plot or a table could not be made, written or read.
+/// The reason why a picture, a plot or a table could not be made, written or read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {
@@ -61,7 +61,7 @@ pub enum PictureError {
     PanelSize {
         /// Label of the panel that differs.
         label: String,
-        /// Its width and height, pixels.
+        /// Width and height, pixels.
         given: [u32; 2],
         /// Width and height of the first panel, pixels.
         expected: [u32; 2],
@@ -82,7 +82,7 @@ pub enum PictureError {
     Plot {
         /// Title of the plot.
         title: String,
-        /// What the library said.
+        /// Message of the library.
         message: String,
     },
     /// A row of a table does not have one value for each column.
@@ -100,7 +100,7 @@ pub enum PictureError {
     File {
         /// The file.
         path: PathBuf,
-        /// What the system said.
+        /// Error of the system.
         source: std::io::Error,
     },
     /// A PNG file could not be encoded.
@@ -108,7 +108,7 @@ pub enum PictureError {
     Encode {
         /// The file.
         path: PathBuf,
-        /// What the encoder said.
+        /// Error of the encoder.
         source: png::EncodingError,
     },
     /// A file is not a PNG picture that can be read.
@@ -116,7 +116,7 @@ pub enum PictureError {
     Decode {
         /// The file.
         path: PathBuf,
-        /// What the decoder said.
+        /// Error of the decoder.
         source: png::DecodingError,
     },
     /// A PNG file does not hold 8-bit RGB.
@@ -124,7 +124,7 @@ pub enum PictureError {
     PixelFormat {
         /// The file.
         path: PathBuf,
-        /// What it holds.
+        /// The content of the file.
         given: String,
     },
 }

@@ -1,4 +1,4 @@
-//! Where the parts of a strip go.
+//! The layout of a strip: places of its parts.
 
 use crate::picture::checked_extent;
 use crate::text::Font;
@@ -75,7 +75,7 @@ fn check_panels(strip: &Strip, first: &Picture) -> Result<(), PictureError> {
     strip.insets.iter().try_for_each(|region| first.check(*region))
 }
 
-/// As wide as the panel, and as high as the shape of the region asks for.
+/// The size of an inset: as wide as the panel, and as high as the shape of the region asks for.
 fn inset_size(region: Region, panel: [u32; 2]) -> Result<[u32; 2], PictureError> {
     let height = u64::from(panel[0]) * u64::from(region.height) / u64::from(region.width);
     let (width, height) = checked_extent(panel[0].into(), height.max(1))?;

@@ -6,7 +6,7 @@ use comfy_table::{presets, Cell, CellAlignment, ContentArrangement, Table};
 /// A column of numbers.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Column {
-    /// Its heading, with the unit if there is one.
+    /// Heading, with the unit if there is one.
     pub name: String,
     /// Digits after the point; more than 17 count as 17, which is all that an `f64` has.
     pub decimals: usize,

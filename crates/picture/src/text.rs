@@ -19,9 +19,9 @@ pub(crate) struct Font {
 }
 
 impl Font {
-    /// For the axes and legends of plots.
+    /// Type of the axes and legends of plots.
     pub(crate) const PLOT: Self = Self { mono: &FONT_7X13, scale: 1 };
-    /// For the titles of plots.
+    /// Type of the titles of plots.
     pub(crate) const PLOT_TITLE: Self = Self { mono: &FONT_9X18, scale: 1 };
 
     /// The largest font in which `characters` fit into `width` pixels and which is no taller than `max_height`, with

@@ -1,6 +1,6 @@
-//! What can be wrong with the images that are compared.
+//! Errors in the images that are compared.
 
-/// Why images could not be compared.
+/// The reason why images could not be compared.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum QualityError {
@@ -15,7 +15,7 @@ pub enum QualityError {
     /// A slice does not have one element for each pixel.
     #[error("{plane} has {given} elements, but {width}x{height} pixels need {needed}")]
     Length {
-        /// Which slice.
+        /// The slice.
         plane: &'static str,
         /// Width given, pixels.
         width: u32,
@@ -29,7 +29,7 @@ pub enum QualityError {
     /// A slice contains NaN or infinities.
     #[error("{plane} has {count} values that are not finite, the first at pixel ({x}, {y}): every value must be finite")]
     NonFinite {
-        /// Which slice.
+        /// The slice.
         plane: &'static str,
         /// Number of values (channels, not pixels) that are NaN or infinite.
         count: usize,

@@ -2,7 +2,7 @@
 
 use super::{QualityError, Rgb};
 
-/// Added to the squared reference in [`rel_mse`], so that black pixels do not divide by zero.
+/// Term added to the squared reference in [`rel_mse`], so that black pixels do not divide by zero.
 const REL_MSE_EPSILON: f64 = 1e-2;
 
 /// Root mean square error over all pixels and channels, in the unit of the images. 0 for identical images.

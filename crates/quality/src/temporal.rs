@@ -8,7 +8,7 @@ use super::{QualityError, Rgb};
 /// show the same surface.
 const DEPTH_TOLERANCE: f32 = 0.02;
 
-/// What tells which pixel of the previous frame shows the surface of a pixel of this frame. One element per pixel.
+/// Guides by which a pixel of the previous frame is found that shows the surface of a pixel of this frame. One element per pixel.
 #[derive(Debug, Clone, Copy)]
 pub struct TemporalGuides<'a> {
     /// Previous pixel minus current pixel, in pixels, y down, unjittered.

@@ -1,15 +1,15 @@
-//! What a program assumes of a shader, as reflection tells it: one line for each thing. The build keeps the lines, and a shader that is
-//! compiled later must have the same ones.
+//! Interfaces of shaders: what a program assumes of one, as reflection finds it, in one line for each thing. The build keeps the
+//! lines, and a shader that is compiled later must have the same ones.
 
 use spirq::constant::ConstantValue;
 use spirq::entry_point::EntryPoint;
 use spirq::{prelude::*, ty::DescriptorType, ty::Type, var::Variable};
 
-/// Where, and what is there; sorted.
+/// Places, and what is there; sorted.
 pub type Interface = Vec<(String, String)>;
 
-/// Of a module that has its names. Those of bindings do not count, since a binding is found by its number; those of a block's members do,
-/// since its Rust twin has them.
+/// The interface of a module that has its names. Those of bindings do not count, since a binding is found by its number; those of a
+/// block's members do, since its Rust twin has them.
 pub fn interface(spirv: &[u32]) -> Result<Interface, String> {
     let entry_point = entry_point(spirv)?;
     let mut lines = capabilities(spirv);
@@ -41,14 +41,14 @@ pub fn interface(spirv: &[u32]) -> Result<Interface, String> {
     Ok(lines)
 }
 
-/// What spirq says of a module.
+/// The entry point of a module, as spirq reads it.
 pub fn entry_point(spirv: &[u32]) -> Result<EntryPoint, String> {
     let spirv = without_computed_constants(spirv);
     let reflected = ReflectConfig::new().spv(spirv).ref_all_rscs(true).combine_img_samplers(false).reflect();
     reflected.map_err(|e| e.to_string())?.into_iter().next().ok_or_else(|| "there is no entry point".to_owned())
 }
 
-/// The same module for a reader that cannot compute with specialisation constants: what is computed of them is undefined in it.
+/// The module for a reader that cannot compute with specialisation constants: what is computed of them is undefined in it.
 fn without_computed_constants(spirv: &[u32]) -> Vec<u32> {
     const SPEC_CONSTANT_OP: u32 = 52;
     const UNDEF: u32 = 1;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// Most bindings that a shader may have; their numbers are below [`NUMBERS`].
+/// Largest number of bindings that a shader may have; their numbers are below [`NUMBERS`].
 pub const MAX_BINDINGS: usize = 20;
 /// Bits of `WIRED` and `present`.
 pub const NUMBERS: u32 = 32;
@@ -18,7 +18,7 @@ pub const LEVEL: &str = "level";
 /// A compiled compute shader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Shader {
-    /// Its file without `.comp`: `atrous`.
+    /// Stem of its file, without `.comp`: `atrous`.
     pub stage: Cow<'static, str>,
     /// The stage, with the macros of a variant: `atrous_signals_2`.
     pub name: Cow<'static, str>,
@@ -37,17 +37,17 @@ pub struct Shader {
 /// One binding of descriptor set 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ShaderBinding {
-    /// Its number.
+    /// Number of the binding.
     pub number: u32,
-    /// As in the GLSL; of a block the name of the instance.
+    /// Name in the GLSL; of a block that of the instance.
     pub name: Cow<'static, str>,
-    /// What stands there.
+    /// Kind of resource that stands there.
     pub kind: BindingKind,
     /// The shader can do without it.
     pub optional: bool,
 }
 
-/// What stands at a binding.
+/// The kind of resource at a binding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingKind {
     /// An image without a sampler, read by `texelFetch`.
@@ -69,14 +69,14 @@ pub enum Component {
     Uint,
 }
 
-/// How a shader touches storage, by its qualifiers.
+/// The access of a shader to storage, by its qualifiers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BindingAccess {
     /// `readonly`.
     ReadOnly,
     /// `writeonly`.
     WriteOnly,
-    /// Neither.
+    /// Neither qualifier: read and written.
     ReadWrite,
 }
 
@@ -115,22 +115,22 @@ pub enum Scalar {
 /// One member of the push constants.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PushMember {
-    /// As in the GLSL.
+    /// Name in the GLSL.
     pub name: Cow<'static, str>,
     /// Bytes from the start.
     pub offset: u32,
-    /// Its type.
+    /// Type of the member.
     pub scalar: Scalar,
 }
 
 /// One specialisation constant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SpecialisationConstant {
-    /// As in the GLSL.
+    /// Name in the GLSL.
     pub name: Cow<'static, str>,
-    /// Its `constant_id`.
+    /// The `constant_id`.
     pub id: u32,
-    /// Its type.
+    /// Type of the constant.
     pub scalar: Scalar,
     /// The bits of its value where nothing sets it.
     pub default: u32,

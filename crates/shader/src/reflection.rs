@@ -1,4 +1,4 @@
-//! What a module of SPIR-V says of itself. One reader for the crate's own shaders and for a host's.
+//! Reflection of SPIR-V modules. One reader for the crate's own shaders and for a host's.
 
 use crate::interface::{entry_point, instructions};
 use crate::module::{
@@ -9,7 +9,8 @@ use spirq::spirv::ExecutionMode;
 use spirq::ty::{DescriptorType, Type};
 use spirq::var::Variable;
 
-/// Makes a shader of a module that has its names. `code` is what runs: the same module, or one that was optimised after it lost them.
+/// Makes a shader of a module that has its names. `code` is what runs: the same module, or one that was optimised after it lost
+/// them.
 ///
 /// # Errors
 /// Names what a pass cannot be made of.

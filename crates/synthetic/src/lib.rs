@@ -1,7 +1,8 @@
 //! A short sequence of noisy frames with guides: a slanted card before a checkered wall, a sky above, seen by a camera that slides.
 //!
-//! Every host that is compared denoises these frames. Only operations that IEEE 754 rounds exactly are used, in a fixed order, so that
-//! `examples/host_cpp/synthetic.hpp`, which says the same in C++, gives the same bits. [`scene`] has a larger choice for tests alone.
+//! Every host that is compared denoises these frames. Only operations that IEEE 754 rounds exactly are used, in a fixed order, so
+//! that `examples/host_cpp/synthetic.hpp`, which says the same in C++, gives the same bits. [`scene`] has a larger choice for tests
+//! alone.
 
 #![forbid(unsafe_code)]
 
@@ -22,7 +23,7 @@ pub const NAMES: [&str; 5] = ["depth", "normal", "motion", "albedo", "noisy_radi
 
 /// The inputs of one frame, row by row.
 pub struct Frame {
-    /// By name as in [`NAMES`].
+    /// Images in the order of [`NAMES`].
     pub images: [Vec<[f32; 4]>; 5],
     /// `surface_id`.
     pub surface_id: Vec<u32>,

@@ -13,7 +13,7 @@ pub struct Guides {
     pub normal: Vec<[f32; 4]>,
     /// xy: `uv_previous − uv_current`.
     pub motion: Vec<[f32; 4]>,
-    /// Of the primary hit.
+    /// Albedo of the primary hit.
     pub albedo: Vec<[f32; 4]>,
     /// 0: sky, 1: wall, 2: ball.
     pub surface_id: Vec<u32>,
@@ -23,7 +23,7 @@ pub struct Guides {
     pub noisy_direct: Vec<[f32; 4]>,
     /// The other quarter.
     pub noisy_indirect: Vec<[f32; 4]>,
-    /// What a converged renderer would give.
+    /// The image that a converged renderer would give.
     pub clean: Vec<[f32; 4]>,
     /// One sample of the fog, mostly dark.
     pub noisy_volume: Vec<[f32; 4]>,
@@ -51,7 +51,7 @@ impl Guides {
     }
 }
 
-/// What is rendered.
+/// The scene.
 #[derive(Clone, Copy)]
 pub struct Scene {
     /// Extent that is rendered.
@@ -73,7 +73,7 @@ const BALL: [f32; 4] = [0.3, -0.2, 4.0, 1.0];
 /// Depth of a sheet of fog, before everything else.
 const FOG: f32 = 2.0;
 
-/// What the fog scatters towards the camera: stripes.
+/// Radiance that the fog scatters towards the camera: stripes.
 fn fog(x: f32, y: f32) -> f32 {
     0.5 + 0.45 * (4.0 * x + 1.5 * y).sin()
 }
@@ -180,7 +180,7 @@ impl Scene {
     }
 }
 
-/// What the ray `(x, y, −1)·t` from the camera meets; `t` is the linear depth.
+/// The surface that the ray `(x, y, −1)·t` from the camera meets; `t` is the linear depth.
 fn trace(camera: f32, [dx, dy]: [f32; 2]) -> Hit {
     let o = [camera - BALL[0], -BALL[1], BALL[2]];
     let (a, b) = (dx * dx + dy * dy + 1.0, o[0] * dx + o[1] * dy - o[2]);

@@ -48,7 +48,8 @@ fn columns(m: DMat4) -> [[f32; 4]; 4] {
     }
 }
 
-/// View position from `(x·w, y·w, z, 1)`. Solves `clip.xy = ndc·w` for view x and y, which covers off-centre and orthographic projections.
+/// View position from `(x·w, y·w, z, 1)`. Solves `clip.xy = ndc·w` for view x and y, which covers off-centre and orthographic
+/// projections.
 fn view_from_sample(params: &FrameParams, clip_from_view: DMat4, forward: f64) -> DMat4 {
     let [row_x, row_y, row_w] = [0, 1, 3].map(|i| clip_from_view.row(i));
     let across = DMat2::from_cols(DVec2::new(row_x.x, row_y.x), DVec2::new(row_x.y, row_y.y)).inverse();

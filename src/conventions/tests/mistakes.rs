@@ -9,7 +9,7 @@ struct Mistake {
     scene: Scene,
     declared: Conventions,
     spoil: fn(&mut [Frame; 2]),
-    /// Which finding has it, and what it says.
+    /// The finding that must have the mistake.
     finding: &'static str,
     says: &'static str,
 }

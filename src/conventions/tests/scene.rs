@@ -10,7 +10,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
 
 pub const EXTENT: [u32; 2] = [80, 45];
 
-/// How far the things that move by themselves go in a frame.
+/// Motion in a frame of the things that move by themselves.
 const STEP: Vec3 = Vec3::new(0.11, 0.07, -0.05);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,10 +22,10 @@ pub enum Camera {
     Moves,
 }
 
-/// What is rendered and how it is written.
+/// The scene and its encodings.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene {
-    /// How the guides are encoded.
+    /// Encodings of the guides.
     pub encoding: Conventions,
     /// Reversed depth with an infinite far plane.
     pub reversed: bool,
@@ -112,7 +112,7 @@ impl Scene {
         self.mirror() * Mat4::from_translation(-slide * Vec3::X) * world_from_view.inverse()
     }
 
-    /// From a view that looks along −z to the declared one.
+    /// The map from a view that looks along −z to the declared one.
     fn mirror(&self) -> Mat4 {
         let z = if self.encoding.view_forward == ViewForward::PositiveZ { -1.0 } else { 1.0 };
         Mat4::from_scale(Vec3::new(1.0, 1.0, z))

@@ -1,5 +1,6 @@
-//! An independent look at the barriers: every access that conflicts with an earlier one to the same memory must be ordered after it.
-//! Validation does not find a missing barrier between two writes, nor in read-modify-write, nor between images that share memory.
+//! An independent look at the barriers: every access that conflicts with an earlier one to the same memory must be ordered after
+//! it. Validation does not find a missing barrier between two writes, nor in read-modify-write, nor between images that share
+//! memory.
 
 use super::*;
 use crate::config::{Config, PostProcess, Signals};
@@ -11,14 +12,14 @@ use ash::vk::Handle;
 struct Event {
     what: String,
     access: Access,
-    /// What barriers have ordered after it so far.
+    /// Accesses that barriers have ordered after it so far.
     before: Vec<Ordered>,
 }
 
 #[derive(Clone, Copy)]
 struct Ordered {
     to: Side,
-    /// By a global barrier, which reaches images that share the memory.
+    /// Whether a global barrier did, which reaches images that share the memory.
     global: bool,
 }
 
@@ -41,13 +42,13 @@ impl Event {
     }
 }
 
-/// Everything that was done to each physical image or buffer and is not yet ordered before what comes.
+/// Accesses to each physical image or buffer that are not yet ordered before what comes.
 struct Tracker {
     declaration: Declaration,
     storages: Storages,
     barriers: Barriers,
     shared: Vec<Vec<usize>>,
-    /// By resource, then copy.
+    /// Events by resource, then copy.
     events: Vec<[Vec<Event>; 2]>,
 }
 
@@ -132,7 +133,8 @@ impl Tracker {
         missing.chain(through).collect()
     }
 
-    /// A write is ordered after all that came before, so that nothing before it can conflict any more; aliases of a resource that starts are dead.
+    /// A write is ordered after all that came before, so that nothing before it can conflict any more; aliases of a resource that
+    /// starts are dead.
     fn remember(&mut self, pass: &str, u: &Use, copy: usize) {
         let index = u.resource.0 as usize;
         if u.access.writes() {

@@ -1,5 +1,5 @@
-//! Captures frames on their way through the executor: copies of the inputs are recorded behind the passes that read them, and written when the
-//! frame slot comes round again. See [`crate::capture`].
+//! Captures frames on their way through the executor: copies of the inputs are recorded behind the passes that read them, and
+//! written when the frame slot comes round again. See [`crate::capture`].
 
 use super::transfer::Staging;
 use super::Executor;
@@ -23,13 +23,13 @@ pub(super) struct Capturing {
     /// The frame that the sequence starts with.
     first_index: Option<u64>,
     begun: VecDeque<Frame>,
-    /// By frame slot.
+    /// Copies in flight, by frame slot.
     slots: BTreeMap<u32, Slot>,
-    /// What ended the capture, for whoever finishes it.
+    /// The error that ended the capture, for [`Executor::finish_capture`].
     failure: Option<Error>,
 }
 
-/// What is known of a frame when it begins.
+/// The facts that are known of a frame when it begins.
 #[derive(Clone, Copy)]
 struct Frame {
     index: u64,
@@ -40,7 +40,7 @@ struct Frame {
 /// Buffers of a frame slot. They are kept from frame to frame.
 #[derive(Default)]
 struct Slot {
-    /// What is to be written.
+    /// The frame that is to be written.
     frame: Option<Frame>,
     /// The last frame that was recorded with the buffers.
     last_index: u64,
@@ -53,7 +53,7 @@ struct Slot {
 /// An input that was copied into the buffer of its name.
 struct Copied {
     name: String,
-    /// Of a buffer undefined.
+    /// Format of the texels; undefined for a buffer.
     format: vk::Format,
     bytes: usize,
 }
@@ -107,7 +107,8 @@ impl Capturing {
                 let slot = self.slots.entry(frame.slot).or_default();
                 (slot.frame, slot.last_index) = (self.begun.remove(at), frame.index);
             }
-            // The capture is over as far as this slot goes: its buffers are idle, unless an earlier phase of this very frame uses them.
+            // The capture is over as far as this slot goes: its buffers are idle, unless an earlier phase of this very frame uses
+            // them.
             None if self.remaining == 0 && self.begun.is_empty() => {
                 self.slots.retain(|slot, s| *slot != frame.slot || s.frame.is_some() || s.last_index == frame.index);
             }
@@ -180,17 +181,19 @@ impl Drop for Capturing {
 }
 
 impl Executor {
-    /// Captures the inputs of the next `frames` frames as a sequence in `folder`, which `atrous-denoise` can replay: see [`crate::capture`].
+    /// Captures the inputs of the next `frames` frames as a sequence in `folder`, which `atrous-denoise` can replay: see
+    /// [`crate::capture`].
     ///
-    /// Copies are recorded at the end of the phase that uses an input last. A frame is written, in [`Self::record`], when its slot comes round
-    /// again, which takes as long as compressing it does; the last ones when recording goes on, in [`Self::finish_capture`], or when the executor is
-    /// dropped. An error on the way ends the capture and never a frame: it is logged, and [`Self::finish_capture`] returns it.
+    /// Copies are recorded at the end of the phase that uses an input last. A frame is written, in [`Self::record`], when its slot
+    /// comes round again, which takes as long as compressing it does; the last ones when recording goes on, in
+    /// [`Self::finish_capture`], or when the executor is dropped. An error on the way ends the capture and never a frame: it is
+    /// logged, and [`Self::finish_capture`] returns it.
     ///
     /// Every bound input needs `TRANSFER_SRC` usage, and every frame the same inputs and render extent.
     ///
     /// # Errors
-    /// [`Error::Capture`] for 0 frames, while another capture is in progress, for a folder that cannot be written or that holds a sequence;
-    /// [`Error::Format`] for a bound image that cannot be captured.
+    /// [`Error::Capture`] for 0 frames, while another capture is in progress, for a folder that cannot be written or that holds a
+    /// sequence; [`Error::Format`] for a bound image that cannot be captured.
     pub fn capture(&mut self, folder: impl AsRef<Path>, frames: u32) -> Result<(), Error> {
         let folder = folder.as_ref();
         let refused = |problem: String| Err(Error::Capture { path: folder.to_owned(), problem });
@@ -219,10 +222,12 @@ impl Executor {
         self.capture.outstanding()
     }
 
-    /// Writes what was recorded and not yet written, and ends the capture, even where frames are lacking. How many were written; 0 without a capture.
+    /// Writes what was recorded and not yet written, and ends the capture, even where frames are lacking. How many were written; 0
+    /// without a capture.
     ///
     /// # Errors
-    /// [`Error::Capture`], [`Error::Format`] and others that ended the capture early. Frames that were written before stay, and can be replayed.
+    /// [`Error::Capture`], [`Error::Format`] and others that ended the capture early. Frames that were written before stay, and can
+    /// be replayed.
     ///
     /// # Safety
     /// GPU work recorded with this executor is complete.

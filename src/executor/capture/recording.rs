@@ -10,7 +10,7 @@ impl Executor {
     /// Copies the inputs that no later phase reads.
     ///
     /// # Safety
-    /// As [`Self::record`].
+    /// Obligations of [`Self::record`].
     pub(in crate::executor) unsafe fn record_capture(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) {
         let captured = self.capture.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index == frame.index);
         if !captured {
@@ -46,7 +46,8 @@ impl Executor {
         let capture = &mut self.capture;
         let slot = capture.slots.entry(frame.slot).or_default();
         if slot.buffers.get(name).is_none_or(|b| b.size < bytes as u64) {
-            // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is complete.
+            // SAFETY: the device outlives the executor. A buffer that is replaced is idle, since the slot's earlier work is
+            // complete.
             let staging = unsafe { Staging::of_types(&capture.device, &capture.memory_types, bytes.max(TRANSFORM_BYTES) as u64)? };
             slot.buffers.insert(name.to_owned(), staging);
         }

@@ -1,4 +1,4 @@
-//! Where samples go, which are dropped, and what the next frame picks.
+//! Places of samples, samples that are dropped, and the candidates of the next frame.
 
 use super::super::test_scene::*;
 use super::super::{pack_guide, unpack_gradient_sample, Surface};
@@ -37,7 +37,7 @@ impl Wall {
         }
     }
 
-    /// Both passes of a frame.
+    /// Runs both passes of a frame.
     fn run(&self, frame: &FrameConstants, inputs: &ForwardProjectInputs) -> (ForwardProjectOutputs, Statistics) {
         let tuning = Tuning::default();
         let mut claims = Image::new(inputs.guide.extent().map(|side| side.div_ceil(STRATUM_SIZE)), 0);

@@ -7,7 +7,7 @@ use super::*;
 const STRATA: [u32; 2] = [24, 20];
 const EXTENT: [u32; 2] = [72, 60];
 
-/// All iterations on strata whose guides are `surfaces`, at their first pixels.
+/// Runs all iterations on strata whose guides are `surfaces`, at their first pixels.
 fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surface) -> Image<[f32; 4]> {
     let gradient_guide = paint(STRATA, surfaces).map(pack_guide).map(|t| [t[0], t[1], t[2], t[3] & !0xf0]);
     let depth_gradient = Image::new(EXTENT, 0);

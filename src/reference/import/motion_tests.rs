@@ -105,7 +105,7 @@ fn depth_of_motion_gives_the_previous_depth() {
     }
 }
 
-/// Where the test's camera at `position` shows a world point, pixels, and how deep: the pinhole written out.
+/// The place where the test's camera at `position` shows a world point, pixels, and its depth: the pinhole written out.
 fn pinhole(world: Vec3, position: Vec3, extent: [u32; 2]) -> (Vec2, f32) {
     let view = world - position;
     let (width, height) = (extent[0] as f32, extent[1] as f32);

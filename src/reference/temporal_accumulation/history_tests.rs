@@ -1,4 +1,4 @@
-//! Which pixels of the previous frame are a pixel's history, and why there are none.
+//! Pixels of the previous frame that are a pixel's history, and the reasons why there are none.
 
 use super::super::test_scene::*;
 use super::super::{pack_depth_gradient, pack_guide, pack_surface_motion};

@@ -7,9 +7,9 @@ use crate::reference::volume_motion::unpack_volume_motion;
 /// Inputs of [`volume_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct VolumeAccumulationInputs<'a> {
-    /// As written by `import`.
+    /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// As written by `volume_motion`.
+    /// The image `volume_motion`, from the stage of that name.
     pub volume_motion: &'a Image<u32>,
     /// rgb: radiance of the volume, as written by `volume_points`.
     pub radiance: &'a Image<[f32; 4]>,

@@ -1,4 +1,4 @@
-//! Where the deviation comes from, and what the neighbourhood may see.
+//! Sources of the deviation, and pixels that the neighbourhood may see.
 
 use super::super::test_scene::*;
 use super::super::{pack_moments, Surface};

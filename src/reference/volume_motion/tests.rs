@@ -18,7 +18,7 @@ fn moved(before: FrameParams, now: FrameParams, depth: f32, points: &Image<[u16;
     run(&frame, &guide, &surface_motion, points).map(|t| unpack_volume_motion(*t))
 }
 
-/// Both passes of a frame.
+/// Runs both passes of a frame.
 fn run(frame: &FrameConstants, guide: &Image<[u16; 4]>, surface_motion: &Image<[u16; 4]>, points: &Image<[u16; 4]>) -> Image<u32> {
     let mut claims = Image::new(guide.extent(), 0);
     volume_motion_claim(frame, guide, points, &mut claims);

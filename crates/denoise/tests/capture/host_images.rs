@@ -6,7 +6,7 @@ use ash::vk;
 use atrous::config::NormalEncoding;
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
 use atrous::{Config, Error, FrameParams, Phase, Tuning};
-use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
 
 pub const TESTS: &[GpuTest] = &[
@@ -211,7 +211,7 @@ fn formats_of_a_host_are_decoded_with_two_frames_in_flight() {
     assert_valid();
 
     let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
-    let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+    let setup = Setup::new(&files, &Options::default()).expect("a set-up");
     assert_eq!(files.len(), 4);
     for (file, i) in files.iter().zip(2u8..) {
         let frame = frame::load(file, &setup).expect("a frame");

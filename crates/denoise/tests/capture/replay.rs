@@ -6,7 +6,7 @@ use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, Moti
 use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::backend::{Backend, Passes};
-use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
 use atrous_synthetic::scene::{random, Guides, Scene};
 use std::path::Path;
@@ -77,7 +77,7 @@ struct Inputs {
 fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
     let files = frame_files::find(&[folder.to_owned()]).expect("frames");
     assert_eq!(files.len(), FRAMES as usize);
-    let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+    let setup = Setup::new(&files, &Options::default()).expect("a set-up");
     let frames = files.iter().map(|f| frame::load(f, &setup).expect("a frame")).collect();
     (setup, frames)
 }

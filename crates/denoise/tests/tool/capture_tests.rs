@@ -1,4 +1,4 @@
-//! What `atrous::capture` writes of slices is what this tool reads; on the CPU alone.
+//! Captures that `atrous::capture` writes of slices are read by this tool; on the CPU alone.
 
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
@@ -8,7 +8,7 @@ use atrous::config::{
 };
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
-use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::setup::{Options, Setup};
 use std::path::Path;
 
 /// Written by the first version that wrote the configuration, with nothing at its default.
@@ -84,7 +84,7 @@ fn every_convention_and_texel_arrives_as_it_was() {
         let input = InputFrame { params: &params, tuning: &tuning, images: &images, instance_transforms: None };
         writer.write_frame(&input).expect("written");
         let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
-        let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+        let setup = Setup::new(&files, &Options::default()).expect("a set-up");
         assert_eq!(setup.config.conventions, conventions);
         assert_eq!(setup.tuning(0).expect("tunables"), tuning);
         let frame = atrous_denoise::frame::load(&files[0], &setup).expect("a frame");

@@ -53,7 +53,7 @@ fn a_wrong_sign_on_disk_is_found() {
     let folder = tempfile::tempdir().expect("a folder");
     sequence(folder.path(), -1.0);
     let frames = atrous_denoise::frame_files::find(&[folder.path().to_owned()]).expect("frames");
-    let setup = atrous_denoise::setup::Setup::new(&frames, &atrous_denoise::setup::Wishes::default()).expect("a set-up");
+    let setup = atrous_denoise::setup::Setup::new(&frames, &atrous_denoise::setup::Options::default()).expect("a set-up");
     let reports = atrous_denoise::check::run(&frames, &setup).expect("reports");
     assert_eq!(reports.iter().map(|r| (r.0, r.1)).collect::<Vec<_>>(), [(0, 1), (1, 2)]);
     assert!(reports.iter().all(|r| r.2.motion.mistake == "the motion has the opposite sign"), "{}", reports[0].2);

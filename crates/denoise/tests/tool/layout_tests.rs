@@ -1,4 +1,4 @@
-//! Channels of known renderers are found; what is missing is told.
+//! Channels of known renderers are found; missing ones are reported.
 
 use crate::samples::{self, Sample, Type};
 use atrous::config::{DepthEncoding, MotionDepth, Signals};
@@ -7,19 +7,19 @@ use atrous_denoise::frame;
 use atrous_denoise::frame_files;
 use atrous_denoise::layouts::Layout;
 use atrous_denoise::roles::Role;
-use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::setup::{Options, Setup};
 use std::path::Path;
 
-fn setup_of(sample: &Sample, wishes: &Wishes) -> (tempfile::TempDir, Result<Setup, ToolError>) {
+fn setup_of(sample: &Sample, options: &Options) -> (tempfile::TempDir, Result<Setup, ToolError>) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     sample.write(&folder.path().join("f_0001.exr"));
     let frames = frame_files::find(&[folder.path().to_owned()]).expect("a frame");
-    let setup = Setup::new(&frames, wishes);
+    let setup = Setup::new(&frames, options);
     (folder, setup)
 }
 
 fn good(sample: &Sample) -> (tempfile::TempDir, Setup, frame::FrameInputs) {
-    let (folder, setup) = setup_of(sample, &Wishes::default());
+    let (folder, setup) = setup_of(sample, &Options::default());
     let setup = setup.expect("a layout");
     let frames = frame_files::find(&[folder.path().to_owned()]).expect("a frame");
     let inputs = frame::load(&frames[0], &setup).expect("a frame");
@@ -142,7 +142,7 @@ fn colour_albedo_and_normal_in_files_of_their_own() {
     }
     let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
     assert_eq!(frames.iter().map(|f| f.number).collect::<Vec<_>>(), [7, 8, 9]);
-    let setup = Setup::new(&frames, &Wishes::default()).expect("a layout");
+    let setup = Setup::new(&frames, &Options::default()).expect("a layout");
     assert_eq!(names(&setup, Role::Albedo), "albedo.R albedo.G albedo.B");
     assert_eq!(names(&setup, Role::Normal), "normal.X normal.Y normal.Z");
     let inputs = frame::load(&frames[1], &setup).expect("a frame");
@@ -152,11 +152,11 @@ fn colour_albedo_and_normal_in_files_of_their_own() {
 #[test]
 fn options_name_channels_and_their_errors_list_what_there_is() {
     let sample = Sample::new(8, 6).flat("x.a.R x.a.G x.a.B far", Type::Half, 0.5).flat("count", Type::Uint, 1.0);
-    let named = |list: &[(Role, &str)]| Wishes {
+    let named = |list: &[(Role, &str)]| Options {
         channels: list.iter().map(|(role, name)| (*role, (*name).to_owned())).collect(),
-        ..Wishes::default()
+        ..Options::default()
     };
-    let (_f, unnamed) = setup_of(&sample, &Wishes::default());
+    let (_f, unnamed) = setup_of(&sample, &Options::default());
     assert!(matches!(unnamed, Err(ToolError::NoColour { .. })), "{unnamed:?}");
     let (_f, setup) = setup_of(&sample, &named(&[(Role::Noisy, "x.a"), (Role::Depth, "far"), (Role::Id, "count")]));
     let setup = setup.expect("named channels");
@@ -183,13 +183,14 @@ fn a_camera_stands_in_for_motion() {
     (0..2).for_each(write);
     std::fs::write(folder.path().join("sequence.json"), cameras(&[0.0, 0.25])).expect("a file");
     let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
-    let setup = Setup::new(&frames, &Wishes::default()).expect("a layout");
+    let setup = Setup::new(&frames, &Options::default()).expect("a layout");
     assert!(setup.report.iter().any(|l| l.contains("computed from depth and camera")), "{:?}", setup.report);
     let load = |i: usize| frame::load(&frames[i], &setup).expect("a frame");
     let (first, second) = (load(0), load(1));
     assert_eq!(second.images["depth"][9][0], 2.0);
     assert!(!second.images.contains_key("motion"));
-    // The camera moved 0.25 to the right at depth 2 with a focal length of 1: by 0.125 of half the width, so the surface was 2 pixels further right.
+    // The camera moved 0.25 to the right at depth 2 with a focal length of 1: by 0.125 of half the width, so the surface was 2
+    // pixels further right.
     let motion = atrous_denoise::motion::of_frame(&second, &first.params, &setup.config.conventions);
     let [x, y] = motion.motion_px[100];
     assert!((x - 2.0).abs() < 1e-3 && y.abs() < 1e-3, "{x} {y}");
@@ -215,13 +216,13 @@ fn conventions_of_the_sequence_are_taken() {
     let frames = frame_files::find(&[folder.path().to_owned()]).expect("frames");
     let path = folder.path().join("sequence.json");
     std::fs::write(&path, json("motion_unit")).expect("a file");
-    let setup = Setup::new(&frames, &Wishes::default()).expect("conventions");
+    let setup = Setup::new(&frames, &Options::default()).expect("conventions");
     assert_eq!(setup.config.conventions.motion_unit, atrous::config::MotionUnit::Uv);
     std::fs::write(&path, json("motion_units")).expect("a file");
-    let message = Setup::new(&frames, &Wishes::default()).expect_err("no such key").to_string();
+    let message = Setup::new(&frames, &Options::default()).expect_err("no such key").to_string();
     assert!(message.contains("sequence.json") && message.contains("motion_unit="), "{message}");
     std::fs::write(&path, "{").expect("a file");
-    assert!(matches!(Setup::new(&frames, &Wishes::default()), Err(ToolError::Json { path: p, .. }) if p == Path::new(&path)));
+    assert!(matches!(Setup::new(&frames, &Options::default()), Err(ToolError::Json { path: p, .. }) if p == Path::new(&path)));
 }
 
 #[test]
@@ -232,7 +233,7 @@ fn references_may_be_there_for_some_frames_only() {
     }
     Sample::new(4, 2).flat("R G B", Type::Float, 0.25).write(&folder.path().join("a_1_ref.exr"));
     let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
-    let setup = Setup::new(&files, &Wishes::default()).expect("a set-up");
+    let setup = Setup::new(&files, &Options::default()).expect("a set-up");
     let references: Vec<_> = files.iter().map(|f| frame::load(f, &setup).expect("a frame").reference.map(|r| r[0])).collect();
     assert_eq!(references, [None, Some([0.25; 3]), None]);
 }

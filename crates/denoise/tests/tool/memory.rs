@@ -9,7 +9,7 @@ use atrous_denoise::pipeline::{self, Finished, Sink};
 use atrous_denoise::plan::{self, Existing};
 use atrous_denoise::saver::{output_channels, Saver, Wanted};
 use atrous_denoise::score::ScoreBook;
-use atrous_denoise::setup::{Setup, Wishes};
+use atrous_denoise::setup::{Options, Setup};
 
 /// Gives the input back.
 struct Copy;
@@ -57,7 +57,7 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
         std::fs::hard_link(&first, samples::frame_path(input.path(), number)).expect("a link");
     }
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
-    let setup = Setup::new(&frames, &Wishes::default()).expect("a layout");
+    let setup = Setup::new(&frames, &Options::default()).expect("a layout");
     assert_eq!(setup.config.allocated_extent, [64, 36]);
     let steps = plan::plan(frames, output.path(), [64, 36], Existing::default()).expect("a plan");
     let wanted = Wanted {

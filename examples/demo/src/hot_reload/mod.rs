@@ -6,7 +6,7 @@ pub use watch::{ShaderWatch, Stale};
 
 use std::path::{Path, PathBuf};
 
-use atrous_glsl::{Compiler, Glsl, Kept, Variant};
+use atrous_glsl::{Compiler, Detail, Glsl, Variant};
 
 use crate::gpu::Shader;
 
@@ -92,7 +92,7 @@ fn compile(owner: Owner, file: &Path, includes: &[PathBuf]) -> Result<Vec<Compil
     let compile = |(i, variant): (usize, Variant)| {
         // What fails in a later variant alone has to do with it.
         let of_variant = |text: String| if i == 0 { text } else { format!("{text}\nin {}", variant.name) };
-        let spirv = source.compile(&compiler, &variant, Kept::CodeAndNames).map_err(of_variant)?;
+        let spirv = source.compile(&compiler, &variant, Detail::CodeAndNames).map_err(of_variant)?;
         let compiled = Compiled { owner, name: variant.name, spirv };
         compiled.check().map_err(|problem| format!("{}: {problem}", file.display()))?;
         Ok(compiled)

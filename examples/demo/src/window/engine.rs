@@ -33,7 +33,7 @@ impl EngineThread {
         let (gpu, worker) = (gpu.clone(), shared.clone());
         let work = move || {
             if let Err(error) = run(&gpu, extent, &worker, &wake) {
-                worker.say(true, error.to_string());
+                worker.notify(true, error.to_string());
             }
             worker.report().stopped = true;
             wake();

@@ -41,12 +41,14 @@ impl Jobs {
                 Request::Reload => {}
                 Request::RecordPath(path) => self.record_path(shared, path),
                 Request::ReplayPath(path) if !path.exists() => {
-                    shared
-                        .say(true, format!("there is no {}: F4 records the camera's way, and F4 again writes it", path.display()));
+                    shared.notify(
+                        true,
+                        format!("there is no {}: F4 records the camera's way, and F4 again writes it", path.display()),
+                    );
                 }
                 Request::ReplayPath(path) => match CameraPath::load(&path) {
                     Ok(way) => self.way = Way::Flown(way, 0),
-                    Err(error) => shared.say(true, error.to_string()),
+                    Err(error) => shared.notify(true, error.to_string()),
                 },
             }
         }
@@ -54,12 +56,12 @@ impl Jobs {
 
     fn record(&mut self, shared: &Shared, folder: PathBuf) {
         if let Some((folder, frames)) = self.sequence.take() {
-            shared.say(false, format!("{frames} frames are in {}", folder.display()));
+            shared.notify(false, format!("{frames} frames are in {}", folder.display()));
             return;
         }
         match make(&folder) {
             Ok(()) => self.sequence = Some((folder, 0)),
-            Err(error) => shared.say(true, error.to_string()),
+            Err(error) => shared.notify(true, error.to_string()),
         }
     }
 
@@ -68,8 +70,8 @@ impl Jobs {
         self.way = Way::None;
         let saved = path.parent().map_or(Ok(()), make).and_then(|()| way.save(&path));
         match saved {
-            Ok(()) => shared.say(false, format!("a camera path of {} frames is in {}", way.len(), path.display())),
-            Err(error) => shared.say(true, error.to_string()),
+            Ok(()) => shared.notify(false, format!("a camera path of {} frames is in {}", way.len(), path.display())),
+            Err(error) => shared.notify(true, error.to_string()),
         }
     }
 
@@ -115,7 +117,7 @@ impl Jobs {
         match shot.write(&folder.join(format!("{number:05}.png"))) {
             Ok(()) => *number += 1,
             Err(error) => {
-                shared.say(true, error.to_string());
+                shared.notify(true, error.to_string());
                 self.sequence = None;
             }
         }
@@ -129,8 +131,8 @@ impl Jobs {
     pub fn shoot(&mut self, shared: &Shared, gpu: &Gpu, panes: &Panes, settings: &Settings, display_referred: u32) -> Result<()> {
         for folder in self.shots.drain(..) {
             match Shot::take(gpu, panes, settings, display_referred)?.write_all(&folder) {
-                Ok(path) => shared.say(false, format!("picture {}", path.display())),
-                Err(error) => shared.say(true, error.to_string()),
+                Ok(path) => shared.notify(false, format!("picture {}", path.display())),
+                Err(error) => shared.notify(true, error.to_string()),
             }
         }
         Ok(())

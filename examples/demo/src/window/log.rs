@@ -18,7 +18,7 @@ pub struct Log {
     file: Option<File>,
     frames: u64,
     drawn: u64,
-    said: usize,
+    message_count: usize,
     shader_errors: Vec<String>,
     place: Place,
     state: String,
@@ -80,11 +80,11 @@ impl Log {
         }
         self.probe = report.probe;
         let kept = report.messages.len();
-        for message in &report.messages[kept - (report.said - self.said).min(kept)..] {
+        for message in &report.messages[kept - (report.message_count - self.message_count).min(kept)..] {
             let kind = if message.is_error { "error" } else { "message" };
             self.line(&format!("{kind} {}", message.text));
         }
-        self.said = report.said;
+        self.message_count = report.message_count;
         let before = std::mem::replace(&mut self.shader_errors, report.shader_errors.clone());
         for error in report.shader_errors.iter().filter(|error| !before.contains(error)) {
             self.line(&format!("error {}", error.replace('\n', " | ")));

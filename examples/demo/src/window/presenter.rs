@@ -8,7 +8,7 @@ use egui_ash_renderer::{Options, Renderer};
 use super::pane_pipeline::{PanePipeline, Presented};
 use super::panes::{before_reading, Panes};
 use super::surface_format::{choose_format, Encoding};
-use super::swapchain::{next_step, Step, Surface, Swapchain, Wish};
+use super::swapchain::{next_step, Step, Surface, Swapchain, SwapchainOptions};
 use super::target::Target;
 use crate::error::{Doing, Error, Result};
 use crate::gpu::Gpu;
@@ -146,13 +146,13 @@ impl Presenter {
     ///
     /// # Errors
     /// A lost device or surface.
-    pub fn draw(&mut self, wish: Wish, drawn: &Drawn) -> Result<Outcome> {
+    pub fn draw(&mut self, options: SwapchainOptions, drawn: &Drawn) -> Result<Outcome> {
         let slot = &self.slots[self.next];
         let (cmd, acquired, complete) = (slot.cmd, slot.acquired, slot.complete);
         if !self.is_ready()? {
             return Ok(Outcome::Busy);
         }
-        if !self.follow(wish)? {
+        if !self.follow(options)? {
             return Ok(Outcome::NoPixels);
         }
         let Some(swapchain) = &self.swapchain else { return Ok(Outcome::Busy) };
@@ -178,21 +178,21 @@ impl Presenter {
     }
 
     /// Brings the swapchain up to the window and the wishes. `false`: the window has no pixels.
-    fn follow(&mut self, wish: Wish) -> Result<bool> {
-        let made_for = self.swapchain.as_ref().map(|swapchain| swapchain.wish).filter(|_| !self.is_stale);
-        let size = match next_step(made_for, wish, || self.surface.capabilities(&self.gpu))? {
+    fn follow(&mut self, options: SwapchainOptions) -> Result<bool> {
+        let made_for = self.swapchain.as_ref().map(|swapchain| swapchain.options).filter(|_| !self.is_stale);
+        let size = match next_step(made_for, options, || self.surface.capabilities(&self.gpu))? {
             Step::Draw => return Ok(true),
             Step::Rest => return Ok(false),
             Step::Make(extent, capabilities) => (extent, capabilities),
         };
         self.wait()?;
-        if let Some((format, encoding)) = choose_format(&self.surface.formats(&self.gpu)?, wish.hdr) {
+        if let Some((format, encoding)) = choose_format(&self.surface.formats(&self.gpu)?, options.hdr) {
             if format != self.target.format {
                 self.change_format(format, encoding)?;
             }
         }
         let old = self.swapchain.take();
-        let swapchain = Swapchain::new(&self.gpu, &self.surface, &self.target, wish, size, old)?;
+        let swapchain = Swapchain::new(&self.gpu, &self.surface, &self.target, options, size, old)?;
         self.target.point_at(swapchain.canvas.as_ref());
         self.swapchain = Some(swapchain);
         self.is_stale = false;

@@ -31,7 +31,7 @@ impl ReloadThread {
                 Some(std::thread::spawn(move || run(watch, &shared, &quit)))
             }
             Err(error) => {
-                shared.say(true, format!("shaders are not watched: {error}"));
+                shared.notify(true, format!("shaders are not watched: {error}"));
                 None
             }
         };
@@ -116,7 +116,7 @@ impl ShaderErrors {
             report.reloaded.clone_from(&text);
         }
         let is_any = text.is_some();
-        text.into_iter().for_each(|text| shared.say(false, text));
+        text.into_iter().for_each(|text| shared.notify(false, text));
         is_any
     }
 

@@ -118,7 +118,7 @@ pub struct Report {
     /// What went wrong or was written, newest last.
     pub messages: Vec<Message>,
     /// How many there were, with those that are no longer kept.
-    pub said: usize,
+    pub message_count: usize,
     /// What is wrong with saved shaders, for as long as it is.
     pub shader_errors: Vec<String>,
     /// What was put in place last.
@@ -194,10 +194,10 @@ impl Shared {
     }
 
     /// Adds a line for people.
-    pub fn say(&self, is_error: bool, text: String) {
+    pub fn notify(&self, is_error: bool, text: String) {
         let mut report = self.report();
         report.messages.push(Message { is_error, text });
-        report.said += 1;
+        report.message_count += 1;
         let surplus = report.messages.len().saturating_sub(MESSAGES_KEPT);
         report.messages.drain(..surplus);
     }

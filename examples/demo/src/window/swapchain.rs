@@ -43,9 +43,9 @@ impl Drop for Surface {
     }
 }
 
-/// What a swapchain is asked for.
+/// Options of a swapchain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wish {
+pub struct SwapchainOptions {
     /// Window pixels.
     pub extent: [u32; 2],
     /// Wait for the display.
@@ -65,19 +65,23 @@ pub enum Step {
     Rest,
 }
 
-/// `made_for`: the wish that the swapchain was made for, if there is one that still fits the window.
+/// `made_for`: the options that the swapchain was made for, if there is one that still fits the window.
 ///
 /// # Errors
 /// Those of `query`, which is not asked where nothing has changed.
-pub fn next_step(made_for: Option<Wish>, wish: Wish, query: impl FnOnce() -> Result<vk::SurfaceCapabilitiesKHR>) -> Result<Step> {
-    if wish.extent.contains(&0) {
+pub fn next_step(
+    made_for: Option<SwapchainOptions>,
+    options: SwapchainOptions,
+    query: impl FnOnce() -> Result<vk::SurfaceCapabilitiesKHR>,
+) -> Result<Step> {
+    if options.extent.contains(&0) {
         return Ok(Step::Rest);
     }
-    if made_for == Some(wish) {
+    if made_for == Some(options) {
         return Ok(Step::Draw);
     }
     let capabilities = query()?;
-    let extent = clamped(&capabilities, wish.extent);
+    let extent = clamped(&capabilities, options.extent);
     Ok(if extent.width == 0 || extent.height == 0 { Step::Rest } else { Step::Make(extent, capabilities) })
 }
 
@@ -86,7 +90,7 @@ pub struct Swapchain {
     functions: ash::khr::swapchain::Device,
     pub handle: vk::SwapchainKHR,
     pub extent: vk::Extent2D,
-    pub wish: Wish,
+    pub options: SwapchainOptions,
     views: Vec<vk::ImageView>,
     pub framebuffers: Vec<vk::Framebuffer>,
     /// Where the target has one.
@@ -105,7 +109,7 @@ impl Swapchain {
         gpu: &Gpu,
         surface: &Surface,
         target: &Target,
-        wish: Wish,
+        options: SwapchainOptions,
         (extent, capabilities): (vk::Extent2D, vk::SurfaceCapabilitiesKHR),
         old: Option<Swapchain>,
     ) -> Result<Self> {
@@ -120,7 +124,7 @@ impl Swapchain {
             .image_usage(vk::ImageUsageFlags::COLOR_ATTACHMENT)
             .pre_transform(capabilities.current_transform)
             .composite_alpha(opaque(capabilities.supported_composite_alpha))
-            .present_mode(present_mode(gpu, surface, wish.vsync)?)
+            .present_mode(present_mode(gpu, surface, options.vsync)?)
             .clipped(true)
             .old_swapchain(old.as_ref().map_or(vk::SwapchainKHR::null(), |old| old.handle));
         let functions = ash::khr::swapchain::Device::new(gpu.instance(), gpu.device());
@@ -131,7 +135,7 @@ impl Swapchain {
             functions,
             handle,
             extent,
-            wish,
+            options,
             views: Vec::new(),
             framebuffers: Vec::new(),
             canvas: target.canvas(extent)?,
@@ -236,13 +240,13 @@ mod tests {
         vk::Extent2D { width, height }
     }
 
-    const WISH: Wish = Wish { extent: [640, 480], vsync: true, hdr: false };
+    const OPTIONS: SwapchainOptions = SwapchainOptions { extent: [640, 480], vsync: true, hdr: false };
 
     /// What comes next for a window that says it has this size: `Some(None)` is a rest, `Some(Some(size))` a new swapchain.
-    fn next(made_for: Option<Wish>, wish: Wish, size: vk::Extent2D) -> Option<Option<vk::Extent2D>> {
+    fn next(made_for: Option<SwapchainOptions>, options: SwapchainOptions, size: vk::Extent2D) -> Option<Option<vk::Extent2D>> {
         let [min_image_extent, max_image_extent] = [extent(1, 1), extent(500, 500)];
         let window = vk::SurfaceCapabilitiesKHR { current_extent: size, min_image_extent, max_image_extent, ..Default::default() };
-        match next_step(made_for, wish, || Ok(window)).expect("an answer") {
+        match next_step(made_for, options, || Ok(window)).expect("an answer") {
             Step::Draw => None,
             Step::Rest => Some(None),
             Step::Make(size, _) => Some(Some(size)),
@@ -253,35 +257,35 @@ mod tests {
 
     #[test]
     fn a_window_without_pixels_rests_whatever_there_was() {
-        for made_for in [None, Some(WISH), Some(Wish { extent: [1, 1], ..WISH })] {
+        for made_for in [None, Some(OPTIONS), Some(SwapchainOptions { extent: [1, 1], ..OPTIONS })] {
             for size in [[0, 0], [0, 480], [640, 0]] {
-                let wish = Wish { extent: size, ..WISH };
-                assert_eq!(next(made_for, wish, extent(size[0], size[1])), Some(None), "{made_for:?} {size:?}");
-                assert_eq!(next(made_for, wish, FREE), Some(None), "a window that takes any size");
+                let options = SwapchainOptions { extent: size, ..OPTIONS };
+                assert_eq!(next(made_for, options, extent(size[0], size[1])), Some(None), "{made_for:?} {size:?}");
+                assert_eq!(next(made_for, options, FREE), Some(None), "a window that takes any size");
             }
         }
         // The window system was faster than the event.
-        assert_eq!(next(None, WISH, extent(0, 0)), Some(None));
-        assert_eq!(next(None, WISH, extent(640, 0)), Some(None));
+        assert_eq!(next(None, OPTIONS, extent(0, 0)), Some(None));
+        assert_eq!(next(None, OPTIONS, extent(640, 0)), Some(None));
     }
 
     #[test]
     fn a_window_that_is_back_is_drawn() {
-        assert_eq!(next(Some(WISH), WISH, extent(640, 480)), None);
-        assert_eq!(next(None, WISH, extent(640, 480)), Some(Some(extent(640, 480))));
-        let other = Wish { vsync: false, ..WISH };
-        assert_eq!(next(Some(other), WISH, extent(640, 480)), Some(Some(extent(640, 480))));
+        assert_eq!(next(Some(OPTIONS), OPTIONS, extent(640, 480)), None);
+        assert_eq!(next(None, OPTIONS, extent(640, 480)), Some(Some(extent(640, 480))));
+        let other = SwapchainOptions { vsync: false, ..OPTIONS };
+        assert_eq!(next(Some(other), OPTIONS, extent(640, 480)), Some(Some(extent(640, 480))));
     }
 
     #[test]
     fn the_window_has_the_last_word_on_its_size() {
-        assert_eq!(next(None, WISH, extent(300, 200)), Some(Some(extent(300, 200))));
-        assert_eq!(next(None, WISH, FREE), Some(Some(extent(500, 480))));
+        assert_eq!(next(None, OPTIONS, extent(300, 200)), Some(Some(extent(300, 200))));
+        assert_eq!(next(None, OPTIONS, FREE), Some(Some(extent(500, 480))));
     }
 
     #[test]
     fn a_window_that_has_not_changed_is_not_asked() {
-        let step = next_step(Some(WISH), WISH, || panic!("asked")).expect("an answer");
+        let step = next_step(Some(OPTIONS), OPTIONS, || panic!("asked")).expect("an answer");
         assert!(matches!(step, Step::Draw));
     }
 }

@@ -104,7 +104,7 @@ impl World {
                 Ok(true)
             }
             Err(error) => {
-                shared.say(true, error.to_string());
+                shared.notify(true, error.to_string());
                 Ok(false)
             }
         }

@@ -85,19 +85,19 @@ impl App {
             settings.scene.clone_from(loaded);
         }
         match settings.save(&path) {
-            Ok(()) => self.shared.say(false, format!("settings are in {}", path.display())),
-            Err(error) => self.shared.say(true, error.to_string()),
+            Ok(()) => self.shared.notify(false, format!("settings are in {}", path.display())),
+            Err(error) => self.shared.notify(true, error.to_string()),
         }
     }
 
     fn load(&mut self) {
         let path = self.options.settings_path();
         if !path.exists() {
-            return self.shared.say(true, format!("there is no {}: Ctrl S saves the settings", path.display()));
+            return self.shared.notify(true, format!("there is no {}: Ctrl S saves the settings", path.display()));
         }
         match Settings::load(&path) {
             Ok(settings) => self.settings = settings,
-            Err(error) => self.shared.say(true, error.to_string()),
+            Err(error) => self.shared.notify(true, error.to_string()),
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::window::pane_pipeline::Presented;
 use crate::window::presenter::{Drawn, Outcome};
 use crate::window::shared::Report;
 use crate::window::surface_format::Encoding;
-use crate::window::swapchain::Wish;
+use crate::window::swapchain::SwapchainOptions;
 
 /// The panel's width, points.
 const PANEL_WIDTH: f32 = 320.0;
@@ -44,8 +44,8 @@ impl App {
         self.fly = Some(fly);
     }
 
-    /// Tells the engine what changed.
-    fn tell(&mut self, over: &Over, extent: [u32; 2]) {
+    /// Sends what changed to the engine.
+    fn send_changes(&mut self, over: &Over, extent: [u32; 2]) {
         if self.scene != self.settings.scene {
             // Another world: its own camera.
             self.scene.clone_from(&self.settings.scene);
@@ -82,14 +82,14 @@ impl App {
         let output = context.run(input, |ctx| (over, actions) = self.ui(ctx, &report, extent, encoding));
         actions.into_iter().for_each(|action| self.act(event_loop, action));
         self.steer(over.turned);
-        self.tell(&over, extent);
+        self.send_changes(&over, extent);
         live.egui.handle_platform_output(&live.window, output.platform_output);
         self.textures.add(output.textures_delta);
         let size = live.window.inner_size();
         self.log.turned([size.width, size.height], &over, &self.settings, self.help, &report);
         let delay = output.viewport_output.get(&egui::ViewportId::ROOT).map_or(Duration::MAX, |v| v.repaint_delay);
         self.plan(delay);
-        let wish = Wish { extent: [size.width, size.height], vsync: self.settings.vsync, hdr: self.settings.hdr };
+        let options = SwapchainOptions { extent: [size.width, size.height], vsync: self.settings.vsync, hdr: self.settings.hdr };
         let pixels_per_point = output.pixels_per_point;
         let outcome = if live.presenter.is_ready()? {
             let primitives = context.tessellate(output.shapes, pixels_per_point);
@@ -100,7 +100,7 @@ impl App {
                 primitives: &primitives,
                 pixels_per_point,
             };
-            live.presenter.draw(wish, &drawn)?
+            live.presenter.draw(options, &drawn)?
         } else {
             Outcome::Busy
         };
