@@ -8,6 +8,7 @@
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
 // optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence
 // variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -141,8 +142,8 @@ const float REPAIRED_HISTORY_LENGTH = 4.0;
 Gathered repair(vec2 start, vec2 position, Expected expected) {
     ivec2 nearest = ivec2(floor(cut_at_border(start, position) + 0.5));
     Gathered sum = nothing();
-    for (int ring = 1; ring <= 4 && sum.weight == 0.0; ring *= 2)
-        for (int i = 0; i < 9; ++i) {
+    [[dont_unroll]] for (int ring = 1; ring <= 4 && sum.weight == 0.0; ring *= 2)
+        [[dont_unroll]] for (int i = 0; i < 9; ++i) {
             if (i == 4 && ring > 1) continue;
             ivec2 tap = nearest + ivec2(i % 3 - 1, i / 3 - 1) * ring;
             float slack = dot(abs(expected.gradient), abs(vec2(tap) - position));
@@ -166,8 +167,9 @@ Gathered gather(vec2 position, Expected expected) {
     if (sum.weight >= MIN_TAP_WEIGHT) return sum;
     sum = nothing();
     ivec2 nearest = ivec2(floor(position + 0.5));
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
+    // Rare, and where branches are masked instead of skipped every unrolled tap costs.
+    [[dont_unroll]] for (int y = -1; y <= 1; ++y)
+        [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 tap = nearest + ivec2(x, y);
             if (refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, 1.0);
         }

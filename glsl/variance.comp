@@ -6,6 +6,7 @@
 // of the surface behind alone; the background takes part.
 // optional: depth_gradient
 // variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -54,8 +55,9 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
     Geometry geometry = geometry_of(packed, is_present(DEPTH_GRADIENT) ? texelFetch(depth_gradient, p, 0).x : 0u);
     float weight_sum = 0.0;
     sums[0] = sums[1] = vec2(0.0);
-    for (int y = -RADIUS; y <= RADIUS; ++y)
-        for (int x = -RADIUS; x <= RADIUS; ++x) {
+    // Rare, and where branches are masked instead of skipped every unrolled tap costs.
+    [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
+        [[dont_unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
             ivec2 q = p + ivec2(x, y);
             if (!is_inside(q)) continue;
             uvec4 packed_q = texelFetch(guide, q, 0);

@@ -50,6 +50,9 @@ fn are_those_of_the_cpu() {
             let params = FrameParams { reshaded: true, ..scene.params(i) };
             s.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
             upload_to_engine(&mut engine, &g);
+            if config.preset == Preset::Stabilize {
+                engine.upload("other_denoised_radiance", &g.noisy_radiance).expect("other_denoised_radiance");
+            }
             engine.run(&params, &Tuning::for_preset(config.preset)).expect("frame");
             for view in &wanted {
                 let twin = engine.debug_view(*view).expect("debug_view");

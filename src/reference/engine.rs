@@ -132,8 +132,8 @@ impl Engine {
     /// Texels of the output `debug_view` for the last frame, with any view.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame, and where
-    /// transients that it shows were not kept: see [`Self::keep_transients`].
+    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame; [`Error::NotKept`]
+    /// for an engine without [`Self::keep_transients`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };

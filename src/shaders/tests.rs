@@ -113,7 +113,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 fn names_of_bindings_match_those_of_resources() {
     const RENAMED: [(&str, &[&str]); 11] = [
         ("frame", &["frame_constants"]),
-        ("input", &["filter_", "atrous_", "irradiance_history"]),
+        ("input", &["filter_", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
         ("irradiance", &["filter_ping", "irradiance_history"]),
         ("history", &["irradiance_history"]),
