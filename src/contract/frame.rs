@@ -55,7 +55,7 @@ pub struct FrameParams {
     /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and logs that once. Default: false.
     #[cfg_attr(feature = "serde", serde(default))]
     pub reshaded: bool,
-    /// The view that the pass `debug_view` shows, with [`Config::debug_view`]. `None`: the host leaves it out of this frame.
+    /// The view that the pass `debug_view` shows, with [`crate::Config::debug_view`]. `None`: the host leaves it out of this frame.
     /// Default: `None`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub debug_view: Option<DebugView>,

@@ -10,10 +10,10 @@ use crate::shaders::ShaderRef;
 /// Source of a number of a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Value {
-    /// The field of [`Tuning`] that has the name of the parameter: it may change from frame to frame.
+    /// The field of [`crate::Tuning`] that has the name of the parameter: it may change from frame to frame.
     #[default]
     Own,
-    /// Another field of [`Tuning`], by name.
+    /// Another field of [`crate::Tuning`], by name.
     Tunable(&'static str),
     /// A fixed number, in every frame.
     Fixed(f32),

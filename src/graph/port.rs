@@ -16,7 +16,7 @@ pub struct Image {
 }
 
 impl Image {
-    /// Of no graph.
+    /// An image of no graph.
     pub(super) const NONE: Self = Self { graph: u32::MAX, id: ResourceId(u32::MAX), version: 0 };
 
     /// The resource, as [`crate::Declaration::resource`] takes it.

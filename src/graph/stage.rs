@@ -66,7 +66,8 @@ impl StageOutputs {
         self.images.get(binding).copied()
     }
 
-    /// What was written through a binding. Of another name it is an image of no graph, which [`Graph::finish`] refuses where it is read.
+    /// The image that was written through a binding. For any other name it is an image of no graph, which [`Graph::finish`] refuses
+    /// where it is read.
     pub fn written(&self, binding: &str) -> Image {
         self.image(binding).unwrap_or(Image::NONE)
     }

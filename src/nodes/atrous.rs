@@ -89,8 +89,7 @@ impl Graph {
         })
     }
 
-    /// The passes of a wavelet filter. The first level may write a history; the last one an image of its own, which can be an
-    /// output; those between alternate between two.
+    /// The passes of a wavelet filter. The first level may write a history; the others alternate between two images.
     pub(super) fn levels<K>(&mut self, levels: Levels, input: &Port<K>, pass: impl Fn(String, u32) -> Pass) -> Port<K> {
         let Levels { node, count, feedback } = levels;
         if !(1..=10).contains(&count) {
@@ -131,7 +130,7 @@ fn level_pass(node: &str, name: String, module: &'static Shader, level: u32) -> 
     Pass::new(node, module).named(name).level(level)
 }
 
-/// The two images of every signal that the levels between the first and the last write in turn.
+/// The two images of every signal that the levels write in turn.
 struct LevelImages<K> {
     input: Port<K>,
     scratch: [Option<Port<K>>; 2],

@@ -211,7 +211,7 @@ fn svgf_with_taa() -> Declaration {
     Config { post_process: PostProcess::ToneMapTaa, ..Config::new([64, 36]) }.declare().expect("valid")
 }
 
-/// What no preset has: two filters of one estimate, a second accumulation in place, and a third in a scope.
+/// A graph that no preset has: two filters of one estimate, a second accumulation in place, and a third in a scope.
 fn graph_of_a_host() -> Declaration {
     let mut g = Graph::new([64, 36]);
     let guides = g.import(Import { object_normal: true, ..Import::default() });

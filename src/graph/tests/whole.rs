@@ -1,4 +1,4 @@
-//! What types cannot tell of a graph.
+//! Mistakes in a graph that types cannot see.
 
 use super::*;
 use crate::contract::{Lifetime, Phase, UseFrame};

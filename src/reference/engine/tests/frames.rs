@@ -58,7 +58,7 @@ fn bad_inputs(engine: &mut Engine, extent: [u32; 2]) {
     engine.upload_buffer("instance_transforms", bytemuck::cast_slice(&transforms)).expect("instance_transforms");
 }
 
-/// Everything that a pass wrote is finite, and moments are not negative.
+/// Asserts that everything that a pass wrote is finite, and that moments are not negative.
 fn assert_good(engine: &Engine, frame: &FrameContext, pass: usize) {
     let declaration = &engine.declaration;
     for u in declaration.passes()[pass].uses.iter().filter(|u| u.access.writes()) {

@@ -1,4 +1,4 @@
-//! When the memory of transients is free, and who can still read them.
+//! The end of a transient in memory, and reads after it.
 
 use super::super::super::test_scene::*;
 use super::*;

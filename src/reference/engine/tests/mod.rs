@@ -60,7 +60,7 @@ impl Host {
         }
     }
 
-    /// What every pass wrote in the last frame, but for the constants, which count frames.
+    /// The output of every pass in the last frame, but for the constants, which count frames.
     fn everything(&self) -> Vec<(String, Texels)> {
         let is_ours = |r: &&crate::ResourceDecl| !matches!(r.lifetime, Lifetime::Input { .. }) && r.name != "frame_constants";
         let names = self.engine.declaration.resources().iter().filter(is_ours).map(|r| r.name.clone());
