@@ -58,7 +58,8 @@ impl Denoiser {
     /// Warns once, since a host that leaves gradients out does so in every frame.
     fn warn_of_missing_gradients(&mut self, why: &str) {
         if !std::mem::replace(&mut self.warned, true) {
-            log::warn!("atrous: {why}. Without gradients history is dropped for geometry alone, as in SVGF");
+            let what = self.declaration.config().map_or("the graph".to_owned(), |config| format!("the preset {:?}", config.preset));
+            log::warn!("atrous: {why}. Without gradients {what} behaves as Svgf");
         }
     }
 
