@@ -124,7 +124,7 @@ fn assert_alike(gpu: &Texels, cpu: &Texels, what: &str) {
     let (gpu, cpu) = (gpu.to_floats(), cpu.to_floats());
     assert_eq!(gpu.len(), cpu.len(), "{what}");
     let differs =
-        |(a, b): &(&[f32; 4], &[f32; 4])| (0..4).any(|c| (a[c] - b[c]).abs() > 0.02 + 0.02 * b[c].abs() || !a[c].is_finite());
+        |(a, b): &(&[f32; 4], &[f32; 4])| (0..4).any(|c| (a[c] - b[c]).abs() > 0.01 + 0.01 * b[c].abs() || !a[c].is_finite());
     let different: Vec<_> = gpu.iter().zip(&cpu).filter(differs).collect();
     assert!(
         250 * different.len() <= gpu.len(),

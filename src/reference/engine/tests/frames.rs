@@ -12,15 +12,6 @@ fn config(extent: [u32; 2]) -> Config {
     Config { surface_id: false, ..Config::new(extent) }
 }
 
-/// The first frame of a plane with albedo.
-fn first_frame(config: &Config, noisy: &Image<[f32; 4]>) -> Host {
-    let mut host = Host::new(config);
-    let albedo = Image::new(config.allocated_extent, [0.5, 0.25, 0.125, 0.0]);
-    host.engine.upload("albedo", albedo.texels()).expect("albedo");
-    host.frame(&camera(config.allocated_extent, Vec3::ZERO), noisy);
-    host
-}
-
 #[test]
 fn the_sky_passes_untouched() {
     let mut host = Host::new(&config(EXTENT));
@@ -82,17 +73,13 @@ fn assert_good(engine: &Engine, frame: &FrameContext, pass: usize) {
 fn no_bad_value_of_any_input_reaches_an_output() {
     let extent = [24, 16];
     let config = Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
-    let mut engine = Host::new(&config).engine;
-    bad_inputs(&mut engine, extent);
+    let mut host = Host::new(&config);
+    bad_inputs(&mut host.engine, extent);
     for i in 0..3 {
         let params = FrameParams { exposure_ratio: 1e30, ..camera(extent, Vec3::splat(i as f32)) };
         // Pass by pass: what one works on in place, the next one overwrites.
-        let frame = engine.state.begin(engine.declaration.setup(), &params, &Tuning::default()).expect("usable");
-        engine.frame = Some(frame);
-        for pass in 0..engine.declaration.passes().len() {
-            engine.step(&frame, pass).expect("runs");
-            assert_good(&engine, &frame, pass);
-        }
+        host.frame_by_pass(&params, assert_good);
+        let engine = &host.engine;
         for name in ["denoised_radiance", "display"] {
             assert!(engine.download(name).expect(name).iter().flatten().all(|x| x.is_finite()), "{name}");
         }
@@ -106,17 +93,24 @@ fn no_bad_value_of_any_input_reaches_an_output() {
 #[test]
 fn what_is_between_the_stages_and_behind_them_can_be_read() {
     let config = Config { levels: 3, ..config(EXTENT) };
-    let host = first_frame(&config, &noise(EXTENT, 1));
-    let levels = host.engine.declaration.passes().iter().filter(|pass| pass.stage() == Some("atrous")).count();
-    assert_eq!(levels, 3);
-    for level in ["irradiance_history", "atrous_odd", "atrous_even"] {
-        assert!(host.image(level).texels().iter().all(|t| t[0] > 0.0 && t[3] > 0.0), "{level}");
-    }
+    let mut host = Host::new(&config);
+    host.upload(EXTENT, &noise(EXTENT, 1));
+    let mut levels = Vec::new();
+    host.frame_by_pass(&camera(EXTENT, Vec3::ZERO), |engine, frame, pass| {
+        let written = engine.declaration.passes()[pass].use_of("output_0").filter(|u| u.access.writes());
+        let Some(level) = written.map(|u| &engine.stored[u.resource.0 as usize][engine.declaration.copy(u, frame)]) else { return };
+        let Some(Texels::Colour(image)) = level else { panic!("a level is an image of colours") };
+        assert!(image.texels().iter().all(|t| t[0] > 0.0 && t[3] > 0.0), "level {}", levels.len());
+        levels.push(image.clone());
+    });
+    assert!(levels.len() == 3 && levels[0] != levels[1] && levels[1] != levels[2]);
+    assert_eq!(host.image("irradiance_history"), levels[0]);
     let moments = host.moments();
     assert!(moments.texels().iter().all(|m| m.history_length == 1.0 && m.reason == Reason::Reset as u16));
     assert!(host.image("filter_pong").texels().iter().all(|t| t[3] > 0.0), "the standard deviation");
     assert!(host.engine.download("display").expect_err("not asked for").to_string().contains("denoised_radiance"));
-    let mapped = first_frame(&Config { post_process: PostProcess::ToneMap, ..config }, &noise(EXTENT, 1));
+    let mut mapped = Host::new(&Config { post_process: PostProcess::ToneMap, ..config });
+    mapped.frame(&camera(EXTENT, Vec3::ZERO), &noise(EXTENT, 1));
     let constants = frame_with(&config, &FrameParams::new(EXTENT), &FrameParams::new(EXTENT));
     assert_eq!(mapped.image("display"), tone_map(&constants, &Tuning::default(), &[&mapped.image("denoised_radiance")]));
     assert_eq!(mapped.image("denoised_radiance"), host.image("denoised_radiance"));

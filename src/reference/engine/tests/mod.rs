@@ -46,6 +46,17 @@ impl Host {
         self.engine.run(params, &Tuning::default()).expect("frame")
     }
 
+    /// Runs a frame of the inputs that there are, with a look at what stands after each pass.
+    fn frame_by_pass(&mut self, params: &FrameParams, mut look: impl FnMut(&Engine, &FrameContext, usize)) {
+        let engine = &mut self.engine;
+        let frame = engine.state.begin(engine.declaration.setup(), params, &Tuning::default()).expect("usable");
+        engine.frame = Some(frame);
+        for pass in 0..engine.declaration.passes().len() {
+            engine.step(&frame, pass).expect("runs");
+            look(engine, &frame, pass);
+        }
+    }
+
     /// Four floats a pixel.
     fn image(&self, name: &str) -> Image<[f32; 4]> {
         let extent = self.engine.texels(name, UseFrame::Current).expect(name).extent();
