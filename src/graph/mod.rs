@@ -29,6 +29,7 @@
 mod check;
 mod matching;
 mod pass;
+mod passes;
 mod port;
 mod resources;
 #[cfg(feature = "host-stages")]

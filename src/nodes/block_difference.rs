@@ -9,7 +9,8 @@ impl Graph {
     pub fn block_difference(&mut self, guides: &Guides, irradiance: &Irradiance, history: &History) -> Difference {
         let difference: Difference = self.image_each(irradiance, "block_difference", PACKED_64, BLOCK_SIZE);
         for (i, (input, output)) in irradiance.images().iter().zip(difference.images()).enumerate() {
-            let node = self.node("block_difference", &self.label(*input).to_owned());
+            let label = self.label(*input).to_owned();
+            let node = self.node("block_difference", &label);
             let (Some(colour), Some(moments)) = (history.colour().get(i), history.moments().get(i)) else {
                 self.fail(
                     &node,

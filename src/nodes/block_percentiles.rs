@@ -21,7 +21,8 @@ impl Graph {
     fn percentiles_of<K>(&mut self, guides: &Guides, port: &Port<K>, sort: BlockSort, volume: bool) -> Percentiles {
         let percentiles: Percentiles = self.image_each(port, "block_percentiles", PACKED_32, BLOCK_SIZE);
         for (input, output) in port.images().iter().zip(percentiles.images()) {
-            let node = self.node("block_percentiles", &self.label(*input).to_owned());
+            let label = self.label(*input).to_owned();
+            let node = self.node("block_percentiles", &label);
             let pass = Pass::new(&node, &shaders::BLOCK_PERCENTILES)
                 .constant("VOLUME", u32::from(volume))
                 .constant("ODD_EVEN", u32::from(sort == BlockSort::OddEven))

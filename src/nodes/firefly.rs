@@ -20,7 +20,8 @@ impl Graph {
             self.fail("firefly", "percentiles", format!("{problem}; make them of the same port"));
         }
         for (image, percentiles) in port.images().iter().zip(percentiles.images()) {
-            let node = self.node("firefly", &self.label(*image).to_owned());
+            let label = self.label(*image).to_owned();
+            let node = self.node("firefly", &label);
             let pass = Pass::new(&node, &shaders::FIREFLY)
                 .constant("VOLUME", u32::from(volume))
                 .bind("guide", guides.guide)
