@@ -122,7 +122,7 @@ impl Session {
         self.frame = Some(frame);
         for pass in 0..self.executor.denoiser().declaration().passes().len() {
             trace(self, &frame, pass, false)?;
-            // SAFETY: as in `run`.
+            // SAFETY: `submit` hands over a command buffer that is recording, and waits for each submission before the next.
             self.submit(|session, cmd| unsafe { session.executor.record_pass(cmd, &frame, pass) })?;
             trace(self, &frame, pass, true)?;
         }

@@ -53,6 +53,7 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Source of the history of an accumulation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Feedback {
     /// The accumulated picture itself. Keeps more detail.
     #[default]

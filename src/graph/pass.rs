@@ -7,6 +7,7 @@ use crate::shaders::ShaderRef;
 
 /// Source of a number of a node.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub enum Value {
     /// The field of [`crate::Tuning`] that has the name of the parameter: it may change from frame to frame.
     #[default]

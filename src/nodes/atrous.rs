@@ -6,6 +6,7 @@ use crate::shaders::{self, Shader};
 
 /// The kernel of a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Kernel {
     /// 5×5 B3 spline \[SVGF\].
     #[default]

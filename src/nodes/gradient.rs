@@ -6,6 +6,7 @@ use crate::shaders;
 
 /// Source of temporal gradients.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub enum Gradients {
     /// One pixel a stratum is a sample of the previous frame, shaded again by the host.
     ForwardProjected(GradientSamples),

@@ -7,6 +7,7 @@ use crate::shaders;
 
 /// The estimator of the variance of a pixel with a short past.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Estimator {
     /// Estimate over 7×7 pixels while the past is short \[SVGF\].
     #[default]

@@ -199,7 +199,7 @@ impl FrameDenoiser {
     /// None in practice.
     pub fn record_debug_view(&mut self, cmd: vk::CommandBuffer, view: DebugView) -> Result<()> {
         let Some(frame) = self.frame else { return Ok(()) };
-        // SAFETY: as in `record_phase`; the frame was waited for.
+        // SAFETY: `cmd` is recording, and the host waited for the frame whose outputs this reads.
         unsafe { self.executor.record_debug_view(cmd, &FrameContext { debug_view: Some(view), ..frame })? };
         Ok(())
     }
