@@ -86,7 +86,7 @@ fn what_is_saved_is_compiled_and_what_is_wrong_has_file_and_line() {
     let changed = sources.saved_one();
     assert_eq!(changed.file, "glsl/modulate.comp");
     let names: Vec<_> = shaders(changed).iter().map(|s| (s.name().to_owned(), s.owner())).collect();
-    assert_eq!(names, ["modulate_signals_1", "modulate_signals_2"].map(|name| (name.to_owned(), Owner::Denoiser)));
+    assert_eq!(names, [("modulate".to_owned(), Owner::Denoiser)]);
 
     sources.edit("glsl/modulate.comp", "storable(0.5", "storable(no_such_thing");
     let line = sources.line_of("glsl/modulate.comp", "no_such_thing");
@@ -94,7 +94,11 @@ fn what_is_saved_is_compiled_and_what_is_wrong_has_file_and_line() {
     assert!(problem.starts_with(&format!("glsl/modulate.comp:{line}: error: 'no_such_thing'")), "{problem}");
 
     sources.edit("glsl/modulate.comp", "storable(no_such_thing", "storable(2.0");
-    assert_eq!(shaders(sources.saved_one()).len(), 2);
+    assert_eq!(shaders(sources.saved_one()).len(), 1);
+
+    sources.edit("glsl/eaw.comp", "void main", "\nvoid main");
+    let variants: Vec<_> = shaders(sources.saved_one()).iter().map(|s| s.name().to_owned()).collect();
+    assert_eq!(variants, ["eaw_signals_1", "eaw_signals_2"]);
 }
 
 #[test]
@@ -124,7 +128,7 @@ fn what_the_program_was_not_built_for_is_refused() {
     for (file, old, new, difference) in [
         ("glsl/modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f>"),
         ("demo/glsl/gbuffer.comp", "local_size_x = 8", "local_size_x = 4", "LocalSize is `4 x 8 x 1`"),
-        ("glsl/modulate.comp", "SIGNALS=2", "SIGNALS=3", "`modulate_signals_3`: the program has none"),
+        ("glsl/eaw.comp", "SIGNALS=2", "SIGNALS=3", "`eaw_signals_3`: the program has none"),
     ] {
         sources.edit(file, old, new);
         let problem = sources.saved_one().shaders.expect_err("it does not fit");
