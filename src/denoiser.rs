@@ -82,7 +82,7 @@ impl Denoiser {
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
         crate::hot_reload::check(name, spirv)?;
-        // SAFETY: the interface is that of the build; the rest is the caller's.
+        // SAFETY: `check` compared the interface. By the contract above, the SPIR-V is valid and no GPU work uses the old code.
         unsafe { self.pipelines.replace(name, spirv) }
     }
 
