@@ -1,17 +1,17 @@
 //! What recording costs the CPU: time, and no heap allocation in the steady state.
 
 use super::support::rig::Rig;
-use super::GpuTest;
 use ash::vk;
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous::{Binding, Config, FrameParams, Phase, Tuning};
+use atrous_harness::DeviceTest;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::sync::Arc;
 use std::time::Instant;
 
-pub const TESTS: &[GpuTest] = &[("recording_a_frame_allocates_nothing", recording_a_frame_allocates_nothing)];
+pub const TESTS: &[DeviceTest] = &[("recording_a_frame_allocates_nothing", recording_a_frame_allocates_nothing)];
 
 /// The system's allocator, which counts what the calling thread asks of it.
 pub struct Counting;

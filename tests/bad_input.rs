@@ -1,12 +1,12 @@
 //! Input that is wrong: a clear error, or a defined picture; never a panic, never a value that is not finite.
 
 use super::support::{self, assert_valid, frame, gpu, scene::Guides, scene::Scene, session};
-use super::GpuTest;
 use atrous::config::Signals;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Validation};
 use atrous::{Binding, Config, Denoiser, Error, FrameParams, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("extents_that_are_zero_or_too_large_are_named", extents_that_are_zero_or_too_large_are_named),
     ("one_pixel_and_odd_extents_work", one_pixel_and_odd_extents_work),
     ("a_render_extent_beyond_the_allocation_is_refused", a_render_extent_beyond_the_allocation_is_refused),

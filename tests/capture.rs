@@ -1,12 +1,12 @@
 //! What a capture refuses, and how it ends.
 
 use super::support::{assert_valid, scene::Scene, session, upload};
-use super::GpuTest;
 use atrous::executor::{Executor, Session};
 use atrous::{Config, Tuning};
+use atrous_harness::DeviceTest;
 use std::path::Path;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("what_cannot_be_captured_is_refused_at_once", what_cannot_be_captured_is_refused_at_once),
     ("a_capture_can_end_early_and_another_can_follow", a_capture_can_end_early_and_another_can_follow),
     ("a_failure_ends_the_capture_and_not_the_frame", a_failure_ends_the_capture_and_not_the_frame),

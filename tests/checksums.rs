@@ -4,13 +4,13 @@
 //! test says that it compares nothing. `ATROUS_UPDATE_CHECKSUMS=1` writes the table anew, for a commit that says why.
 
 use super::support::{assert_valid, gpu, scene::Guides, scene::Scene, session, upload};
-use super::GpuTest;
 use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
 use atrous::executor::Session;
 use atrous::{Config, DebugView, FrameParams, Lifetime, ResetReason, Shape, Tuning, UseFrame};
+use atrous_harness::DeviceTest;
 use std::fmt::Write as _;
 
-pub const TESTS: &[GpuTest] = &[("every_preset", every_preset)];
+pub const TESTS: &[DeviceTest] = &[("every_preset", every_preset)];
 
 const TABLE: &str = include_str!("checksums/llvmpipe.txt");
 const FRAMES: u32 = 6;

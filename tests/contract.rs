@@ -1,10 +1,10 @@
 //! What a host plans with: memory, boundaries, unknown names.
 
-use super::GpuTest;
 use atrous::config::{PostProcess, Signals};
 use atrous::{Access, Config, Lifetime, Phase};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("one_signal_takes_at_most_64_bytes_a_pixel", one_signal_takes_at_most_64_bytes_a_pixel),
     ("memory_is_the_sum_of_its_parts", memory_is_the_sum_of_its_parts),
     ("the_boundary_of_a_phase_names_first_and_last_access", the_boundary_of_a_phase_names_first_and_last_access),

@@ -1,12 +1,12 @@
 //! Views behind a frame, on the GPU and by the CPU's chain of stages: both have to show the same images of each preset.
 
 use super::support::{assert_valid, scene::Scene, session, upload, upload_to_engine};
-use super::GpuTest;
 use atrous::config::{Preset, Signals};
 use atrous::reference::Engine;
 use atrous::{Config, DebugView, FrameParams, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("are_those_of_the_cpu", are_those_of_the_cpu),
     ("do_not_depend_on_what_was_shown_before", do_not_depend_on_what_was_shown_before),
 ];

@@ -1,12 +1,12 @@
 //! `uses` against the SPIR-V, read by a second reader that the build does not use.
 
-use super::GpuTest;
 use atrous::config::{GradientSource, PostProcess, Preset, Signals};
 use atrous::{Access, Config, PassDecl, Shape};
+use atrous_harness::DeviceTest;
 use spirv_reflect::types::ReflectDescriptorType as Kind;
 use spirv_reflect::ShaderModule;
 
-pub const TESTS: &[GpuTest] = &[("uses_equal_the_spirv_by_a_second_reader", uses_equal_the_spirv_by_a_second_reader)];
+pub const TESTS: &[DeviceTest] = &[("uses_equal_the_spirv_by_a_second_reader", uses_equal_the_spirv_by_a_second_reader)];
 
 fn uses_equal_the_spirv_by_a_second_reader() {
     let mut modules = 0;

@@ -1,11 +1,11 @@
 //! What is written twice must say the same.
 
-use super::GpuTest;
 use atrous::config::{EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
 use atrous::{Access, Config, Lifetime};
+use atrous_harness::DeviceTest;
 use std::collections::BTreeSet;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("the_readme_shows_a_part_of_host_ash", the_readme_shows_a_part_of_host_ash),
     ("the_guide_shows_parts_of_the_hosts", the_guide_shows_parts_of_the_hosts),
     ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),

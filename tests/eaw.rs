@@ -1,11 +1,11 @@
 //! The preset `eaw`: single frames, each weight, sub-sampled input.
 
 use super::support::{assert_valid, frame, pixels, rmse, scene::Guides, scene::Scene, session};
-use super::GpuTest;
 use atrous::config::{EawWeights, Preset, Sampling};
 use atrous::{Config, Lifetime, Tuning, UseFrame};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("each_weight_improves_a_single_frame", each_weight_improves_a_single_frame),
     ("no_frame_depends_on_the_one_before", no_frame_depends_on_the_one_before),
     ("nothing_survives_the_frame", nothing_survives_the_frame),

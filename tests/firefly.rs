@@ -1,11 +1,11 @@
 //! The firefly filter in every preset: it takes outliers, and next to nothing else.
 
 use super::support::{assert_valid, pixels, random, rmse, scene::Guides, scene::Scene, session, upload};
-use super::GpuTest;
 use atrous::config::{GradientSource, Preset};
 use atrous::{Config, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("energy_stays_in_svgf", || energy_stays(Preset::Svgf)),
     ("energy_stays_in_asvgf", || energy_stays(Preset::Asvgf)),
     ("energy_stays_in_stabilize", || energy_stays(Preset::Stabilize)),

@@ -2,11 +2,11 @@
 
 use super::support::host::{Host, Shaded};
 use super::support::{assert_valid, pixels, rmse, scene::Scene, warnings};
-use super::GpuTest;
 use atrous::config::{GradientSource, Preset};
 use atrous::{Config, FrameParams};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("where_nothing_changed_the_gradient_is_exactly_zero", where_nothing_changed_the_gradient_is_exactly_zero),
     ("two_runs_are_equal_to_the_bit", two_runs_are_equal_to_the_bit),
     ("a_gradient_sample_is_not_one_in_the_next_frame", a_gradient_sample_is_not_one_in_the_next_frame),

@@ -1,9 +1,9 @@
 //! The header for hosts' shaders compiles as its own worked example says.
 
-use super::GpuTest;
+use atrous_harness::DeviceTest;
 use shaderc::{CompileOptions, Compiler, EnvVersion, ResolvedInclude, ShaderKind, TargetEnv};
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("the_worked_example_compiles_with_every_stratum_size", the_worked_example_compiles_with_every_stratum_size),
     ("a_missing_image_is_named", a_missing_image_is_named),
 ];

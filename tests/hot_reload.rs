@@ -1,15 +1,15 @@
 //! Shaders that are replaced while a session runs.
 
 use super::support::{assert_valid, frame, scene::Scene, session};
-use super::GpuTest;
 use atrous::executor::Session;
 use atrous::{Config, Error, Tuning};
 use atrous_glsl as glsl;
+use atrous_harness::DeviceTest;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("another_shader_changes_the_output_and_keeps_the_history", another_shader_changes_the_output_and_keeps_the_history),
     ("a_shader_that_does_not_fit_is_refused_and_the_old_one_stays", a_shader_that_does_not_fit_is_refused_and_the_old_one_stays),
     ("every_shader_may_take_its_own_place", every_shader_may_take_its_own_place),

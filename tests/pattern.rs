@@ -1,11 +1,11 @@
 //! The synthetic pattern of [SVGF] Fig. 9: what the temporal estimate of variance keeps and the spatial one blurs.
 
 use super::support::{assert_valid, random, scene::Scene, session_with, upload};
-use super::GpuTest;
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameContext, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[("temporal_variance_keeps_stripes_that_spatial_variance_blurs", stripes)];
+pub const TESTS: &[DeviceTest] = &[("temporal_variance_keeps_stripes_that_spatial_variance_blurs", stripes)];
 
 const EXTENT: [u32; 2] = [128, 48];
 const STRIPE: u32 = 5;

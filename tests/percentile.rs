@@ -1,12 +1,12 @@
 //! The preset `percentile`: light that changes, outliers, pixels without history, and what its parts cost.
 
 use super::support::{assert_valid, frame, rmse, scene::Scene, session, session_with, upload};
-use super::GpuTest;
 use atrous::config::{AdaptiveRule, BlockSort, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameContext, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("a_light_that_comes_on_and_one_that_goes_out_are_seen", a_light_that_changes_is_seen),
     ("both_sorts_give_the_same_bits", both_sorts_give_the_same_bits),
     ("a_black_pixel_does_not_stay_black", a_black_pixel_does_not_stay_black),

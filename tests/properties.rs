@@ -1,12 +1,12 @@
 //! What must hold whatever the picture: see also the CPU twins, which have the same properties.
 
 use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session, session_with, upload};
-use super::GpuTest;
 use atrous::config::{PostProcess, Signals};
 use atrous::executor::SessionOptions;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("a_constant_image_is_a_fixed_point", a_constant_image_is_a_fixed_point),
     ("without_alpha_it_is_the_running_mean", without_alpha_it_is_the_running_mean),
     ("a_render_rect_gives_the_bits_of_a_tight_image", a_render_rect_gives_the_bits_of_a_tight_image),

@@ -1,11 +1,11 @@
 //! Over many frames: how much noise goes, how soon it settles, what happens where nothing was seen before.
 
 use super::support::{frame, rmse, scene::Scene, session};
-use super::GpuTest;
 use atrous::config::Signals;
 use atrous::{Config, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("the_temporal_error_settles_ten_times_below_the_input", the_temporal_error_settles_ten_times_below_the_input),
     ("noise_goes_under_a_moving_camera", noise_goes_under_a_moving_camera),
     ("disoccluded_pixels_say_why", disoccluded_pixels_say_why),

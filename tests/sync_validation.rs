@@ -1,12 +1,12 @@
 //! Synchronisation validation is only worth something if it is listening.
 
 use super::support::{frame, scene::Scene};
-use super::GpuTest;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::{Config, Tuning};
+use atrous_harness::DeviceTest;
 use std::sync::Arc;
 
-pub const TESTS: &[GpuTest] =
+pub const TESTS: &[DeviceTest] =
     &[("a_missing_barrier_is_reported", a_missing_barrier_is_reported), ("a_frame_is_clean", a_frame_is_clean)];
 
 fn errors_with(omit: Option<&str>) -> Vec<String> {

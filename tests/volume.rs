@@ -1,13 +1,13 @@
 //! Volumes: alone, and beside the presets for surfaces.
 
 use super::support::{assert_finite, assert_valid, frame, rmse, scene::Guides, scene::Scene, session, session_with, upload};
-use super::GpuTest;
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::reference::Counter;
 use atrous::{Config, FrameParams, ResetReason, ToneCurve, Tuning};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("a_constant_volume_is_a_fixed_point", a_constant_volume_is_a_fixed_point),
     ("a_reset_frame_equals_a_first_frame", a_reset_frame_equals_a_first_frame),
     ("two_runs_are_bit_identical", two_runs_are_bit_identical),

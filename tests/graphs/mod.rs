@@ -7,17 +7,18 @@ mod dice;
 mod inputs;
 mod random;
 
+use super::parity;
 use super::support::{assert_valid, gpu, scene::Scene};
-use super::{parity, GpuTest};
 use atrous::executor::{Session, SessionOptions};
 use atrous::reference::{Engine, Texels};
 use atrous::{DebugView, Declaration, FrameParams, ImageFormat, Lifetime, ResetReason, ResourceDecl, Shape, Tuning, UseFrame};
+use atrous_harness::DeviceTest;
 use inputs::Inputs;
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::panic::{catch_unwind, resume_unwind};
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("seeds_reach_every_stage", seeds_reach_every_stage),
     // Two tests, so that two threads share the work.
     ("even_seeds", || for_each_seed(0)),

@@ -9,15 +9,15 @@ mod fewer_features;
 mod submissions;
 
 use super::support::{assert_valid, session};
-use super::GpuTest;
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::{Config, FrameParams, Tuning};
+use atrous_harness::DeviceTest;
 use atrous_synthetic as synthetic;
 use std::process::{Command, Output};
 use std::sync::Arc;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("the_layer_is_listening", the_layer_is_listening),
     ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
     ("vk_graph_gives_the_bits_of_the_executor", vk_graph_gives_the_bits_of_the_executor),

@@ -12,13 +12,13 @@ use super::support::{
     scene::{Guides, Scene},
     session_with, upload,
 };
-use super::GpuTest;
 use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
 use ::atrous::{Config, Declaration, FrameContext, FrameParams, ResetReason, Tuning, Use};
+use atrous_harness::DeviceTest;
 use captured::{capture, Captured};
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("one_signal", || sequence(&Config::new([61, 35]))),
     ("two_signals", || sequence(&Config { signals: Signals::Apart, ..Config::new([61, 35]) })),
     ("object_normals", || sequence(&Config { object_normal: true, ..Config::new([40, 23]) })),

@@ -3,7 +3,7 @@
 pub mod host;
 pub mod rig;
 
-pub use atrous_synthetic::scene::{self, pixels, random};
+pub use atrous_synthetic::scene::{self, pixels, random, rmse};
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::reference::Engine;
@@ -72,7 +72,7 @@ pub fn assert_valid() {
 /// Uploads what a frame of the synthetic scene has, for the inputs that are declared.
 pub fn upload(session: &mut Session, guides: &Guides) {
     let declaration = session.executor().denoiser().declaration().clone();
-    for (name, texels) in guides.images().into_iter().filter(|(name, _)| declaration.find(name).is_some()) {
+    for (name, texels) in guides.declared(&declaration) {
         session.upload(name, texels).expect(name);
     }
     if declaration.find("surface_id").is_some() {
@@ -83,7 +83,7 @@ pub fn upload(session: &mut Session, guides: &Guides) {
 /// Gives the CPU engine what [`upload`] gives a session.
 pub fn upload_to_engine(engine: &mut Engine, guides: &Guides) {
     let declaration = engine.declaration().clone();
-    for (name, texels) in guides.images().into_iter().filter(|(name, _)| declaration.find(name).is_some()) {
+    for (name, texels) in guides.declared(&declaration) {
         engine.upload(name, texels).expect(name);
     }
     if declaration.find("surface_id").is_some() {
@@ -107,10 +107,4 @@ pub fn assert_finite(image: &[[f32; 4]], render: [u32; 2], allocated: [u32; 2]) 
         let texel = image[(y * allocated[0] + x) as usize];
         assert!(texel.iter().all(|v| v.is_finite()), "pixel {x},{y} is {texel:?}");
     }
-}
-
-/// Root of the mean squared difference of colours.
-pub fn rmse(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
-    let squared = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).powi(2)).sum::<f64>();
-    (a.iter().zip(b).map(squared).sum::<f64>() / (3 * a.len()) as f64).sqrt()
 }

@@ -2,7 +2,7 @@
 //!
 //! Rays are intersected analytically, so depth, normal, motion and the clean radiance have no error of their own.
 
-use atrous::FrameParams;
+use atrous::{Declaration, FrameParams};
 
 /// The inputs of one frame, row by row, four floats a texel.
 #[derive(Clone)]
@@ -49,6 +49,17 @@ impl Guides {
             ("scattering_depth", &self.scattering_depth),
         ]
     }
+
+    /// Those of [`Self::images`] that a graph takes.
+    pub fn declared<'a>(&'a self, declaration: &'a Declaration) -> impl Iterator<Item = (&'static str, &'a [[f32; 4]])> {
+        self.images().into_iter().filter(|(name, _)| declaration.find(name).is_some())
+    }
+}
+
+/// Root of the mean squared difference of colours.
+pub fn rmse(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
+    let squared = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).powi(2)).sum::<f64>();
+    (a.iter().zip(b).map(squared).sum::<f64>() / (3 * a.len()) as f64).sqrt()
 }
 
 /// The scene.

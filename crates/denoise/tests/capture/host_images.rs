@@ -1,15 +1,15 @@
 //! Images of a host in its own formats and layout, with two frames in flight.
 
 use super::support::{assert_valid, gpu};
-use super::GpuTest;
 use ash::vk;
 use atrous::config::NormalEncoding;
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
 use atrous::{Config, Error, FrameParams, Phase, Tuning};
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
+use atrous_harness::DeviceTest;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("formats_of_a_host_are_decoded_with_two_frames_in_flight", formats_of_a_host_are_decoded_with_two_frames_in_flight),
     ("a_format_that_no_capture_takes_is_named", a_format_that_no_capture_takes_is_named),
 ];

@@ -1,17 +1,17 @@
 //! A replay of a capture gives what the engine had.
 
-use super::support::{assert_valid, rmse, session, upload};
-use super::GpuTest;
+use super::support::{assert_valid, session, upload};
 use atrous::config::{AdaptiveRule, EawWeights, GradientSource, MotionDepth, MotionUnit, Preset, Sampling, Signals};
 use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::backend::{Backend, Passes};
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
-use atrous_synthetic::scene::{random, Guides, Scene};
+use atrous_harness::DeviceTest;
+use atrous_synthetic::scene::{random, rmse, Guides, Scene};
 use std::path::Path;
 
-pub const TESTS: &[GpuTest] = &[
+pub const TESTS: &[DeviceTest] = &[
     ("a_replay_gives_the_same_bits", a_replay_gives_the_same_bits),
     ("a_part_of_larger_images_is_captured_alone", a_part_of_larger_images_is_captured_alone),
     ("conventions_tunables_and_resets_are_replayed", conventions_tunables_and_resets_are_replayed),

@@ -31,18 +31,10 @@ pub fn assert_valid() {
 /// Uploads what a frame of the synthetic scene has, for the inputs that the configuration declares.
 pub fn upload(session: &mut Session, guides: &Guides) {
     let declaration = session.executor().denoiser().declaration().clone();
-    for (name, texels) in guides.images() {
-        if declaration.find(name).is_some() {
-            session.upload(name, texels).expect(name);
-        }
+    for (name, texels) in guides.declared(&declaration) {
+        session.upload(name, texels).expect(name);
     }
     if declaration.find("surface_id").is_some() {
         session.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
     }
-}
-
-/// Root of the mean squared difference of colours.
-pub fn rmse(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
-    let squared = |(a, b): (&[f32; 4], &[f32; 4])| (0..3).map(|i| f64::from(a[i] - b[i]).powi(2)).sum::<f64>();
-    (a.iter().zip(b).map(squared).sum::<f64>() / (3 * a.len()) as f64).sqrt()
 }
