@@ -1,8 +1,9 @@
 //! The declaration of a denoiser: its resources and its passes in order.
 
-use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId, Setup, Work};
+use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId, Setup, Shape, Work};
 use crate::config::Config;
 use crate::error::Error;
+use ash::vk;
 
 /// The place of a pass in the host's frame.
 ///
@@ -110,6 +111,26 @@ impl Declaration {
             given: name.to_owned(),
             known: self.resources.iter().map(|r| r.name.as_str()).collect::<Vec<_>>().join(", "),
         })
+    }
+
+    /// An image by name, with its allocated extent, for as many texels of a format that are given row by row.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Format`], [`Error::Size`] for another number of texels.
+    pub(crate) fn image_for(&self, name: &str, given: vk::Format, count: usize) -> Result<(ResourceId, [u32; 2]), Error> {
+        let id = self.named(name)?;
+        let resource = self.resource(id);
+        let Shape::Image { format, .. } = resource.shape else { return Err(Error::NotBound(name.to_owned())) };
+        if !format.accepts(given) {
+            return Err(Error::Format { resource: name.to_owned(), given, allowed: format.to_string() });
+        }
+        let extent = resource.extent(self.allocated_extent()).unwrap_or([1, 1]);
+        let needed = extent[0] as usize * extent[1] as usize;
+        if count != needed {
+            let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
+            return Err(Error::Size { resource: name.to_owned(), given: format!("{count} texels"), needed });
+        }
+        Ok((id, extent))
     }
 
     /// The declaration of a resource.

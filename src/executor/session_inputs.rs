@@ -7,7 +7,6 @@ use super::session_objects::OwnedImage;
 use super::storage::Storage;
 use super::transfer::{whole_image, Staging, UPLOADED};
 use super::HostImage;
-use crate::contract::Shape;
 use crate::error::Error;
 use ash::vk;
 
@@ -55,20 +54,7 @@ impl Session {
     }
 
     fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
-        let declaration = self.executor.denoiser().declaration();
-        let resource = declaration.resource(declaration.named(name)?);
-        let Shape::Image { format: rule, .. } = resource.shape else {
-            return Err(Error::NotBound(name.to_owned()));
-        };
-        if !rule.accepts(format) {
-            return Err(Error::Format { resource: name.to_owned(), given: format, allowed: rule.to_string() });
-        }
-        let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
-        let needed = extent[0] as usize * extent[1] as usize;
-        if count != needed {
-            let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
-            return Err(Error::Size { resource: name.to_owned(), given: format!("{count} texels"), needed });
-        }
+        let (_, extent) = self.executor.denoiser().declaration().image_for(name, format, count)?;
         if !self.inputs.contains_key(name) {
             // SAFETY: the device outlives the session.
             let image = unsafe { OwnedImage::new(self.gpu.host(), format, extent)? };

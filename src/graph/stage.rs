@@ -1,9 +1,8 @@
 //! A stage of the host: its own compute shader as a pass between ours.
 
 use super::{Graph, Image, Pass, Value};
-use crate::contract::{Grid, Lifetime, Phase};
+use crate::contract::{Grid, Lifetime, Phase, UseFrame};
 use crate::error::Error;
-
 use crate::reference::Twin;
 use crate::shaders::{vk_format, BindingAccess, BindingKind, Shader, ShaderRef};
 use crate::ImageFormat;
@@ -50,7 +49,6 @@ pub struct StageCall<'g> {
     graph: &'g mut Graph,
     shader: Arc<Shader>,
     pass: Pass,
-    given: BTreeMap<String, Image>,
     divisor: u32,
 }
 
@@ -79,14 +77,13 @@ impl Graph {
         let node = self.node(&stage.shader.name, "");
         let shader = stage.shader.clone();
         let pass = Pass { twin: stage.twin, ..Pass::new(&node, ShaderRef::Made(shader.clone())) };
-        StageCall { graph: self, shader, pass, given: BTreeMap::new(), divisor: 1 }
+        StageCall { graph: self, shader, pass, divisor: 1 }
     }
 }
 
 impl StageCall<'_> {
     /// An image of this frame: read, or read and written in place, as the shader says.
     pub fn bind(mut self, binding: &str, image: Image) -> Self {
-        self.given.insert(binding.to_owned(), image);
         self.pass = self.pass.bind(binding, image);
         self
     }
@@ -142,8 +139,9 @@ impl StageCall<'_> {
             if access == BindingAccess::ReadOnly {
                 continue;
             }
-            let image = match self.given.get(binding.name.as_ref()) {
-                Some(given) => *given,
+            let wired = self.pass.wires.iter().find(|(name, wire)| **name == *binding.name && wire.frame == UseFrame::Current);
+            let image = match wired {
+                Some((_, wire)) => wire.image,
                 None => {
                     let base = format!("{}_{}", self.shader.name, binding.name);
                     let format = ImageFormat::Exactly(vk_format(texel));

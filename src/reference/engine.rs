@@ -7,6 +7,7 @@ use crate::contract::{
     UseFrame, Work,
 };
 use crate::error::Error;
+use ash::vk;
 
 /// A declaration on the CPU, from slices to slices: what [`crate::executor::Session`] is on a GPU.
 ///
@@ -57,8 +58,9 @@ impl Engine {
     /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input image, [`Error::Format`] for an image of ids,
     /// [`Error::Size`] for a wrong number of texels.
     pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
-        let (id, extent) = self.input_image(name, crate::Component::Float)?;
-        self.store_input(id, name, extent, texels.len(), || Ok(Texels::Colour(Image::from_texels(extent, texels.to_vec())?)))
+        let (id, extent) = self.input_image(name, vk::Format::R32G32B32A32_SFLOAT, texels.len())?;
+        self.stored[id.0 as usize][0] = Some(Texels::Colour(Image::from_texels(extent, texels.to_vec())?));
+        Ok(())
     }
 
     /// Sets an input image of ids.
@@ -66,8 +68,9 @@ impl Engine {
     /// # Errors
     /// Errors of [`Self::upload`], with [`Error::Format`] for an image of floats.
     pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
-        let (id, extent) = self.input_image(name, crate::Component::Uint)?;
-        self.store_input(id, name, extent, texels.len(), || Ok(Texels::Uint(Image::from_texels(extent, texels.to_vec())?)))
+        let (id, extent) = self.input_image(name, vk::Format::R32_UINT, texels.len())?;
+        self.stored[id.0 as usize][0] = Some(Texels::Uint(Image::from_texels(extent, texels.to_vec())?));
+        Ok(())
     }
 
     /// Sets an input buffer.
@@ -75,11 +78,8 @@ impl Engine {
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input buffer, [`Error::Size`] for fewer bytes than it needs.
     pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
-        let id = self.declaration.named(name)?;
-        let resource = self.declaration.resource(id);
-        let (Shape::Buffer { size }, Lifetime::Input { .. }) = (resource.shape, resource.lifetime) else {
-            return Err(Error::NotBound(name.to_owned()));
-        };
+        let id = self.input(name)?;
+        let Shape::Buffer { size } = self.declaration.resource(id).shape else { return Err(Error::NotBound(name.to_owned())) };
         if (bytes.len() as u64) < size {
             let (given, needed) = (format!("{} bytes", bytes.len()), format!("at least {size} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
@@ -93,10 +93,7 @@ impl Engine {
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input.
     pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
-        let id = self.declaration.named(name)?;
-        if !matches!(self.declaration.resource(id).lifetime, Lifetime::Input { .. }) {
-            return Err(Error::NotBound(name.to_owned()));
-        }
+        let id = self.input(name)?;
         self.stored[id.0 as usize][0] = None;
         Ok(())
     }
@@ -225,37 +222,17 @@ impl Engine {
         self.declaration.resource(id).lifetime == Lifetime::Transient && self.stored[id.0 as usize][0].is_none()
     }
 
-    fn input_image(&self, name: &str, component: crate::Component) -> Result<(ResourceId, [u32; 2]), Error> {
-        let id = self.declaration.named(name)?;
-        let resource = self.declaration.resource(id);
-        let (Shape::Image { format, .. }, Lifetime::Input { .. }) = (resource.shape, resource.lifetime) else {
-            return Err(Error::NotBound(name.to_owned()));
-        };
-        let given = match component {
-            crate::Component::Float => ash::vk::Format::R32G32B32A32_SFLOAT,
-            crate::Component::Uint => ash::vk::Format::R32_UINT,
-        };
-        if !format.accepts(given) {
-            return Err(Error::Format { resource: name.to_owned(), given, allowed: format.to_string() });
-        }
-        Ok((id, resource.extent(self.declaration.allocated_extent()).unwrap_or([1, 1])))
+    fn input_image(&self, name: &str, given: vk::Format, count: usize) -> Result<(ResourceId, [u32; 2]), Error> {
+        let id = self.input(name)?;
+        Ok((id, self.declaration.image_for(name, given, count)?.1))
     }
 
-    fn store_input(
-        &mut self,
-        id: ResourceId,
-        name: &str,
-        extent: [u32; 2],
-        given: usize,
-        texels: impl FnOnce() -> Result<Texels, Error>,
-    ) -> Result<(), Error> {
-        let needed = extent[0] as usize * extent[1] as usize;
-        if given != needed {
-            let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);
-            return Err(Error::Size { resource: name.to_owned(), given: format!("{given} texels"), needed });
+    fn input(&self, name: &str) -> Result<ResourceId, Error> {
+        let id = self.declaration.named(name)?;
+        match self.declaration.resource(id).lifetime {
+            Lifetime::Input { .. } => Ok(id),
+            _ => Err(Error::NotBound(name.to_owned())),
         }
-        self.stored[id.0 as usize][0] = Some(texels()?);
-        Ok(())
     }
 }
 

@@ -67,8 +67,8 @@ impl Declaration {
         let twin = dispatch.twin().ok_or_else(|| without_twin(stage))?;
         let (constants, tuning) = (dispatch.named_constants(), dispatch.tuning(frame));
         let names: Vec<&str> = pass.bindings().map(|(_, name)| name).collect();
-        let bindings = Bindings::new(stage, &frame.constants, &tuning).with_level(dispatch.level(frame)).with_constants(&constants);
-        let mut bindings = bindings;
+        let bindings = Bindings::new(stage, &frame.constants, &tuning).with_constants(&constants);
+        let mut bindings = bindings.with_level(dispatch.level(frame));
         for (name, u) in names.iter().zip(&pass.uses) {
             if let Some(texels) = read(u).filter(|_| u.access.reads()) {
                 bindings.reads(name, texels);
