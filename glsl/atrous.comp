@@ -4,8 +4,8 @@
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
 // Constants: BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline. VOLUME: steered by the depth of the surface behind alone, and
 // less strictly [PSVGF]; the background takes part.
-// optional: depth_gradient
 // variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -16,7 +16,6 @@ layout(constant_id = 2) const bool VOLUME = false;
 
 layout(push_constant) uniform Push {
     uint level;
-    uint present;
     float sigma_l;
     float sigma_n;
     float sigma_z;
@@ -25,18 +24,23 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
-#include "optional.glsl"
 #include "centre_geometry.glsl"
 #include "luminance.glsl"
 
-const uint DEPTH_GRADIENT = 2u;
-
+// Storage images are read, not sampled ones: software Vulkan takes two thirds of the time for them, GPUs the same. Vulkan guarantees four
+// of them, so that with two signals the guide is sampled.
+#if SIGNALS == 1
+layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D guide;
+uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
+#else
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3) uniform texture2D input_0;
+uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
+#endif
+layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 3, rgba16f) uniform readonly image2D input_0;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 5) uniform texture2D input_1;
+layout(set = 0, binding = 5, rgba16f) uniform readonly image2D input_1;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
 #endif
 
@@ -60,21 +64,18 @@ struct Centre {
     float sharpness;  // of luminance: log2(e) over eq. 5's denominator
 };
 
-bool is_surface(ivec2 q) { return is_inside(q) && is_filtered(texelFetch(guide, q, 0)); }
-
 // g3x3: a steadier variance for the luminance weight alone.
 vec2 smoothed_variances(ivec2 p) {
     vec2 sum = vec2(0.0);
     float weight_sum = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 q = p + ivec2(x, y);
-            if (!is_surface(q)) continue;
-            float weight = 0.25 / float(1 << (abs(x) + abs(y)));
-            float deviation = texelFetch(input_0, q, 0).a;
+    [[unroll]] for (int y = -1; y <= 1; ++y)
+        [[unroll]] for (int x = -1; x <= 1; ++x) {
+            ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
+            float weight = q == tap && is_filtered(guide_at(tap)) ? 0.25 / float(1 << (abs(x) + abs(y))) : 0.0;
+            float deviation = imageLoad(input_0, tap).a;
             sum.x += weight * deviation * deviation;
 #if SIGNALS == 2
-            deviation = texelFetch(input_1, q, 0).a;
+            deviation = imageLoad(input_1, tap).a;
             sum.y += weight * deviation * deviation;
 #endif
             weight_sum += weight;
@@ -102,11 +103,11 @@ vec4 result(Sum sum) { return vec4(storable(sum.irradiance / sum.weight), min(sq
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec4 value_0 = texelFetch(input_0, p, 0);
+    vec4 value_0 = imageLoad(input_0, p);
 #if SIGNALS == 2
-    vec4 value_1 = texelFetch(input_1, p, 0);
+    vec4 value_1 = imageLoad(input_1, p);
 #endif
-    uvec4 packed = texelFetch(guide, p, 0);
+    uvec4 packed = guide_at(p);
     if (!is_filtered(packed)) {
         imageStore(output_0, p, value_0);
 #if SIGNALS == 2
@@ -114,7 +115,7 @@ void main() {
 #endif
         return;
     }
-    Geometry geometry = geometry_of(packed, is_present(DEPTH_GRADIENT) ? texelFetch(depth_gradient, p, 0).x : 0u);
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
     vec2 variances = smoothed_variances(p);
     Centre centre_0 = centre_of(value_0, variances.x);
     Sum sum_0 = start(value_0);
@@ -123,18 +124,17 @@ void main() {
     Sum sum_1 = start(value_1);
 #endif
     int step_size = 1 << push.level;
-    for (int y = -RADIUS; y <= RADIUS; ++y)
-        for (int x = -RADIUS; x <= RADIUS; ++x) {
+    [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
+        [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
+            if (x == 0 && y == 0) continue;
             ivec2 offset = ivec2(x, y) * step_size;
-            ivec2 q = p + offset;
-            if ((x == 0 && y == 0) || !is_inside(q)) continue;
-            uvec4 packed_q = texelFetch(guide, q, 0);
-            if (!is_filtered(packed_q)) continue;
-            float kernel = kernel_at(abs(x)) * kernel_at(abs(y));
+            ivec2 q = p + offset, tap = nearest_inside(q);
+            uvec4 packed_q = guide_at(tap);
+            float kernel = q == tap && is_filtered(packed_q) ? kernel_at(abs(x)) * kernel_at(abs(y)) : 0.0;
             float weight = log2_weight(geometry, packed_q, vec2(offset));
-            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, weight, kernel);
+            add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
 #if SIGNALS == 2
-            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, weight, kernel);
+            add_tap(sum_1, imageLoad(input_1, tap), centre_1, weight, kernel);
 #endif
         }
     imageStore(output_0, p, result(sum_0));

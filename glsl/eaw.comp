@@ -6,6 +6,7 @@
 // Constants: RADIANCE, NORMAL, POSITION: which edges count. PAINTING: levels that paint in the holes of a sub-sampled input; 0 where it
 // has none.
 // variants: SIGNALS=1 SIGNALS=2
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -27,11 +28,18 @@ layout(push_constant) uniform Push {
     float sigma_rt_x;
 } push;
 
+// Storage images are read, not sampled ones, as in atrous.comp.
+#if SIGNALS == 1
+layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D guide;
+uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
+#else
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = 2) uniform texture2D input_0;
+uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
+#endif
+layout(set = 0, binding = 2, rgba16f) uniform readonly image2D input_0;
 layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 4) uniform texture2D input_1;
+layout(set = 0, binding = 4, rgba16f) uniform readonly image2D input_1;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D output_1;
 #endif
 
@@ -63,16 +71,15 @@ Level level_of(float z) {
 float squared(vec3 v) { return dot(v, v); }
 
 void add_tap(inout Sum sum, vec4 value, vec4 centre, float exponent, float kernel, float inverse_sigma_rt) {
-    if (value.a < 0.0) return;
+    kernel = value.a < 0.0 ? 0.0 : kernel;
     // A hole has no radiance to compare with.
     float radiance = centre.a < 0.0 ? 0.0 : squared(value.rgb - centre.rgb) * inverse_sigma_rt;
     float weight = kernel * exp(-exponent - radiance);
     sum.irradiance += weight * value.rgb;
     sum.weight += weight;
-    if (centre.a < 0.0) {
-        sum.plain += kernel * value.rgb;
-        sum.plain_weight += kernel;
-    }
+    float plain = centre.a < 0.0 ? kernel : 0.0;
+    sum.plain += plain * value.rgb;
+    sum.plain_weight += plain;
 }
 
 // The background passes, but for its holes.
@@ -85,13 +92,13 @@ vec4 result(Sum sum, vec4 centre, bool background) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec4 centre_0 = texelFetch(input_0, p, 0);
+    vec4 centre_0 = imageLoad(input_0, p);
     bool hole = centre_0.a < 0.0;
 #if SIGNALS == 2
-    vec4 centre_1 = texelFetch(input_1, p, 0);
+    vec4 centre_1 = imageLoad(input_1, p);
     hole = hole || centre_1.a < 0.0;
 #endif
-    uvec4 packed = texelFetch(guide, p, 0);
+    uvec4 packed = guide_at(p);
     float z = unpack_depth(packed);
     bool background = z == 0.0;
     if (background && !hole) {
@@ -105,22 +112,18 @@ void main() {
     Level level = level_of(z);
     Sum sum_0 = Sum(vec3(0.0), 0.0, vec3(0.0), 0.0), sum_1 = sum_0;
     int step_size = 1 << push.level;
-    for (int j = -2; j <= 2; ++j)
-        for (int i = -2; i <= 2; ++i) {
-            ivec2 q = p + ivec2(i, j) * step_size;
-            if (!is_inside(q)) continue;
-            uvec4 packed_q = texelFetch(guide, q, 0);
+    [[unroll]] for (int j = -2; j <= 2; ++j)
+        [[unroll]] for (int i = -2; i <= 2; ++i) {
+            ivec2 q = p + ivec2(i, j) * step_size, tap = nearest_inside(q);
+            uvec4 packed_q = guide_at(tap);
             float z_q = unpack_depth(packed_q);
-            if ((z_q == 0.0) != background) continue;
-            float exponent = 0.0;
-            if (!background) {
-                exponent = squared(n - unpack_normal(packed_q)) * level.inverse_sigma_n;
-                exponent += squared((x - view_position(q, z_q)) * level.inverse_sigma_x);
-            }
-            float kernel = KERNEL[abs(i)] * KERNEL[abs(j)];
-            add_tap(sum_0, texelFetch(input_0, q, 0), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
+            float exponent = squared(n - unpack_normal(packed_q)) * level.inverse_sigma_n;
+            exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_x);
+            exponent = background ? 0.0 : exponent;
+            float kernel = q == tap && (z_q == 0.0) == background ? KERNEL[abs(i)] * KERNEL[abs(j)] : 0.0;
+            add_tap(sum_0, imageLoad(input_0, tap), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
 #if SIGNALS == 2
-            add_tap(sum_1, texelFetch(input_1, q, 0), centre_1, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
+            add_tap(sum_1, imageLoad(input_1, tap), centre_1, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
 #endif
         }
     imageStore(output_0, p, result(sum_0, centre_0, background));

@@ -17,6 +17,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "conventions.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
@@ -72,9 +73,9 @@ uint host_position(ivec2 j, out ForwardPosition position) {
     if (!is_finite(v)) return 2u;
     if (v.z <= 0.0) return 0u;
     vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
-    uint unit = frame.flags >> FLAG_MOTION_UNIT_SHIFT & 3u;
+    uint unit = convention(MOTION_UNIT_SHIFT);
     precise vec2 m = v.xy * (unit == MOTION_PIXELS ? vec2(1.0) : unit == MOTION_UV ? extent : extent * 0.5);
-    if (has_flag(FLAG_MOTION_Y_UP)) m.y = -m.y;
+    if (has_convention(MOTION_Y_UP)) m.y = -m.y;
     precise vec2 start = (vec2(j) + 0.5) + frame.previous_jitter;
     precise vec2 move = m - frame.jitter;
     precise vec2 numerator = start * extent;

@@ -3,6 +3,7 @@
 // Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
 // In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration.
 // Constants: STRATUM_SIZE.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -20,9 +21,10 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(set = 0, binding = 1) uniform utexture2D gradient_guide;
+// Storage images are read, not sampled ones, as in atrous.comp.
+layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D gradient_guide;
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3) uniform texture2D gradient_in;
+layout(set = 0, binding = 3, rgba16f) uniform readonly image2D gradient_in;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D gradient_out;
 
 const float LUMINANCE_EPSILON = 1e-4;
@@ -32,8 +34,8 @@ ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.w >> 4 & 0xfu)
 void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
-    vec4 centre = texelFetch(gradient_in, s, 0);
-    uvec4 packed = texelFetch(gradient_guide, s, 0);
+    vec4 centre = imageLoad(gradient_in, s);
+    uvec4 packed = imageLoad(gradient_guide, s);
     float z = unpack_depth(packed);
     if (z == 0.0) {
         imageStore(gradient_out, s, centre);
@@ -46,17 +48,17 @@ void main() {
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
     int step_size = 1 << push.level;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 t = s + ivec2(x, y) * step_size;
-            if ((x == 0 && y == 0) || !is_stratum(t)) continue;
-            uvec4 packed_t = texelFetch(gradient_guide, t, 0);
+    ivec2 last = ivec2(strata_of(frame.render_extent)) - 1;
+    [[unroll]] for (int y = -1; y <= 1; ++y)
+        [[unroll]] for (int x = -1; x <= 1; ++x) {
+            if (x == 0 && y == 0) continue;
+            ivec2 t = s + ivec2(x, y) * step_size, tap = clamp(t, ivec2(0), last);
+            uvec4 packed_t = imageLoad(gradient_guide, tap);
             float z_t = unpack_depth(packed_t);
-            if (z_t == 0.0) continue;
-            vec4 value = texelFetch(gradient_in, t, 0);
-            vec2 offset = vec2(pixel_of(t, packed_t) - p);
+            vec4 value = imageLoad(gradient_in, tap);
+            vec2 offset = vec2(pixel_of(tap, packed_t) - p);
             float geometry = log2_geometry_weight(n, unpack_normal(packed_t), z, z_t, slope, offset);
-            float weight = exp2(geometry - abs(value.z - centre.z) * sharpness);
+            float weight = t == tap && z_t != 0.0 ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;

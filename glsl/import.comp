@@ -7,6 +7,7 @@
 // SURFACE_ID is a set of bindings of its own, since no other image could stand in for surface_id.
 // optional: motion, roughness, instance_transforms, object_normal, object_normal_guide
 // variants: SURFACE_ID=0 SURFACE_ID=1
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -15,7 +16,9 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "conventions.glsl"
 #include "optional.glsl"
+#include "rarely.glsl"
 #include "statistics.glsl"
 #include "surface_motion.glsl"
 
@@ -48,10 +51,8 @@ const uint NORMAL_OCTAHEDRAL = 2u;
 const uint NORMAL_OCTAHEDRAL_UNORM = 3u;
 const uint MOTION_PIXELS = 0u;
 const uint MOTION_UV = 1u;
+const uint MOTION_DEPTH_NONE = 0u;
 const uint MOTION_DEPTH_DIFFERENCE = 1u;
-const uint MOTION_DEPTH_ABSOLUTE = 2u;
-
-uint convention(uint shift) { return frame.flags >> shift & 3u; }
 
 uint id_at(ivec2 p) {
 #if SURFACE_ID
@@ -61,41 +62,37 @@ uint id_at(ivec2 p) {
 #endif
 }
 
-vec2 ndc_of(ivec2 p) { return (vec2(p) + 0.5 + frame.jitter) / vec2(frame.render_extent) * 2.0 - 1.0; }
+// The line of sight of a pixel in view space: `origin + direction * z` is its point at linear depth z.
+struct Ray {
+    vec2 origin;  // z is 0
+    vec3 direction;
+};
 
-// View-space z of unit linear depth.
-float forward_sign() { return has_flag(FLAG_VIEW_POSITIVE_Z) ? 1.0 : -1.0; }
-
-// Length of the view ray of a pixel per unit of linear depth.
-float ray_length_scale(ivec2 p) {
-    vec2 xy = ndc_of(p);
+Ray ray_of(ivec2 p) {
+    vec2 ndc = (vec2(p) + 0.5 + frame.jitter) / vec2(frame.render_extent) * 2.0 - 1.0;
     mat4 clip = frame.clip_from_view;
-    if (clip[2][3] == 0.0) return 1.0;
+    vec2 scale = 1.0 / vec2(clip[0][0], clip[1][1]);
     float z = forward_sign();
-    float w = clip[2][3] * z + clip[3][3];
-    vec2 view = (xy * w - vec2(clip[2][0], clip[2][1]) * z - vec2(clip[3][0], clip[3][1])) / vec2(clip[0][0], clip[1][1]);
-    return length(vec3(view, z));
+    return Ray((ndc * clip[3][3] - clip[3].xy) * scale, vec3((ndc * clip[2][3] - clip[2].xy) * (scale * z), z));
 }
 
-// Linear depth, 0 for the background.
-float depth_at(ivec2 p, bool count) {
-    float d = texelFetch(depth, p, 0).x;
+bool is_orthographic() { return frame.clip_from_view[2][3] == 0.0; }
+
+// Linear depth of a host's value, 0 for the background.
+float depth_of(float d, uint id, ivec2 p) {
     float z = d;
-    uint encoding = convention(FLAG_DEPTH_SHIFT);
-    if (encoding == DEPTH_DEVICE) {
+    if (convention(DEPTH_SHIFT) == DEPTH_DEVICE) {
         mat4 clip = frame.clip_from_view;
         float denominator = clip[2][2] - d * clip[2][3];
         z = denominator == 0.0 ? 0.0 : abs((d * clip[3][3] - clip[3][2]) / denominator);
-    } else if (encoding == DEPTH_RAY_LENGTH) {
-        z = d / ray_length_scale(p);
     }
-    if (count && is_nan(d)) count_bad(BAD_DEPTH);
-    bool background = !is_finite(z) || z <= 0.0 || z >= frame.background_depth || id_at(p) == 0u;
+    if (convention(DEPTH_SHIFT) == DEPTH_RAY_LENGTH) z = d / length(ray_of(p).direction);
+    bool background = !is_finite(z) || z <= 0.0 || z >= frame.background_depth || id == 0u;
     return background ? 0.0 : z;
 }
 
 vec3 decode_normal(vec3 v) {
-    uint encoding = convention(FLAG_NORMAL_SHIFT);
+    uint encoding = convention(NORMAL_SHIFT);
     if (encoding == NORMAL_XYZ_UNORM || encoding == NORMAL_OCTAHEDRAL_UNORM) v = v * 2.0 - 1.0;
     if (encoding >= NORMAL_OCTAHEDRAL) v = from_octahedral(v.xy);
     return v;
@@ -104,67 +101,55 @@ vec3 decode_normal(vec3 v) {
 vec3 world_normal(ivec2 p, bool background) {
     vec3 towards_camera = normalize(mat3(frame.world_from_view) * vec3(0.0, 0.0, -forward_sign()));
     vec3 v = texelFetch(normal, p, 0).xyz;
-    if (!is_finite(v)) {
-        if (!background) count_bad(BAD_NORMAL);
-        return towards_camera;
-    }
+    bool bad = !is_finite(v);
+    bool counted = bad && !background;
+    RARELY(counted) count_bad(BAD_NORMAL);
     vec3 n = decode_normal(v);
-    if (has_flag(FLAG_NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
+    if (has_convention(NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
     float squared = dot(n, n);
-    return is_finite(squared) && squared >= 1e-8 ? n * inversesqrt(squared) : towards_camera;
+    return !bad && is_finite(squared) && squared >= 1e-8 ? n * inversesqrt(squared) : towards_camera;
 }
 
-// The surface point of a pixel in world space; homogeneous, so that the background lies at infinity.
-vec4 world_position(ivec2 p, float z) {
-    mat4 clip = frame.clip_from_view;
-    float view_z = forward_sign() * z;
-    float device_depth = (clip[2][2] * view_z + clip[3][2]) / (clip[2][3] * view_z + clip[3][3]);
-    vec4 world = frame.world_from_clip * vec4(ndc_of(p), device_depth, 1.0);
-    return world / world.w;
-}
-
-vec4 background_direction(ivec2 p) {
-    mat4 clip = frame.clip_from_view;
-    vec4 near = frame.world_from_clip * vec4(ndc_of(p), 0.75, 1.0);
-    vec4 far = frame.world_from_clip * vec4(ndc_of(p), 0.25, 1.0);
-    vec3 d = normalize(near.xyz / near.w - far.xyz / far.w);
-    // Which of the two is farther depends on the projection; a direction is enough up to its sign.
-    return vec4(dot(d, mat3(frame.world_from_view) * vec3(0.0, 0.0, forward_sign())) < 0.0 ? -d : d, 0.0);
+// The surface point of a pixel in world space, homogeneous. The background lies at infinity; orthographic lines of sight show the same
+// at all depths.
+vec4 world_point(Ray ray, float z) {
+    bool direction_alone = z == 0.0 && !is_orthographic();
+    return frame.world_from_view * vec4(vec3(ray.origin, 0.0) + ray.direction * (z == 0.0 ? 1.0 : z), direction_alone ? 0.0 : 1.0);
 }
 
 vec4 carry(vec4 world, uint id, inout vec3 n) {
 #if SURFACE_ID
-    uint count = uint(instance_transforms.rows.length()) / 3u;
-    if (!is_present(INSTANCE_TRANSFORMS) || world.w == 0.0 || id >= count) return world;
-    vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
-    if (!is_finite(x) || !is_finite(y) || !is_finite(z)) return world;
-    vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
-    float squared = dot(turned, turned);
-    if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
-    vec4 carried = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
-    return is_finite(carried.xyz) ? carried : world;
-#else
-    return world;
+    bool carried = is_present(INSTANCE_TRANSFORMS) && world.w != 0.0 && id < uint(instance_transforms.rows.length()) / 3u;
+    RARELY(carried) {
+        vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
+        if (is_finite(x) && is_finite(y) && is_finite(z)) {
+            vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
+            float squared = dot(turned, turned);
+            if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
+            vec4 moved = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
+            if (is_finite(moved.xyz)) world = moved;
+        }
+    }
 #endif
+    return world;
 }
 
 // Motion in pixels of the previous frame, from the host's image. False: there is none that can be used.
 bool host_motion(ivec2 p, out vec3 m) {
+    m = vec3(0.0);
     if (!is_present(MOTION)) return false;
     m = texelFetch(motion, p, 0).xyz;
-    if (!is_finite(m.xy)) {
-        count_bad(BAD_MOTION);
-        return false;
-    }
+    bool bad = !is_finite(m.xy);
+    RARELY(bad) count_bad(BAD_MOTION);
     vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
-    uint unit = convention(FLAG_MOTION_UNIT_SHIFT);
+    uint unit = convention(MOTION_UNIT_SHIFT);
     vec2 scale = unit == MOTION_PIXELS ? previous_extent / extent : unit == MOTION_UV ? previous_extent : previous_extent * 0.5;
     m.xy *= scale;
-    if (has_flag(FLAG_MOTION_NEGATED)) m.xy = -m.xy;
-    if (has_flag(FLAG_MOTION_Y_UP)) m.y = -m.y;
+    if (has_convention(MOTION_NEGATED)) m.xy = -m.xy;
+    if (has_convention(MOTION_Y_UP)) m.y = -m.y;
     // A sample lies jitter beside its pixel's centre, so a rasterised position is the true one minus jitter.
-    if (has_flag(FLAG_MOTION_JITTERED)) m.xy += frame.previous_jitter - frame.jitter * (previous_extent / extent);
-    return true;
+    if (has_convention(MOTION_JITTERED)) m.xy += frame.previous_jitter - frame.jitter * (previous_extent / extent);
+    return !bad;
 }
 
 // From the matrices: right for everything that stands still or has a transform.
@@ -177,38 +162,36 @@ vec2 matrix_motion(ivec2 p, vec4 previous_world) {
 }
 
 float previous_depth(vec4 previous_world, float z, bool from_host, float host_z) {
-    uint kind = convention(FLAG_MOTION_DEPTH_SHIFT);
+    uint kind = convention(MOTION_DEPTH_SHIFT);
     float previous = forward_sign() * (frame.previous_view_from_world * previous_world).z;
-    if (from_host && kind == MOTION_DEPTH_DIFFERENCE) previous = z + host_z;
-    if (from_host && kind == MOTION_DEPTH_ABSOLUTE) previous = host_z;
+    if (kind != MOTION_DEPTH_NONE && from_host) previous = kind == MOTION_DEPTH_DIFFERENCE ? z + host_z : host_z;
     return is_finite(previous) && previous > 0.0 ? previous : z;
 }
 
 SurfaceMotion motion_of(ivec2 p, float z, uint id, vec3 n) {
     SurfaceMotion result = SurfaceMotion(vec2(0.0), 0.0, n);
-    bool background = z == 0.0;
-    vec4 world = background ? background_direction(p) : world_position(p, z);
-    vec4 previous_world = background ? world : carry(world, id, result.previous_normal);
+    vec4 previous_world = carry(world_point(ray_of(p), z), id, result.previous_normal);
     vec3 m;
     bool from_host = host_motion(p, m);
-    result.motion = clamp(from_host ? m.xy : matrix_motion(p, previous_world), -16384.0, 16384.0);
-    if (!background) result.depth_ratio = previous_depth(previous_world, z, from_host, m.z) / z - 1.0;
+    bool from_matrices = !from_host;
+    RARELY(from_matrices) m.xy = matrix_motion(p, previous_world);
+    result.motion = clamp(m.xy, -16384.0, 16384.0);
+    if (z != 0.0) result.depth_ratio = previous_depth(previous_world, z, from_host, m.z) / z - 1.0;
     return result;
 }
 
 // Of the two one-sided differences the smaller one, which does not look across an edge.
-float gradient_along(ivec2 p, ivec2 axis, float z) {
+float gradient_along(ivec2 p, ivec2 axis, float z, uint id) {
     float best = 0.0;
     bool found = false;
-    for (int side = 1; side >= -1; side -= 2) {
-        ivec2 q = p + axis * side;
-        if (!is_inside(q) || id_at(q) != id_at(p)) continue;
-        float z_q = depth_at(q, false);
+    [[unroll]] for (int side = 1; side >= -1; side -= 2) {
+        ivec2 q = p + axis * side, tap = is_inside(q) ? q : p;
+        uint id_q = id_at(tap);
+        float z_q = depth_of(texelFetch(depth, tap, 0).x, id_q, tap);
         float difference = (z_q - z) * float(side);
-        if (z_q > 0.0 && (!found || abs(difference) < abs(best))) {
-            best = difference;
-            found = true;
-        }
+        bool nearer = q == tap && id_q == id && z_q > 0.0 && (!found || abs(difference) < abs(best));
+        best = nearer ? difference : best;
+        found = found || nearer;
     }
     return clamp(best, -65504.0, 65504.0);
 }
@@ -217,16 +200,21 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uint id = id_at(p);
-    float z = depth_at(p, true);
+    float d = texelFetch(depth, p, 0).x;
+    bool bad_depth = is_nan(d);
+    RARELY(bad_depth) count_bad(BAD_DEPTH);
+    float z = depth_of(d, id, p);
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
-    float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
+    float rough = 1.0;
+    bool has_roughness = is_present(ROUGHNESS);
+    RARELY(has_roughness) rough = texelFetch(roughness, p, 0).x;
     rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
     imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, rough, fold_id(id))));
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
     imageStore(surface_motion, p, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
-    vec2 gradient = background ? vec2(0.0) : vec2(gradient_along(p, ivec2(1, 0), z), gradient_along(p, ivec2(0, 1), z));
-    imageStore(depth_gradient, p, uvec4(packHalf2x16(gradient), 0u, 0u, 0u));
+    vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id));
+    imageStore(depth_gradient, p, uvec4(background ? 0u : packHalf2x16(gradient), 0u, 0u, 0u));
     if (!is_present(OBJECT_NORMAL) || !is_present(OBJECT_NORMAL_GUIDE)) return;
     vec3 o = texelFetch(object_normal, p, 0).xyz;
     float squared = dot(o, o);

@@ -4,7 +4,6 @@
 // In:  guide, depth_gradient, accumulated irradiance (filter_ping), moments. Out: filter_pong: irradiance, deviation.
 // Constants: FADE: [PSVGF] variance: 5x5 pixels always take part, with a share that shrinks as the past grows. VOLUME: weights by the depth
 // of the surface behind alone; the background takes part.
-// optional: depth_gradient
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -16,7 +15,6 @@ layout(constant_id = 1) const bool FADE = false;
 layout(constant_id = 2) const bool VOLUME = false;
 
 layout(push_constant) uniform Push {
-    uint present;
     float sigma_n;
     float sigma_z;
     float edge_falloff;
@@ -25,48 +23,51 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
-#include "optional.glsl"
 #include "centre_geometry.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
 
-const uint DEPTH_GRADIENT = 2u;
-
+// Storage images are read, not sampled ones, as in atrous.comp.
+#if SIGNALS == 1
+layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D guide;
+uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
+#else
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
+uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
+#endif
+layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D accumulated_0;
-layout(set = 0, binding = 4) uniform utexture2D moments_0;
+layout(set = 0, binding = 4, rgba16ui) uniform readonly uimage2D moments_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D estimated_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 6) uniform texture2D accumulated_1;
-layout(set = 0, binding = 7) uniform utexture2D moments_1;
+layout(set = 0, binding = 7, rgba16ui) uniform readonly uimage2D moments_1;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
 #endif
 
 const int RADIUS = FADE ? 2 : 3;
 
-void add_moments(inout vec2 sum, utexture2D moments, ivec2 q, float weight) {
-    Moments m = unpack_moments(texelFetch(moments, q, 0));
+void add_moments(inout vec2 sum, uvec4 packed, float weight) {
+    Moments m = unpack_moments(packed);
     sum += weight * vec2(m.mean, m.deviation * m.deviation + m.mean * m.mean);
 }
 
 // Mean and second moment of each signal over the neighbourhood.
 void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
-    Geometry geometry = geometry_of(packed, is_present(DEPTH_GRADIENT) ? texelFetch(depth_gradient, p, 0).x : 0u);
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
     float weight_sum = 0.0;
     sums[0] = sums[1] = vec2(0.0);
-    // Rare, and where branches are masked instead of skipped every unrolled tap costs.
+    // Rows are a loop, since where branches are masked only a loop ends when no pixel is left.
     [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
-        [[dont_unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
-            ivec2 q = p + ivec2(x, y);
-            if (!is_inside(q)) continue;
-            uvec4 packed_q = texelFetch(guide, q, 0);
-            if (!is_filtered(packed_q)) continue;
+        [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
+            ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
+            uvec4 packed_q = guide_at(tap);
             float weight = x == 0 && y == 0 ? 1.0 : exp2(log2_weight(geometry, packed_q, vec2(x, y)));
+            weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
             weight_sum += weight;
-            add_moments(sums[0], moments_0, q, weight);
+            add_moments(sums[0], imageLoad(moments_0, tap), weight);
 #if SIGNALS == 2
-            add_moments(sums[1], moments_1, q, weight);
+            add_moments(sums[1], imageLoad(moments_1, tap), weight);
 #endif
         }
     sums[0] /= weight_sum;
@@ -91,12 +92,12 @@ bool needs_neighbours(float history_length) { return FADE || history_length < pu
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = texelFetch(guide, p, 0);
+    uvec4 packed = guide_at(p);
     bool background = !is_filtered(packed);
-    Moments m = unpack_moments(texelFetch(moments_0, p, 0));
+    Moments m = unpack_moments(imageLoad(moments_0, p));
     vec2 deviations = vec2(m.deviation);
 #if SIGNALS == 2
-    deviations.y = unpack_moments(texelFetch(moments_1, p, 0)).deviation;
+    deviations.y = unpack_moments(imageLoad(moments_1, p)).deviation;
 #endif
     if (background) {
         deviations = vec2(0.0);

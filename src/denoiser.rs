@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::pipeline::Pipelines;
 use crate::requirements::Requirements;
 use crate::shaders::{descriptor_type, BindingKind, MAX_BINDINGS, MAX_PUSH_BYTES};
+use crate::specialise::specialise;
 use ash::vk;
 
 /// Records the passes of a declaration. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
@@ -30,9 +31,13 @@ impl Denoiser {
     ///
     /// # Safety
     /// Instance, physical device and device are live, belong together and outlive the result.
-    pub unsafe fn new(host: Device<'_>, declaration: Declaration) -> Result<Self, Error> {
+    pub unsafe fn new(host: Device<'_>, mut declaration: Declaration) -> Result<Self, Error> {
         // SAFETY: instance and physical device are live and belong together, as the caller promised.
-        unsafe { Requirements::new(&declaration).check(host.instance, host.physical_device)? };
+        let properties = unsafe {
+            Requirements::new(&declaration).check(host.instance, host.physical_device)?;
+            host.instance.get_physical_device_properties(host.physical_device)
+        };
+        specialise(&mut declaration, properties.device_type);
         // SAFETY: the device is live and outlives the pipelines, as the caller promised.
         let pipelines = unsafe { Pipelines::new(host.device, &declaration)? };
         Ok(Self { declaration, state: FrameState::default(), device: host.device.clone(), pipelines, warned: false })

@@ -35,6 +35,7 @@ pub mod presets;
 pub mod reference;
 mod requirements;
 mod shaders;
+mod specialise;
 
 /// The examples in docs/integrate.md.
 #[cfg(doctest)]

@@ -16,7 +16,7 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     vec2 jitter;                    // pixels
     vec2 previous_jitter;           // pixels
     uint frame_index;
-    uint flags;                     // FLAG_*
+    uint flags;                     // FLAG_*, and the conventions, which shaders have as a constant
     float exposure_ratio;           // this frame's exposure / the previous one's
     float background_depth;         // scene units; linear depths from here on are background
     float previous_clip_w_scale;    // w = scale·linear depth + offset in the previous frame's clip space
@@ -24,20 +24,14 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
 } frame;
 
 const uint FLAG_RESET = 1u;
-const uint FLAG_DEPTH_SHIFT = 1u;
-const uint FLAG_NORMAL_SHIFT = 3u;
-const uint FLAG_NORMAL_VIEW = 1u << 5;
-const uint FLAG_MOTION_UNIT_SHIFT = 6u;
-const uint FLAG_MOTION_NEGATED = 1u << 8;
-const uint FLAG_MOTION_Y_UP = 1u << 9;
-const uint FLAG_MOTION_JITTERED = 1u << 10;
-const uint FLAG_MOTION_DEPTH_SHIFT = 11u;
-const uint FLAG_VIEW_POSITIVE_Z = 1u << 13;
 const uint FLAG_RESHADED = 1u << 16;
 
 bool has_flag(uint flag) { return (frame.flags & flag) != 0u; }
 
 bool is_inside(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, ivec2(frame.render_extent))); }
+
+// The pixel that a tap reads without a branch, which vector units would mask and not skip: where it is another one, the weight is 0.
+ivec2 nearest_inside(ivec2 q) { return clamp(q, ivec2(0), ivec2(frame.render_extent) - 1); }
 
 bool is_inside_previous(ivec2 p) {
     return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, ivec2(frame.previous_render_extent)));

@@ -19,10 +19,10 @@ const float NO_WEIGHT = -1.0e6;
 // log2(0) differs between devices, so a cosine that is not positive is decided here.
 float log2_geometry_weight(vec3 n, vec3 n_tap, float z, float z_tap, vec2 depth_gradient, vec2 offset) {
     float cosine = dot(n, n_tap);
-    if (cosine <= 0.0 && push.sigma_n > 0.0) return NO_WEIGHT;
     float depth_exponent = abs(z - z_tap) / (push.sigma_z * abs(dot(depth_gradient, offset)) + DEPTH_EPSILON * z);
     float log2_normal = push.sigma_n > 0.0 ? push.sigma_n * log2(min(cosine, 1.0)) : 0.0;
-    return edge_influence(z) * (log2_normal - LOG2_E * depth_exponent);
+    float weight = edge_influence(z) * (log2_normal - LOG2_E * depth_exponent);
+    return cosine <= 0.0 && push.sigma_n > 0.0 ? NO_WEIGHT : weight;
 }
 
 #endif

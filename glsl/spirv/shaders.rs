@@ -45,22 +45,20 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("atrous"), name: Cow::Borrowed("atrous_signals_1"), spirv: Cow::Borrowed(include_bytes!("atrous_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 20, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
@@ -70,23 +68,21 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("input_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("input_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("output_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_l"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 20, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
@@ -218,8 +214,8 @@ pub(crate) static EAW_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("eaw"), name: Cow::Borrowed("eaw_signals_1"), spirv: Cow::Borrowed(include_bytes!("eaw_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
@@ -233,6 +229,7 @@ pub(crate) static EAW_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("NORMAL"), id: 2, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("POSITION"), id: 3, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 4, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static EAW_SIGNALS_2: Shader = Shader {
@@ -240,9 +237,9 @@ pub(crate) static EAW_SIGNALS_2: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("input_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("input_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("input_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("output_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
@@ -256,6 +253,7 @@ pub(crate) static EAW_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("NORMAL"), id: 2, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("POSITION"), id: 3, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 4, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static FIREFLY: Shader = Shader {
@@ -293,6 +291,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1: Shader = Shader {
@@ -315,6 +314,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0: Shader = Shader {
@@ -339,6 +339,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1: Shader = Shader {
@@ -364,6 +365,7 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static GRADIENT_LUMINANCE_0: Shader = Shader {
@@ -426,9 +428,9 @@ pub(crate) static GRADIENT_ATROUS: Shader = Shader {
     stage: Cow::Borrowed("gradient_atrous"), name: Cow::Borrowed("gradient_atrous"), spirv: Cow::Borrowed(include_bytes!("gradient_atrous.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("gradient_in"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("gradient_in"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("gradient_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
@@ -463,6 +465,8 @@ pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
@@ -487,6 +491,8 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static MODULATE: Shader = Shader {
@@ -637,22 +643,20 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("variance"), name: Cow::Borrowed("variance_signals_1"), spirv: Cow::Borrowed(include_bytes!("variance_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("accumulated_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("estimated_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FADE"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
@@ -662,24 +666,22 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("accumulated_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("estimated_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("accumulated_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("moments_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 8, name: Cow::Borrowed("estimated_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_n"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_z"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("FADE"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),

@@ -5,7 +5,9 @@ use super::Image;
 use crate::contract::{
     component_of, Dispatch, ImageFormat, Lifetime, Parameter, PassDecl, ResourceDecl, Shape, Slot, Tuning, Use, UseFrame, Work,
 };
-use crate::shaders::{access, vk_format, BindingKind, PushMember, Scalar, Shader, ShaderBinding, LEVEL, PRESENT, WIRED};
+use crate::shaders::{
+    access, vk_format, BindingKind, PushMember, Scalar, Shader, ShaderBinding, LEVEL, PRESENT, SET_FOR_ALL, WIRED,
+};
 
 /// Images that the graph itself binds where a shader has them.
 pub(super) struct Automatic {
@@ -129,8 +131,8 @@ fn match_constants(pass: &Pass, slots: &[Slot]) -> Result<Vec<(u32, u32)>, Misma
     let shader = &*pass.shader;
     let mut constants = Vec::new();
     for (i, (name, value)) in pass.constants.iter().enumerate() {
-        let Some(constant) = shader.constant(name).filter(|c| c.name != WIRED) else {
-            let known: Vec<_> = shader.constants.iter().map(|c| &*c.name).filter(|name| *name != WIRED).collect();
+        let Some(constant) = shader.constant(name).filter(|c| !SET_FOR_ALL.contains(&&*c.name)) else {
+            let known: Vec<_> = shader.constants.iter().map(|c| &*c.name).filter(|name| !SET_FOR_ALL.contains(name)).collect();
             return mismatch(name, format!("it is no constant of {}; allowed are {}", shader.name, list(&known)));
         };
         if pass.constants[..i].iter().any(|(other, _)| other == name) {

@@ -87,6 +87,7 @@ impl Graph {
                 .constant("VOLUME", 1)
                 .value("sigma_l", Value::Tunable("volume_sigma_l"))
                 .bind("guide", guides.guide)
+                .bind("depth_gradient", guides.depth_gradient)
         })
     }
 

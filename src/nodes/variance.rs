@@ -50,6 +50,7 @@ impl Graph {
             .constant("FADE", 1)
             .constant("VOLUME", 1)
             .bind("guide", guides.guide)
+            .bind("depth_gradient", guides.depth_gradient)
             .each("accumulated", accumulated.images())
             .each("moments", &self.current_moments(history))
             .each("estimated", estimate.images());

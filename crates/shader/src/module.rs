@@ -10,6 +10,12 @@ pub const NUMBERS: u32 = 32;
 pub const MAX_PUSH_BYTES: u32 = 128;
 /// The specialisation constant whose bit i says that the graph gives binding i something.
 pub const WIRED: &str = "WIRED";
+/// The specialisation constant with the host's conventions, in the bits of the uniform block's flags.
+pub const CONVENTIONS: &str = "CONVENTIONS";
+/// The specialisation constant that is true where the device masks a branch instead of skipping it.
+pub const MASKED_BRANCHES: &str = "MASKED_BRANCHES";
+/// Specialisation constants that are set for every shader that has them, and not by nodes.
+pub const SET_FOR_ALL: [&str; 3] = [WIRED, CONVENTIONS, MASKED_BRANCHES];
 /// The push constant whose bit i says that the host bound binding i.
 pub const PRESENT: &str = "present";
 /// The push constant for the number of a level, or of a view.
