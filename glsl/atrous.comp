@@ -3,7 +3,7 @@
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
 // Constants: BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline. VOLUME: steered by the depth of the surface behind alone, and
-// less strictly [PSVGF]; the background takes part.
+// less strictly [PSVGF]; the background takes part. FIRST: level 0.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -13,6 +13,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool BOX = false;
 layout(constant_id = 2) const bool VOLUME = false;
+layout(constant_id = 3) const bool FIRST = false;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -71,8 +72,10 @@ vec2 smoothed_variances(ivec2 p) {
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
-            float weight = q == tap && is_filtered(guide_at(tap)) ? 0.25 / float(1 << (abs(x) + abs(y))) : 0.0;
+            float kernel = q == tap ? 0.25 / float(1 << (abs(x) + abs(y))) : 0.0;
             float deviation = imageLoad(input_0, tap).a;
+            // In the background it is negative.
+            float weight = deviation >= 0.0 ? kernel : 0.0;
             sum.x += weight * deviation * deviation;
 #if SIGNALS == 2
             deviation = imageLoad(input_1, tap).a;
@@ -80,7 +83,7 @@ vec2 smoothed_variances(ivec2 p) {
 #endif
             weight_sum += weight;
         }
-    return sum / weight_sum;
+    return sum / max(weight_sum, 0.25);
 }
 
 Centre centre_of(vec4 value, float variance) {
@@ -117,25 +120,30 @@ void main() {
     }
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
     vec2 variances = smoothed_variances(p);
+    // Known when the pipeline is made, so that the taps of the first level are those of the smoothing.
+    int step_size = FIRST ? 1 : 1 << push.level;
     Centre centre_0 = centre_of(value_0, variances.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
     Centre centre_1 = centre_of(value_1, variances.y);
     Sum sum_1 = start(value_1);
 #endif
-    int step_size = 1 << push.level;
-    [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
+    [[unroll]] for (int y = 0; y <= RADIUS; ++y)
         [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
-            if (x == 0 && y == 0) continue;
+            if (y == 0 && x <= 0) continue;
             ivec2 offset = ivec2(x, y) * step_size;
-            ivec2 q = p + offset, tap = nearest_inside(q);
-            uvec4 packed_q = guide_at(tap);
-            float kernel = q == tap && is_filtered(packed_q) ? kernel_at(abs(x)) * kernel_at(abs(y)) : 0.0;
-            float weight = log2_weight(geometry, packed_q, vec2(offset));
-            add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
+            float sharpness = depth_sharpness(geometry, vec2(offset));
+            // The tap on the other side has the same kernel and the same tolerance of depth.
+            [[unroll]] for (int side = 1; side >= -1; side -= 2) {
+                ivec2 q = p + side * offset, tap = nearest_inside(q);
+                uvec4 packed_q = guide_at(tap);
+                float kernel = q == tap && is_filtered(packed_q) ? kernel_at(abs(x)) * kernel_at(y) : 0.0;
+                float weight = log2_weight(geometry, packed_q, sharpness);
+                add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
 #if SIGNALS == 2
-            add_tap(sum_1, imageLoad(input_1, tap), centre_1, weight, kernel);
+                add_tap(sum_1, imageLoad(input_1, tap), centre_1, weight, kernel);
 #endif
+            }
         }
     imageStore(output_0, p, result(sum_0));
 #if SIGNALS == 2

@@ -15,6 +15,7 @@ layout(push_constant) uniform Push {
 #include "luminance.glsl"
 #include "nearest_history.glsl"
 #include "blocks.glsl"
+#include "rarely.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -67,10 +68,11 @@ void main() {
     sums[i] = sums_of(ivec2(gl_GlobalInvocationID.xy));
     barrier();
     // Rows, then the column of their sums: the order is fixed, and two barriers do.
-    if (i % 8u == 0u) reduce(i, 1u, 8u);
+    bool sums_a_row = i < 8u, sums_the_rows = i == 0u;
+    RARELY(sums_a_row) reduce(i * 8u, 1u, 8u);
     barrier();
-    if (i != 0u) return;
-    reduce(0u, 8u, 8u);
+    RARELY(sums_the_rows) reduce(0u, 8u, 8u);
+    if (!sums_the_rows) return;
     Sums sum = sums[0];
     float inverse = 1.0 / max(sum.count, 1.0);
     float mean = (sum.now - sum.before) * inverse;

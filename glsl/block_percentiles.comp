@@ -10,6 +10,7 @@
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "blocks.glsl"
+#include "rarely.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -68,9 +69,10 @@ void main() {
     barrier();
     if (ODD_EVEN) sort_odd_even(i);
     else sort_by_counting(i);
-    if (i != 0u) return;
+    bool writes = i == 0u;
     uint count = 0u;
-    for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
+    RARELY(writes) for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
+    if (!writes) return;
     float low = min(push.percentile_low, push.percentile_up);
     vec2 percentiles = vec2(percentile(low, count), percentile(push.percentile_up, count));
     imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(packHalf2x16(min(percentiles, 65504.0))));

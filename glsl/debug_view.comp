@@ -114,7 +114,9 @@ vec2 mean_and_deviation(ivec2 p) {
 }
 
 float filter_deviation(ivec2 p) {
-    float first = texelFetch(history_0, p, 0).a, second = is_present(HISTORY_1) ? texelFetch(history_1, p, 0).a : 0.0;
+    // Negative in the background.
+    float first = max(texelFetch(history_0, p, 0).a, 0.0);
+    float second = is_present(HISTORY_1) ? max(texelFetch(history_1, p, 0).a, 0.0) : 0.0;
     return sqrt(first * first + second * second);
 }
 

@@ -16,6 +16,7 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
+#include "rarely.glsl"
 #include "firefly_limit.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -32,8 +33,9 @@ void main() {
     vec4 value = imageLoad(irradiance, p);
     float l = luminance(value.rgb);
     ivec2 block = p / BLOCK_SIZE;
-    // Most pixels end here.
-    if (l <= firefly_limit_of(block_percentiles, block)) return;
-    float limit = firefly_limit(block_percentiles, block);
-    if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
+    bool bright = l > firefly_limit_of(block_percentiles, block);
+    RARELY(bright) {
+        float limit = firefly_limit(block_percentiles, block);
+        if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
+    }
 }

@@ -57,7 +57,7 @@ void main() {
             float z_t = unpack_depth(packed_t);
             vec4 value = imageLoad(gradient_in, tap);
             vec2 offset = vec2(pixel_of(tap, packed_t) - p);
-            float geometry = log2_geometry_weight(n, unpack_normal(packed_t), z, z_t, slope, offset);
+            float geometry = log2_geometry_weight(n, unpack_direction(packed_t), z, z_t, depth_sharpness(z, slope, offset));
             float weight = t == tap && z_t != 0.0 ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;

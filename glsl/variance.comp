@@ -45,6 +45,9 @@ layout(set = 0, binding = 7, rgba16ui) uniform readonly uimage2D moments_1;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
 #endif
 
+// Negative, so that a filter sees the background without the guide, and next to 0, so that it is no deviation to anyone else.
+const float BACKGROUND_DEVIATION = -1.0 / 16384.0;
+
 const int RADIUS = FADE ? 2 : 3;
 
 void add_moments(inout vec2 sum, uvec4 packed, float weight) {
@@ -52,26 +55,37 @@ void add_moments(inout vec2 sum, uvec4 packed, float weight) {
     sum += weight * vec2(m.mean, m.deviation * m.deviation + m.mean * m.mean);
 }
 
+struct Window {
+    vec2 sums[2];
+    float weight;
+};
+
+void add_row(inout Window window, ivec2 p, Geometry geometry, int y) {
+    [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
+        ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
+        uvec4 packed_q = guide_at(tap);
+        float weight = x == 0 && y == 0 ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(x, y))));
+        weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
+        window.weight += weight;
+        add_moments(window.sums[0], imageLoad(moments_0, tap), weight);
+#if SIGNALS == 2
+        add_moments(window.sums[1], imageLoad(moments_1, tap), weight);
+#endif
+    }
+}
+
 // Mean and second moment of each signal over the neighbourhood.
 void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
-    float weight_sum = 0.0;
-    sums[0] = sums[1] = vec2(0.0);
-    // Rows are a loop, since where branches are masked only a loop ends when no pixel is left.
-    [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
-        [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
-            ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
-            uvec4 packed_q = guide_at(tap);
-            float weight = x == 0 && y == 0 ? 1.0 : exp2(log2_weight(geometry, packed_q, vec2(x, y)));
-            weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
-            weight_sum += weight;
-            add_moments(sums[0], imageLoad(moments_0, tap), weight);
-#if SIGNALS == 2
-            add_moments(sums[1], imageLoad(moments_1, tap), weight);
-#endif
-        }
-    sums[0] /= weight_sum;
-    sums[1] /= weight_sum;
+    Window window = Window(vec2[](vec2(0.0), vec2(0.0)), 0.0);
+    if (FADE) {
+        [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y) add_row(window, p, geometry, y);
+    } else {
+        // Few pixels come here, and where branches are masked only a loop ends when none is left.
+        [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y) add_row(window, p, geometry, y);
+    }
+    sums[0] = window.sums[0] / window.weight;
+    sums[1] = window.sums[1] / window.weight;
 }
 
 float deviation_of(vec2 moments, float history_length) {
@@ -100,7 +114,7 @@ void main() {
     deviations.y = unpack_moments(imageLoad(moments_1, p)).deviation;
 #endif
     if (background) {
-        deviations = vec2(0.0);
+        deviations = vec2(BACKGROUND_DEVIATION);
     } else if (needs_neighbours(m.history_length)) {
         vec2 sums[2];
         spatial_moments(p, packed, sums);

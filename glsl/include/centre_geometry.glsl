@@ -20,10 +20,14 @@ Geometry geometry_of(uvec4 packed, uint gradient) {
     return Geometry(unpack_depth(packed), unpack_normal(packed), unpackHalf2x16(gradient));
 }
 
+float depth_sharpness(Geometry centre, vec2 offset) {
+    return VOLUME ? LOG2_E / push.volume_sigma_z : depth_sharpness(centre.depth, centre.gradient, offset);
+}
+
 // log2 of the weight of a tap. Of a volume by depth alone, and less strictly: [PSVGF], volumes.
-float log2_weight(Geometry centre, uvec4 packed_q, vec2 offset) {
-    if (VOLUME) return -LOG2_E * relative_difference(centre.depth, volume_depth(packed_q)) / push.volume_sigma_z;
-    return log2_geometry_weight(centre.normal, unpack_normal(packed_q), centre.depth, unpack_depth(packed_q), centre.gradient, offset);
+float log2_weight(Geometry centre, uvec4 packed_q, float depth_sharpness) {
+    if (VOLUME) return -relative_difference(centre.depth, volume_depth(packed_q)) * depth_sharpness;
+    return log2_geometry_weight(centre.normal, unpack_direction(packed_q), centre.depth, unpack_depth(packed_q), depth_sharpness);
 }
 
 #endif

@@ -15,14 +15,20 @@ const float LOG2_E = 1.4426950;
 // As a power of 2 it is 0 whatever is added to it.
 const float NO_WEIGHT = -1.0e6;
 
-// log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together.
-// log2(0) differs between devices, so a cosine that is not positive is decided here.
-float log2_geometry_weight(vec3 n, vec3 n_tap, float z, float z_tap, vec2 depth_gradient, vec2 offset) {
-    float cosine = dot(n, n_tap);
-    float depth_exponent = abs(z - z_tap) / (push.sigma_z * abs(dot(depth_gradient, offset)) + DEPTH_EPSILON * z);
-    float log2_normal = push.sigma_n > 0.0 ? push.sigma_n * log2(min(cosine, 1.0)) : 0.0;
-    float weight = edge_influence(z) * (log2_normal - LOG2_E * depth_exponent);
-    return cosine <= 0.0 && push.sigma_n > 0.0 ? NO_WEIGHT : weight;
+// Of depth, in powers of 2 per unit of difference; the same on both sides of the centre.
+float depth_sharpness(float z, vec2 depth_gradient, vec2 offset) {
+    return LOG2_E / (push.sigma_z * abs(dot(depth_gradient, offset)) + DEPTH_EPSILON * z);
+}
+
+// log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together, and a
+// normal that is read needs no root: the cosine is squared. log2(0) differs between devices, so a cosine that is not positive is decided
+// here.
+float log2_geometry_weight(vec3 n, vec3 direction_tap, float z, float z_tap, float depth_sharpness) {
+    float along = dot(n, direction_tap);
+    float squared_cosine = min(along * along / dot(direction_tap, direction_tap), 1.0);
+    float log2_normal = push.sigma_n > 0.0 ? 0.5 * push.sigma_n * log2(squared_cosine) : 0.0;
+    float weight = edge_influence(z) * (log2_normal - abs(z - z_tap) * depth_sharpness);
+    return along <= 0.0 && push.sigma_n > 0.0 ? NO_WEIGHT : weight;
 }
 
 #endif

@@ -19,11 +19,14 @@ vec2 octahedral(vec3 n) {
     return n.z < 0.0 ? (1.0 - abs(e.yx)) * sign_not_zero(e) : e;
 }
 
-vec3 from_octahedral(vec2 e) {
+// Not of unit length. Where z is negative, x and y move towards 0 by as much.
+vec3 octahedral_direction(vec2 e) {
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
-    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * sign_not_zero(n.xy);
-    return normalize(n);
+    float folded = max(-n.z, 0.0);
+    return vec3(n.x + (n.x >= 0.0 ? -folded : folded), n.y + (n.y >= 0.0 ? -folded : folded), n.z);
 }
+
+vec3 from_octahedral(vec2 e) { return normalize(octahedral_direction(e)); }
 
 // An even number of steps, so that 0 and thereby the axes are exact.
 uint pack_octahedral(vec3 n, float half_steps, uint bits) {
@@ -31,9 +34,13 @@ uint pack_octahedral(vec3 n, float half_steps, uint bits) {
     return u.x | u.y << bits;
 }
 
-vec3 unpack_octahedral(uint packed, float half_steps, uint bits) {
+vec2 octahedral_square(uint packed, float half_steps, uint bits) {
     uint mask = (1u << bits) - 1u;
-    return from_octahedral(vec2(packed & mask, packed >> bits & mask) / half_steps - 1.0);
+    return vec2(packed & mask, packed >> bits & mask) / half_steps - 1.0;
+}
+
+vec3 unpack_octahedral(uint packed, float half_steps, uint bits) {
+    return from_octahedral(octahedral_square(packed, half_steps, bits));
 }
 
 uint pcg(uint v) {
@@ -54,5 +61,8 @@ uvec4 pack_guide(Guide g) {
 float unpack_depth(uvec4 packed) { return uintBitsToFloat(packed.x | packed.y << 16); }
 uint unpack_id(uvec4 packed) { return packed.w >> 8; }
 vec3 unpack_normal(uvec4 packed) { return unpack_octahedral(packed.z | packed.w << 16, 511.0, 10u); }
+
+// The normal, not of unit length.
+vec3 unpack_direction(uvec4 packed) { return octahedral_direction(octahedral_square(packed.z | packed.w << 16, 511.0, 10u)); }
 
 #endif

@@ -61,6 +61,7 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -85,6 +86,7 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
@@ -104,6 +106,7 @@ pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
         PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 0, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
@@ -121,6 +124,7 @@ pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD_EVEN"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static CHANGE_TEST: Shader = Shader {
@@ -188,6 +192,7 @@ pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
@@ -208,6 +213,7 @@ pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static EAW_SIGNALS_1: Shader = Shader {
@@ -270,6 +276,7 @@ pub(crate) static FIREFLY: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader {
@@ -512,6 +519,7 @@ pub(crate) static MODULATE: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static PERCENTILE_RULE: Shader = Shader {
@@ -561,7 +569,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 5, name: Cow::Borrowed("volume_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
@@ -569,7 +577,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 7, name: Cow::Borrowed("previous_object_normal"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 8, name: Cow::Borrowed("history_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 9, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 12, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
     ]),
@@ -585,6 +593,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
@@ -620,6 +629,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static TONE_MAP: Shader = Shader {

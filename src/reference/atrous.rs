@@ -110,7 +110,7 @@ impl Sum {
         Self {
             centre,
             luminance: texel_luminance(centre),
-            tolerance: geometry.sigma_l * blurred_deviation(geometry, rect, image, p) + LUMINANCE_EPSILON,
+            tolerance: geometry.sigma_l * blurred_deviation(rect, image, p) + LUMINANCE_EPSILON,
             ..Self::default()
         }
     }
@@ -133,16 +133,16 @@ impl Sum {
     }
 }
 
-/// `sqrt(g3x3(σ²))`: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
-fn blurred_deviation(geometry: &Geometry, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
+/// `sqrt(g3x3(σ²))` without the background, whose deviation is negative: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
+fn blurred_deviation(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
     let (mut sum, mut variance) = (0.0, 0.0);
-    for (offset, q) in rect.window(p, 1, 1).filter(|(_, q)| !geometry.is_background(*q)) {
+    for (offset, q) in rect.window(p, 1, 1).filter(|(_, q)| image.at(*q)[3] >= 0.0) {
         let weight = 0.25 / (1 << offset.abs().element_sum()) as f32;
         let deviation = image.at(q)[3];
         sum += weight;
         variance += weight * deviation * deviation;
     }
-    (variance / sum).sqrt()
+    (variance / f32::max(sum, 0.25)).sqrt()
 }
 
 /// Runs the stage on the bindings of a pass.

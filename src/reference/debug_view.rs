@@ -112,7 +112,7 @@ impl DebugViewInputs<'_> {
                 coloured(frames / LONG_HISTORY, frames)
             }
             DebugView::Variance => {
-                let deviation = root_of_squares(self.irradiance_history.iter().map(|image| image.at(p)[3]));
+                let deviation = root_of_squares(self.irradiance_history.iter().map(|image| image.at(p)[3].max(0.0)));
                 coloured(deviation / (MIDDLE_DEVIATION + deviation), deviation)
             }
             DebugView::Moments => {

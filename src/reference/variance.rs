@@ -19,6 +19,10 @@ const RADIUS: i32 = 3;
 const FADING_RADIUS: i32 = 2;
 const SIDE: usize = 7;
 
+/// Deviation of the background: negative, so that a filter sees the background without the guide, and next to 0, so that it is no
+/// deviation to anyone else.
+const BACKGROUND_DEVIATION: f32 = -1.0 / 16384.0;
+
 /// Inputs of [`variance`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct VarianceInputs<'a> {
@@ -92,8 +96,8 @@ fn estimate(
         let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p);
-            let deviation = if geometry.is_background(p) { 0.0 } else { deviation(frame, tuning, geometry, &moments, p) };
-            [store(r), store(g), store(b), store(deviation)]
+            let estimated = || store(deviation(frame, tuning, geometry, &moments, p));
+            [store(r), store(g), store(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
         })
     };
     irradiance.iter().zip(moments).map(signal).collect()
