@@ -13,12 +13,12 @@ export ATROUS_REQUIRE_DEVICE=1
 step() { printf '\n== %s\n' "$*"; "$@"; }
 
 step cargo fmt --all --check
-step cargo clippy --workspace --all-targets --features capture,capi,window,hot-reload --quiet -- -D warnings
+step cargo clippy --workspace --all-targets --features capture,window,hot-reload --quiet -- -D warnings
 step cargo clippy --package atrous --quiet -- -D warnings
 # Also proves that the checked-in SPIR-V was made from this GLSL, and that no C++ toolchain is needed with it.
 step cargo clippy --package atrous --no-default-features --lib --example host_ash --quiet -- -D warnings
-step cargo clippy --package atrous --no-default-features --features capture,conventions --lib --quiet -- -D warnings
-step cargo test --workspace --features capture,capi,window,hot-reload --quiet
-RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --features capture,capi,window,hot-reload --no-deps --quiet
+step cargo clippy --package atrous --no-default-features --features capture --lib --quiet -- -D warnings
+step cargo test --workspace --features capture,window,hot-reload --quiet
+RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --features capture,window,hot-reload --no-deps --quiet
 echo
 echo "test.sh: all passed"

@@ -34,12 +34,11 @@ pub(crate) fn unknown_name<T: Choice>(given: &str) -> Error {
 }
 
 pub(crate) fn unknown_number<T: Choice>(given: u32) -> Error {
-    Error::Choice { kind: T::KIND, given: given.to_string(), allowed: numbers::<T>(0) }
-}
-
-/// `0 (svgf), 1 (asvgf), ...`; `shift` is added to every number.
-pub(crate) fn numbers<T: Choice>(shift: u32) -> String {
-    listed(|value: T| format!("{} ({})", value.number() + shift, value.name()))
+    Error::Choice {
+        kind: T::KIND,
+        given: given.to_string(),
+        allowed: listed(|value: T| format!("{} ({})", value.number(), value.name())),
+    }
 }
 
 /// Declares enums with `Variant = number => "name",`, and implements [`Choice`] for them. The name and `ALL` are inherent as well,

@@ -55,7 +55,8 @@ impl Flags {
     /// The host re-shades the gradient samples of this frame.
     pub const RESHADED: u32 = 1 << 16;
 
-    pub(crate) fn of(c: &Conventions, reset: bool) -> u32 {
+    /// The bits of conventions, and of a reset.
+    pub fn of(c: &Conventions, reset: bool) -> u32 {
         let bit = |on: bool, flag: u32| if on { flag } else { 0 };
         bit(reset, Self::RESET)
             | (c.depth as u32) << Self::DEPTH_SHIFT

@@ -3,8 +3,6 @@
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod binding;
-#[cfg(feature = "capi")]
-pub mod capi;
 #[cfg(feature = "capture")]
 pub mod capture;
 #[forbid(unsafe_code)]
@@ -13,9 +11,6 @@ mod choice;
 pub mod config;
 #[forbid(unsafe_code)]
 pub mod contract;
-#[cfg(feature = "conventions")]
-#[forbid(unsafe_code)]
-pub mod conventions;
 mod denoiser;
 mod device;
 mod error;

@@ -8,15 +8,15 @@ cd "$(dirname "$0")/../.."
 kind=${CRATE_TYPE:-staticlib}
 
 # Without the executor: no allocator, and no C++ toolchain is needed for it.
-cargo rustc --quiet --lib --no-default-features --features capi --crate-type "$kind" --target-dir target/capi
+cargo rustc --quiet -p atrous-capi --lib --no-default-features --crate-type "$kind" --target-dir target/capi
 built=$PWD/target/capi/debug
 case $kind in
-    staticlib) library=("$built/libatrous.a") ;;
-    cdylib) library=("$built/libatrous.so" "-Wl,-rpath,$built") ;;
+    staticlib) library=("$built/libatrous_capi.a") ;;
+    cdylib) library=("$built/libatrous_capi.so" "-Wl,-rpath,$built") ;;
     *) echo "build.sh: CRATE_TYPE is $kind; it is staticlib or cdylib" >&2; exit 2 ;;
 esac
 mkdir -p "$(dirname "$output")"
 # Without -ffp-contract=off some targets fuse multiplications and additions, and the input would differ in its last bits.
-g++ -std=c++17 -O1 -g -Wall -Wextra -Wno-missing-field-initializers -ffp-contract=off "$@" -I include \
+g++ -std=c++17 -O1 -g -Wall -Wextra -Wno-missing-field-initializers -ffp-contract=off "$@" -I crates/capi/include \
     examples/host_cpp/main.cpp "${library[@]}" -lvulkan -lpthread -ldl -lm -o "$output"
 echo "$output"

@@ -89,7 +89,7 @@ pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
     let (extent, render_extent) = (inputs.depth.extent(), frame.render_extent);
     let projections = Projections::new(frame);
     let depths = Image::compute(extent, render_extent, |p| {
-        let (z, is_bad) = projections.linear_depth(p, inputs.depth.at(p)[0], frame.background_depth);
+        let (z, is_bad) = projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth);
         (if inputs.id(p) == Some(0) { 0.0 } else { z }, is_bad)
     });
     let texels = Image::compute(extent, render_extent, |p| texel(frame, inputs, &projections, &depths, p));
@@ -138,26 +138,27 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
 }
 
 /// The vector that a texel encodes, of any length, in the space that it is in.
-pub(crate) fn decode_normal(encoding: NormalEncoding, v: [f32; 4]) -> Vec3 {
+pub fn decode_normal(encoding: NormalEncoding, v: [f32; 4]) -> [f32; 3] {
     let (xy, xyz) = (Vec2::new(v[0], v[1]), Vec3::new(v[0], v[1], v[2]));
-    match encoding {
+    let normal = match encoding {
         NormalEncoding::Xyz => xyz,
         NormalEncoding::XyzUnorm => xyz * 2.0 - 1.0,
         NormalEncoding::Octahedral => from_square(xy),
         NormalEncoding::OctahedralUnorm => from_square(xy * 2.0 - 1.0),
-    }
+    };
+    normal.into()
 }
 
 /// The world-space unit normal of a texel, with whether it was not finite.
 fn world_normal(frame: &FrameConstants, projections: &Projections, v: [f32; 4]) -> (Vec3, bool) {
     let n = decode_normal(normal_encoding(frame), v);
-    let n = if normals_are_in_view_space(frame) { projections.world_direction(n) } else { n };
+    let n = Vec3::from(if normals_are_in_view_space(frame) { projections.world_direction(n) } else { n });
     // The squared length also is not finite where a component is, or is too large to be squared.
     let length_squared = n.length_squared();
     if length_squared.is_finite() && length_squared >= SMALLEST_LENGTH_SQUARED {
         (n / length_squared.sqrt(), false)
     } else {
-        (projections.towards_camera(), !length_squared.is_finite())
+        (projections.towards_camera().into(), !length_squared.is_finite())
     }
 }
 

@@ -89,23 +89,16 @@ pub use gradient::{gradient, GradientInput, GradientInputs, GradientOutputs};
 pub use gradient_atrous::{gradient_atrous, GradientAtrousInputs, GRADIENT_ITERATIONS};
 pub use guide::{fold_id, pack_guide, unpack_guide, Surface};
 pub use image::Image;
-#[cfg(feature = "conventions")]
-pub(crate) use import::decode_normal;
-pub use import::{import, ImportInputs, ImportOutputs};
+pub use import::{decode_normal, import, ImportInputs, ImportOutputs};
 pub use luminance::luminance;
 pub use modulate::{modulate, ModulateInputs, ModulateOutputs};
 pub use moments::{pack_moments, unpack_moments, Moments, Reason};
 pub use nearest_history::HistoryGuides;
-#[cfg(test)]
-pub(crate) use octahedral::to_square;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
 pub use pass::Written;
 pub use percentile_rule::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
-#[cfg(feature = "conventions")]
-pub(crate) use projection::Projections;
-#[cfg(feature = "conventions")]
-pub(crate) use reprojection::motion_in_pixels;
-pub use reprojection::InstanceTransform;
+pub use projection::Projections;
+pub use reprojection::{motion_in_pixels, InstanceTransform};
 pub use statistics::{Counter, Statistics};
 pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};
 pub use surface_motion::{

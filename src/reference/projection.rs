@@ -27,15 +27,15 @@ pub(crate) fn extent([width, height]: [u32; 2]) -> Vec2 {
 
 /// The line of sight of a pixel in view space: `origin + direction·z` is its point at linear depth z.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct ViewRay {
+struct ViewRay {
     pub origin: Vec3,
     /// |z| is 1.
     pub direction: Vec3,
 }
 
-/// The projections of a frame.
+/// The projections of a frame and of the one before it: between pixels, depths of the host and points of the world.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Projections {
+pub struct Projections {
     clip_from_view: Mat4,
     world_from_view: Mat4,
     previous_clip_from_world: Mat4,
@@ -48,6 +48,7 @@ pub(crate) struct Projections {
 }
 
 impl Projections {
+    /// Projections by the matrices, the jitter and the extents of both frames.
     pub fn new(frame: &FrameConstants) -> Self {
         Self {
             clip_from_view: Mat4::from_cols_array_2d(&frame.clip_from_view),
@@ -63,14 +64,14 @@ impl Projections {
     }
 
     /// Position of the sample of a pixel in the unjittered image, pixels.
-    pub fn sample_position(&self, p: IVec2) -> Vec2 {
-        p.as_vec2() + 0.5 + self.sample_offset
+    pub fn sample_position(&self, pixel: [i32; 2]) -> [f32; 2] {
+        (IVec2::from(pixel).as_vec2() + 0.5 + self.sample_offset).into()
     }
 
     /// The line of sight through a position in pixels. Solves `clip.xy = ndc·clip.w` for view x and y at two depths, which covers
     /// perspective, off-centre and orthographic projections alike.
-    pub fn view_ray(&self, position: Vec2) -> ViewRay {
-        let ndc = position / self.extent * 2.0 - 1.0;
+    fn view_ray(&self, position: [f32; 2]) -> ViewRay {
+        let ndc = Vec2::from(position) / self.extent * 2.0 - 1.0;
         let [row_x, row_y, row_w] = [0, 1, 3].map(|i| self.clip_from_view.row(i));
         let (x, y) = (row_x - ndc.x * row_w, row_y - ndc.y * row_w);
         let across = Mat2::from_cols(Vec2::new(x.x, y.x), Vec2::new(x.y, y.y));
@@ -84,14 +85,14 @@ impl Projections {
     }
 
     /// Linear depth of the host's depth, with whether it was NaN. Everything that is background is 0.
-    pub fn linear_depth(&self, p: IVec2, depth: f32, background_depth: f32) -> (f32, bool) {
+    pub fn linear_depth(&self, pixel: [i32; 2], depth: f32, background_depth: f32) -> (f32, bool) {
         if depth.is_nan() {
             return (0.0, true);
         }
         let z = match self.encoding {
             DepthEncoding::Linear => depth,
             DepthEncoding::Device => self.linear_depth_of_device(depth),
-            DepthEncoding::RayLength => depth / self.view_ray(self.sample_position(p)).direction.length(),
+            DepthEncoding::RayLength => depth / self.view_ray(self.sample_position(pixel)).direction.length(),
         };
         let surface = z.is_finite() && z > 0.0 && z < background_depth;
         (if surface { z } else { 0.0 }, false)
@@ -108,36 +109,36 @@ impl Projections {
 
     /// The world position of a pixel's sample at a linear depth. At depth 0, the background, it is a direction (w = 0): that of a
     /// point at infinity. All depths of an orthographic line of sight project alike, so there it is the point at depth 1.
-    pub fn world_point(&self, p: IVec2, linear_depth: f32) -> Vec4 {
-        let ray = self.view_ray(self.sample_position(p));
+    pub fn world_point(&self, pixel: [i32; 2], linear_depth: f32) -> [f32; 4] {
+        let ray = self.view_ray(self.sample_position(pixel));
         let is_orthographic = self.clip_from_view.row(3).z == 0.0;
         let view = match linear_depth {
             z if z > 0.0 => (ray.origin + ray.direction * z).extend(1.0),
             _ if is_orthographic => (ray.origin + ray.direction).extend(1.0),
             _ => ray.direction.extend(0.0),
         };
-        self.world_from_view * view
+        (self.world_from_view * view).into()
     }
 
     /// The world direction towards the camera: against the view axis.
-    pub fn towards_camera(&self) -> Vec3 {
-        (self.world_from_view.z_axis.xyz() * -self.forward).normalize_or(Vec3::Z)
+    pub fn towards_camera(&self) -> [f32; 3] {
+        (self.world_from_view.z_axis.xyz() * -self.forward).normalize_or(Vec3::Z).into()
     }
 
     /// A view-space direction in world space.
-    pub fn world_direction(&self, view: Vec3) -> Vec3 {
-        self.world_from_view.transform_vector3(view)
+    pub fn world_direction(&self, view: [f32; 3]) -> [f32; 3] {
+        self.world_from_view.transform_vector3(view.into()).into()
     }
 
     /// Position of a world point in the previous image, pixels; `None` beside or behind the camera.
-    pub fn previous_position(&self, world: Vec4) -> Option<Vec2> {
-        let clip = self.previous_clip_from_world * world;
+    pub fn previous_position(&self, world: [f32; 4]) -> Option<[f32; 2]> {
+        let clip = self.previous_clip_from_world * Vec4::from(world);
         let position = (clip.xy() / clip.w * 0.5 + 0.5) * self.previous_extent;
-        (clip.w > 0.0 && position.is_finite()).then_some(position)
+        (clip.w > 0.0 && position.is_finite()).then_some(position.into())
     }
 
     /// The linear depth of a world point in the previous frame's camera.
-    pub fn previous_linear_depth(&self, world: Vec4) -> f32 {
-        (self.previous_view_from_world * world).z * self.forward
+    pub fn previous_linear_depth(&self, world: [f32; 4]) -> f32 {
+        (self.previous_view_from_world * Vec4::from(world)).z * self.forward
     }
 }

@@ -38,12 +38,12 @@ pub(crate) fn reproject(
     linear_depth: f32,
     host: HostMotion,
 ) -> Reprojection {
-    let carried = carry(projections.world_point(p, linear_depth), host.transform);
+    let carried = carry(projections.world_point(p.into(), linear_depth), host.transform);
     let given = host.texel.filter(|v| v[0].is_finite() && v[1].is_finite());
     let motion = match given {
-        Some(v) => motion_in_pixels(frame, Vec2::new(v[0], v[1])),
+        Some(v) => motion_in_pixels(frame, [v[0], v[1]]).into(),
         None => match projections.previous_position(carried) {
-            Some(position) => position - projections.sample_position(p) * extent_ratio(frame),
+            Some(position) => Vec2::from(position) - Vec2::from(projections.sample_position(p.into())) * extent_ratio(frame),
             // Behind the previous camera: a mirrored position could lie on screen, so it is sent off screen.
             None => Vec2::splat(LARGEST_MOTION),
         },
@@ -62,8 +62,8 @@ pub(crate) fn reproject(
 }
 
 /// The host's motion as pixels of the previous frame, without jitter.
-pub(crate) fn motion_in_pixels(frame: &FrameConstants, v: Vec2) -> Vec2 {
-    let ratio = extent_ratio(frame);
+pub fn motion_in_pixels(frame: &FrameConstants, motion: [f32; 2]) -> [f32; 2] {
+    let (ratio, v) = (extent_ratio(frame), Vec2::from(motion));
     let v = if motion_is_negated(frame) { -v } else { v };
     let v = match motion_unit(frame) {
         MotionUnit::Pixels => v * ratio,
@@ -71,17 +71,15 @@ pub(crate) fn motion_in_pixels(frame: &FrameConstants, v: Vec2) -> Vec2 {
         MotionUnit::Ndc => v * extent(frame.previous_render_extent) * 0.5,
     };
     let v = if motion_points_up(frame) { Vec2::new(v.x, -v.y) } else { v };
-    if motion_is_jittered(frame) {
-        // A jittered raster shows x at x − offset: the motion in it lacks the change of the offset.
-        v + (previous_sample_offset(frame) - sample_offset(frame) * ratio)
-    } else {
-        v
-    }
+    // A jittered raster shows x at x − offset: the motion in it lacks the change of the offset.
+    let lacks = previous_sample_offset(frame) - sample_offset(frame) * ratio;
+    (if motion_is_jittered(frame) { v + lacks } else { v }).into()
 }
 
-fn carry(world: Vec4, transform: Option<&InstanceTransform>) -> Vec4 {
-    match transform.map(|rows| rows.map(Vec4::from)) {
-        Some([x, y, z]) if world.w != 0.0 => Vec4::new(x.dot(world), y.dot(world), z.dot(world), world.w),
+fn carry(world: [f32; 4], transform: Option<&InstanceTransform>) -> [f32; 4] {
+    let point = Vec4::from(world);
+    match transform.map(|rows| rows.map(|row| Vec4::from(row).dot(point))) {
+        Some([x, y, z]) if point.w != 0.0 => [x, y, z, point.w],
         _ => world,
     }
 }

@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 
 /// Features of the workspace as scripts/test.sh has them, so that what it built is used.
-const FEATURES: &str = "capture,capi,window,hot-reload";
+const FEATURES: &str = "capture,window,hot-reload";
 
 /// An example, built where it is missing or older than its sources: `cargo test --test suite` alone does not build it.
 pub fn program(name: &str) -> PathBuf {

@@ -5,8 +5,8 @@ use crate::frame::{self, FrameInputs};
 use crate::frame_files::FrameFiles;
 use crate::roles::Role;
 use crate::setup::Setup;
-use atrous::conventions::{check, Guides, Report};
 use atrous::reference::Image;
+use atrous_conventions::{check, Guides, Report};
 
 /// Pairs of frames that are looked at, spread over the sequence: not every pair moves.
 const PAIRS: usize = 4;

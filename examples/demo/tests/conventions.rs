@@ -4,9 +4,9 @@ mod support;
 
 use ash::vk::Extent2D;
 use atrous::config::{Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit};
-use atrous::conventions::{check, Guides, Report, Verdict};
 use atrous::reference::Image;
 use atrous::FrameParams;
+use atrous_conventions::{check, Guides, Report, Verdict};
 use atrous_demo::{PathTracer, SceneOptions, TracerOptions};
 use support::{built_in, Validated};
 

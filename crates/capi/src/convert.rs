@@ -1,12 +1,11 @@
 //! Conversions between the structs of the ABI and those of the crate.
 
-use super::status::Failure;
-use super::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
-use crate::choice::{numbers, Choice};
-use crate::config::{Conventions, EawWeights};
-use crate::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
-use crate::{Config, FrameParams};
+use crate::status::Failure;
+use crate::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use ash::vk;
+use atrous::config::{Conventions, EawWeights};
+use atrous::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
+use atrous::{Choice, Config, FrameParams};
 use std::ffi::c_char;
 
 /// The value of a field that is a choice.
@@ -24,6 +23,12 @@ fn choice_or_none<T: Choice>(field: &str, given: u32) -> Result<Option<T>, Failu
 
 pub(super) fn allowed<T: Choice>() -> String {
     numbers::<T>(0)
+}
+
+/// `0 (svgf), 1 (asvgf), ...`; `shift` is added to every number.
+fn numbers<T: Choice>(shift: u32) -> String {
+    let one = |value: &T| format!("{} ({})", value.number() + shift, value.name());
+    T::ALL.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
 pub(super) fn allowed_or_none<T: Choice>() -> String {
@@ -248,7 +253,7 @@ pub(super) fn pass(declaration: &Declaration, index: usize) -> Option<AtrousPass
         struct_size: size_of::<AtrousPass>() as u32,
         phase: decl.phase as u32,
         use_count: decl.uses.len() as u32,
-        uses: [NO_USE; super::ATROUS_MAX_USES],
+        uses: [NO_USE; crate::ATROUS_MAX_USES],
         name: name(&decl.name),
     };
     for (to, from) in pass.uses.iter_mut().zip(&decl.uses) {

@@ -1,6 +1,6 @@
 //! The ways in which a texel of motion or of a normal can be read.
 
-use crate::config::{Conventions, MotionDirection, MotionUnit, NormalEncoding, NormalSpace};
+use atrous::config::{Conventions, MotionDirection, MotionUnit, NormalEncoding, NormalSpace};
 
 /// One way to read motion.
 #[derive(Clone, Copy, Debug, PartialEq)]

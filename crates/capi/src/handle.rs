@@ -1,8 +1,8 @@
 //! The table behind the opaque handles.
 
-use super::status::{AtrousStatus, Failure};
-use crate::{Config, Denoiser, FrameContext, Tuning};
+use crate::status::{AtrousStatus, Failure};
 use ash::vk;
+use atrous::{Config, Denoiser, FrameContext, Tuning};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -29,7 +29,7 @@ impl State {
     /// # Safety
     /// Obligations of [`Denoiser::new`].
     pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
-        let host = crate::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
+        let host = atrous::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
         // SAFETY: the handles were given to `atrous_create`, and the host keeps them alive until `atrous_destroy`; work recorded
         // with the old denoiser is complete.
         self.denoiser = unsafe { Denoiser::new(host, config.declare()?)? };

@@ -1,7 +1,7 @@
 //! Depth, handedness and matrices: the declared geometry, and every other one that is a mistake away.
 
-use crate::config::{Conventions, DepthEncoding, ViewForward};
-use crate::FrameParams;
+use atrous::config::{Conventions, DepthEncoding, ViewForward};
+use atrous::FrameParams;
 use glam::{Mat4, Vec4};
 
 /// Depth and matrices as a host declares them, or as it should have.

@@ -17,9 +17,9 @@
 //!
 //! ```
 //! use atrous::config::{Conventions, MotionDirection, MotionUnit};
-//! use atrous::conventions::{check, Guides, Verdict};
 //! use atrous::reference::Image;
 //! use atrous::FrameParams;
+//! use atrous_conventions::{check, Guides, Verdict};
 //! # use atrous_synthetic as synthetic;
 //!
 //! // What the engine reads back of two frames, four floats a texel.
@@ -44,6 +44,10 @@
 //! # Ok::<(), atrous::Error>(())
 //! ```
 
+#![forbid(unsafe_code)]
+// A host's input is answered by an error. Tests may panic.
+#![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
 mod contest;
 mod evidence;
 mod geometry;
@@ -57,10 +61,9 @@ mod tests;
 
 pub use report::{Evidence, Finding, Measure, Report, Verdict};
 
-use crate::config::Conventions;
-use crate::error::Error;
-use crate::reference::Image;
-use crate::FrameParams;
+use atrous::config::Conventions;
+use atrous::reference::Image;
+use atrous::{Error, FrameParams};
 use evidence::Pair;
 use geometry::Geometry;
 use glam::IVec2;
@@ -81,9 +84,14 @@ pub struct Guides<'a> {
     pub surface_id: Option<&'a Image<u32>>,
 }
 
+/// The texel of a pixel; zero outside the image.
+fn at<T: Copy + Default>(image: &Image<T>, p: IVec2) -> T {
+    image.get(p.x, p.y).copied().unwrap_or_default()
+}
+
 impl Guides<'_> {
     fn id(&self, p: IVec2) -> Option<u32> {
-        self.surface_id.map(|ids| ids.at(p))
+        self.surface_id.map(|ids| at(ids, p))
     }
 
     fn validate(&self, frame: &str) -> Result<(), Error> {
@@ -112,7 +120,7 @@ impl Guides<'_> {
 ///
 /// # Errors
 /// [`Error::Size`] or [`Error::RenderExtent`] for images that do not fit together; [`Error::FrameParams`] or [`Error::Extent`] for
-/// parameters that [`crate::Denoiser::begin_frame`] would refuse as well, and for a current frame that is a reset.
+/// parameters that [`atrous::Denoiser::begin_frame`] would refuse as well, and for a current frame that is a reset.
 pub fn check(conventions: &Conventions, previous: &Guides, current: &Guides) -> Result<Report, Error> {
     previous.validate("previous")?;
     current.validate("current")?;

@@ -1,7 +1,7 @@
 //! Status codes, the message of the last error, and the wall that panics do not pass.
 
-use crate::Error;
 use ash::vk;
+use atrous::Error;
 use std::cell::RefCell;
 use std::ffi::{c_char, CStr, CString};
 use std::panic::{catch_unwind, AssertUnwindSafe};

@@ -1,12 +1,12 @@
 //! One geometry held against two frames, and what follows from that for motion and normals.
 
-use super::contest::{self, explained, judge, median, Outcome, Residuals, Rule, Votes, DEPTH, MOTION, NORMALS};
-use super::evidence::{Affine, Pair, Point, Scene};
-use super::geometry::Geometry;
-use super::readings::{MotionReading, NormalReading};
-use super::report::{Evidence, Finding, Measure, Verdict};
-use crate::config::Conventions;
-use crate::error::Error;
+use crate::contest::{self, explained, judge, median, Outcome, Residuals, Rule, Votes, DEPTH, MOTION, NORMALS};
+use crate::evidence::{Affine, Pair, Point, Scene};
+use crate::geometry::Geometry;
+use crate::readings::{MotionReading, NormalReading};
+use crate::report::{Evidence, Finding, Measure, Verdict};
+use atrous::config::Conventions;
+use atrous::Error;
 
 /// Motion below this many pixels is not called motion.
 const MOVES: f32 = 0.25;

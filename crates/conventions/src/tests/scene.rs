@@ -1,12 +1,12 @@
 //! A room of slanted surfaces, seen by a camera that moves and turns; its guides in any encoding.
 
-use super::super::Guides;
-use crate::config::{
+use crate::Guides;
+use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
-use crate::reference::Image;
-use crate::FrameParams;
-use glam::{Mat4, Vec2, Vec3, Vec4Swizzles};
+use atrous::reference::Image;
+use atrous::FrameParams;
+use glam::{Mat4, Vec2, Vec2Swizzles, Vec3, Vec3Swizzles, Vec4Swizzles};
 
 pub const EXTENT: [u32; 2] = [80, 45];
 
@@ -213,7 +213,7 @@ impl Scene {
 
     fn normal(&self, view: Mat4, world: Vec3) -> [f32; 4] {
         let n = if self.encoding.normal_space == NormalSpace::View { view.transform_vector3(world) } else { world };
-        let octahedral = || crate::reference::to_square(n).extend(0.0);
+        let octahedral = || to_square(n).extend(0.0);
         let n = match self.encoding.normal {
             NormalEncoding::Xyz => n,
             NormalEncoding::XyzUnorm => n * 0.5 + 0.5,
@@ -221,5 +221,15 @@ impl Scene {
             NormalEncoding::OctahedralUnorm => octahedral() * 0.5 + 0.5,
         };
         n.extend(0.0).to_array()
+    }
+}
+
+/// The point of the square −1..1 for a direction: an octahedron unfolded.
+fn to_square(n: Vec3) -> Vec2 {
+    let e = n.xy() / n.abs().element_sum();
+    if n.z < 0.0 {
+        (1.0 - e.yx().abs()) * e.map(|side| 1.0_f32.copysign(side))
+    } else {
+        e
     }
 }

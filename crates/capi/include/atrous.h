@@ -1,6 +1,6 @@
 /* atrous: the passes of a real-time path-tracing denoiser, for the frame graph of a Vulkan engine.
  *
- * Made from src/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test --test suite header` renews it, and a test compares.
+ * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
  * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike.
  * docs/integrate.md has the contract on two pages; examples/host_cpp is an engine that uses it. */
 

@@ -1,6 +1,6 @@
 //! Structs behind a host's pointers.
 
-use super::status::Failure;
+use crate::status::Failure;
 
 /// A struct of the host, after its size was checked.
 ///

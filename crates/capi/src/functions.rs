@@ -1,13 +1,13 @@
 //! Functions of the C ABI but recording: creation, declarations, tuning, frames.
 
-use super::handle::{self, AtrousDenoiser, State};
-use super::pointers::{check_size, read, write};
-use super::status::{guard, AtrousStatus, Failure};
-use super::structs::*;
-use super::{convert, GetInstanceProcAddr};
-use crate::contract::ResourceId;
-use crate::{Config, Denoiser, Tuning};
+use crate::handle::{self, AtrousDenoiser, State};
+use crate::pointers::{check_size, read, write};
+use crate::status::{guard, AtrousStatus, Failure};
+use crate::structs::*;
+use crate::{convert, GetInstanceProcAddr};
 use ash::vk::Handle;
+use atrous::contract::ResourceId;
+use atrous::{Config, Denoiser, Device, Tuning, UseFrame};
 use std::ffi::{c_char, CStr};
 
 /// Fills a configuration with defaults for an extent.
@@ -73,7 +73,7 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
         let device = ash::Device::load(instance.fp_v1_0(), info.device);
         let physical_device = info.physical_device;
-        let denoiser = Denoiser::new(crate::Device { instance: &instance, physical_device, device: &device }, config.declare()?)?;
+        let denoiser = Denoiser::new(Device { instance: &instance, physical_device, device: &device }, config.declare()?)?;
         let frames = vec![None; config.frames_in_flight as usize];
         let config = *config;
         Ok(State {
@@ -270,7 +270,7 @@ pub unsafe extern "C" fn atrous_begin_frame(
                 frame_slot: context.slot,
                 index: context.index,
                 generation: state.generation,
-                current_copy: context.history_copy(crate::UseFrame::Current) as u32,
+                current_copy: context.history_copy(UseFrame::Current) as u32,
                 reset: context.reset.map_or(0, |reason| reason as u32),
             };
             // SAFETY: `frame` was found above to be of the right size, and it is writable.

@@ -1,12 +1,11 @@
 //! Recording a pass.
 
-use super::handle::{self, AtrousDenoiser, State};
-use super::pointers::read;
-use super::status::{guard, AtrousStatus, Failure};
-use super::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
-use crate::binding::Binding;
-use crate::{Access, FrameContext, Use};
+use crate::handle::{self, AtrousDenoiser, State};
+use crate::pointers::read;
+use crate::status::{guard, AtrousStatus, Failure};
+use crate::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
 use ash::vk::{CommandBuffer, Handle};
+use atrous::{Access, Binding, Error, FrameContext, Use};
 
 /// Records one pass: no barrier, no allocation, no submission. `bindings` stand in the order of the pass's uses.
 ///
@@ -76,7 +75,7 @@ fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
         return Err(Failure::argument(format!("pass {pass} does not exist; there are {}", passes.len())));
     };
     if decl.uses.len() != count {
-        return Err(crate::Error::Bindings { pass: decl.name.clone(), given: count, needed: decl.uses.len() }.into());
+        return Err(Error::Bindings { pass: decl.name.clone(), given: count, needed: decl.uses.len() }.into());
     }
     Ok(&decl.uses)
 }

@@ -1,8 +1,8 @@
 //! Tests that need no device; `tests/hosts/` and `examples/host_cpp/` have the others.
 
-use super::status::guard;
-use super::*;
-use crate::{Config, Tuning};
+use crate::status::guard;
+use crate::*;
+use atrous::{Config, Tuning};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
 
@@ -22,7 +22,7 @@ fn defaults_are_those_of_the_crate() {
     let config = AtrousConfig::default_for([64, 36]).to_config().expect("valid");
     assert_eq!(config, Config::new([64, 36]));
     let params = AtrousFrameParams::default_for([64, 36]).to_params().expect("valid");
-    assert_eq!(params, crate::FrameParams::new([64, 36]));
+    assert_eq!(params, atrous::FrameParams::new([64, 36]));
 }
 
 #[test]
@@ -51,9 +51,9 @@ fn numbers_out_of_range_are_named() {
 /// The fields of the ABI that are choices, by what their documentation and their errors list.
 #[test]
 fn the_header_lists_every_choice_by_number_and_name() {
-    use super::convert::{allowed, allowed_or_none};
-    use crate::config::*;
-    use crate::{DebugView, ResetReason};
+    use crate::convert::{allowed, allowed_or_none};
+    use atrous::config::*;
+    use atrous::{DebugView, ResetReason};
     let header =
         include_str!("structs.rs").split('\n').map(|line| line.trim().trim_start_matches("/// ")).collect::<Vec<_>>().join(" ");
     let lists = [
@@ -83,7 +83,7 @@ fn the_header_lists_every_choice_by_number_and_name() {
 
 #[test]
 fn choices_of_a_frame_are_those_of_the_crate() {
-    use crate::{DebugView, ResetReason};
+    use atrous::{DebugView, ResetReason};
     let given = |reset, debug_view| AtrousFrameParams { reset, debug_view, ..AtrousFrameParams::default_for([4, 4]) }.to_params();
     let params = given(6, 14).expect("valid");
     assert_eq!((params.reset, params.debug_view), (Some(ResetReason::ExposureJump), Some(DebugView::BadValues)));
@@ -101,7 +101,7 @@ fn choices_of_a_frame_are_those_of_the_crate() {
 
 #[test]
 fn every_choice_of_a_filter_is_reachable() {
-    use crate::config::{AdaptiveRule, BlockSort, EawWeights, Preset, Sampling};
+    use atrous::config::{AdaptiveRule, BlockSort, EawWeights, Preset, Sampling};
     let given = AtrousConfig {
         preset: 4,
         volume: 1,
@@ -158,5 +158,5 @@ fn names_and_uses_fit() {
             declaration.resources().iter().map(|r| r.name.as_str()).chain(declaration.passes().iter().map(|p| p.name.as_str()));
         assert!(names.chain(Tuning::FIELDS.iter().map(|f| f.name)).all(|n| n.len() < ATROUS_NAME_SIZE));
     }
-    const { assert!(crate::shaders::MAX_BINDINGS <= ATROUS_MAX_USES) };
+    const { assert!(atrous_shader::MAX_BINDINGS <= ATROUS_MAX_USES) };
 }

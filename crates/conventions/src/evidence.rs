@@ -1,15 +1,13 @@
 //! Residuals of depth, motion and normals between two frames under one geometry.
 
-use super::contest::{Residuals, MOTION};
-use super::geometry::Geometry;
-use super::readings::{MotionReading, NormalReading};
-use super::Guides;
-use crate::config::{NormalEncoding, NormalSpace};
-use crate::error::Error;
-use crate::frame_constants::Flags;
-use crate::reference::{decode_normal, motion_in_pixels, Projections};
-use crate::{FrameConstants, FrameState, Setup, Tuning};
-use glam::{IVec2, Vec2, Vec3};
+use crate::contest::{Residuals, MOTION};
+use crate::geometry::Geometry;
+use crate::readings::{MotionReading, NormalReading};
+use crate::{at, Guides};
+use atrous::config::{NormalEncoding, NormalSpace};
+use atrous::reference::{decode_normal, motion_in_pixels, Projections};
+use atrous::{Error, Flags, FrameConstants, FrameParams, FrameState, Setup, Tuning};
+use glam::{IVec2, Vec2, Vec3, Vec4};
 
 /// More pixels than this say nothing new.
 const MOST_PIXELS: f32 = 16384.0;
@@ -39,9 +37,9 @@ impl<'a> Pair<'a> {
         use NormalEncoding as E;
         let pixels = sample(current.params.render_extent);
         let decode = |p: &IVec2| {
-            let texel = current.normal.map(|normals| normals.at(*p));
+            let texel = current.normal.map(|normals| at(normals, *p));
             let encodings = [E::Xyz, E::XyzUnorm, E::Octahedral, E::OctahedralUnorm];
-            encodings.map(|e| decode_normal(e, texel?).try_normalize())
+            encodings.map(|e| Vec3::from(decode_normal(e, texel?)).try_normalize())
         };
         let normals = pixels.iter().map(decode).collect();
         Self { previous, current, pixels, normals }
@@ -94,7 +92,7 @@ impl<'a> Scene<'a> {
     /// Names the field of the parameters that is unusable.
     pub fn new(geometry: &Geometry, pair: &'a Pair<'a>) -> Result<Self, Error> {
         let setup = |guides: &Guides| Setup { conventions: geometry.conventions, ..Setup::new(guides.depth.extent()) };
-        let frame = |params: &crate::FrameParams| crate::FrameParams { frame_slot: 0, ..*params };
+        let frame = |params: &FrameParams| FrameParams { frame_slot: 0, ..*params };
         let mut state = FrameState::default();
         let first = state.begin(&setup(pair.previous), &frame(&geometry.previous), &Tuning::default())?.constants;
         let second = state.begin(&setup(pair.current), &frame(&geometry.current), &Tuning::default())?.constants;
@@ -106,10 +104,10 @@ impl<'a> Scene<'a> {
     fn depth(&self, frame: usize, p: IVec2) -> f32 {
         let guides = [self.pair.previous, self.pair.current][frame];
         let background = self.setup.conventions.background_depth;
-        if guides.surface_id.is_some_and(|ids| ids.at(p) == 0) {
+        if guides.id(p) == Some(0) {
             return 0.0;
         }
-        self.projections[frame].linear_depth(p, guides.depth.at(p)[0], background).0
+        self.projections[frame].linear_depth(p.into(), at(guides.depth, p)[0], background).0
     }
 
     pub fn point(&self, p: IVec2) -> Point {
@@ -118,7 +116,7 @@ impl<'a> Scene<'a> {
             return NOTHING;
         }
         let now = &self.projections[1];
-        let world = now.world_point(p, z);
+        let world = now.world_point(p.into(), z);
         let normal = self.normal(p, z);
         let expected = now.previous_linear_depth(world);
         match now.previous_position(world).filter(|_| expected > 0.0) {
@@ -126,8 +124,8 @@ impl<'a> Scene<'a> {
                 let [width, height] = self.constants[0].render_extent.map(|side| side as f32);
                 let ratio = Vec2::new(width, height) / Vec2::from(self.constants[1].render_extent.map(|side| side as f32));
                 Point {
-                    depth: self.depth_residual(position, expected, self.pair.current.id(p)),
-                    motion: position - now.sample_position(p) * ratio,
+                    depth: self.depth_residual(position.into(), expected, self.pair.current.id(p)),
+                    motion: Vec2::from(position) - Vec2::from(now.sample_position(p.into())) * ratio,
                     normal,
                     depths: [z, expected],
                 }
@@ -162,7 +160,7 @@ impl<'a> Scene<'a> {
     /// differs less.
     fn normal(&self, p: IVec2, z: f32) -> Option<Vec3> {
         let [width, height] = self.constants[1].render_extent.map(|side| side as i32);
-        let now = &self.projections[1];
+        let point = |p: IVec2, z| Vec4::from(self.projections[1].world_point(p.into(), z)).truncate();
         let tangent = |axis: IVec2| {
             let neighbours = [axis, -axis].into_iter().filter_map(|step| {
                 let q = p + step;
@@ -171,11 +169,11 @@ impl<'a> Scene<'a> {
                 ((z_q - z).abs() <= EDGE * z).then_some((step, q, z_q))
             });
             let nearest = neighbours.min_by(|a, b| (a.2 - z).abs().total_cmp(&(b.2 - z).abs()));
-            let here = now.world_point(p, z).truncate();
-            nearest.map(|(step, q, z_q)| (now.world_point(q, z_q).truncate() - here) * (step.x + step.y) as f32)
+            let here = point(p, z);
+            nearest.map(|(step, q, z_q)| (point(q, z_q) - here) * (step.x + step.y) as f32)
         };
         let normal = tangent(IVec2::X)?.cross(tangent(IVec2::Y)?).try_normalize()?;
-        let sight = now.world_direction(now.view_ray(now.sample_position(p)).direction);
+        let sight = point(p, z) - point(p, 0.5 * z);
         Some(if normal.dot(sight) > 0.0 { -normal } else { normal })
     }
 
@@ -183,8 +181,9 @@ impl<'a> Scene<'a> {
     pub fn affine(&self, reading: MotionReading) -> Affine {
         let conventions = reading.apply(&self.setup.conventions);
         let constants = FrameConstants { flags: Flags::of(&conventions, false), ..self.constants[1] };
-        let offset = motion_in_pixels(&constants, Vec2::ZERO);
-        Affine { scale: motion_in_pixels(&constants, Vec2::ONE) - offset, offset }
+        let read = |texel| Vec2::from(motion_in_pixels(&constants, texel));
+        let offset = read([0.0; 2]);
+        Affine { scale: read([1.0; 2]) - offset, offset }
     }
 
     pub fn has_normals(&self) -> bool {
@@ -197,13 +196,13 @@ impl<'a> Scene<'a> {
 
     /// The host's motion of a pixel, as it is stored.
     pub fn motion_texel(&self, p: IVec2) -> Option<Vec2> {
-        let [x, y, ..] = self.pair.current.motion?.at(p);
+        let [x, y, ..] = at(self.pair.current.motion?, p);
         Some(Vec2::new(x, y)).filter(|v| v.is_finite())
     }
 
     /// z of the host's motion.
     pub fn motion_depth_texel(&self, p: IVec2) -> Option<f32> {
-        self.motion_texel(p).and(self.pair.current.motion).map(|motion| motion.at(p)[2])
+        self.motion_texel(p).and(self.pair.current.motion).map(|motion| at(motion, p)[2])
     }
 
     /// Degrees between the host's normals and those of the depth.
@@ -213,7 +212,7 @@ impl<'a> Scene<'a> {
             (Some(host), Some(normal)) => {
                 let host = match reading.space {
                     NormalSpace::World => host * signs,
-                    NormalSpace::View => self.projections[1].world_direction(host * signs).normalize_or_zero(),
+                    NormalSpace::View => Vec3::from(self.projections[1].world_direction((host * signs).into())).normalize_or_zero(),
                 };
                 host.dot(normal).clamp(-1.0, 1.0).acos().to_degrees()
             }

@@ -1,9 +1,9 @@
 //! The test of z of the motion, where it is declared to be something.
 
-use super::contest::{explained, Residuals, Rule, Votes};
-use super::report::{Finding, Measure, Verdict};
-use super::trial::{Contest, Trial};
-use crate::config::{Conventions, MotionDepth};
+use crate::contest::{explained, Residuals, Rule, Votes};
+use crate::report::{Finding, Measure, Verdict};
+use crate::trial::{Contest, Trial};
+use atrous::config::{Conventions, MotionDepth};
 
 /// Percent of the depth.
 const MOTION_DEPTH: Rule = Rule { explains: 0.3, margin: 0.3 };

@@ -1,7 +1,7 @@
 //! Structs that cross the boundary. `struct_size` stands first, so that a host that was compiled against another header gets an
 //! error.
 
-use super::GetInstanceProcAddr;
+use crate::GetInstanceProcAddr;
 use ash::vk::{
     AccessFlags, AccessFlags2, Buffer, BufferUsageFlags, Device, Format, Image, ImageLayout, ImageUsageFlags, ImageView, Instance,
     PhysicalDevice, PipelineStageFlags, PipelineStageFlags2,

@@ -4,7 +4,7 @@ mod mistakes;
 mod scene;
 
 use super::*;
-use crate::config::{DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
+use atrous::config::{DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward};
 use scene::{Camera, Frame, Scene, EXTENT};
 
 fn report(declared: &Conventions, [previous, current]: &[Frame; 2]) -> Report {
@@ -89,7 +89,7 @@ fn ids_are_not_needed_and_half_precision_is_enough() {
     let [mut previous, mut current] = Scene::default().frames();
     for frame in [&mut previous, &mut current] {
         for image in [&mut frame.depth, &mut frame.normal, &mut frame.motion] {
-            *image = crate::reference::round_image_to_half(image);
+            *image = atrous::reference::round_image_to_half(image);
         }
     }
     let without = |frame: &Frame| frame.surface_id.clone();
@@ -197,7 +197,7 @@ fn images_that_do_not_fit_are_errors() {
         ("render_extent", |p| p.render_extent = [0, 1]),
         ("jitter", |p| p.jitter = [f32::NAN, 0.0]),
         ("view_from_world", |p| p.view_from_world = [[0.0; 4]; 4]),
-        ("reset", |p| p.reset = Some(crate::ResetReason::CameraCut)),
+        ("reset", |p| p.reset = Some(atrous::ResetReason::CameraCut)),
     ];
     for (word, spoil) in spoiled {
         let [before, mut now] = good();

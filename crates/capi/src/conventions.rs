@@ -1,10 +1,11 @@
-//! The convention self-test: see [`crate::conventions`].
+//! The convention self-test: see [`atrous_conventions`].
 
-use super::pointers::{read, write};
-use super::status::{guard, AtrousStatus, Failure};
-use super::structs::{AtrousConfig, AtrousFrameParams};
-use crate::conventions::{check, Finding, Guides, Report};
-use crate::reference::Image;
+use crate::pointers::{read, write};
+use crate::status::{guard, AtrousStatus, Failure};
+use crate::structs::{AtrousConfig, AtrousFrameParams};
+use atrous::reference::Image;
+use atrous::{Config, Error, FrameParams};
+use atrous_conventions::{check, Finding, Guides, Report};
 use std::ffi::c_char;
 
 /// Bytes of the text of a report, with its null.
@@ -78,7 +79,7 @@ pub unsafe extern "C" fn atrous_check_conventions(
 
 /// The images of a frame.
 struct Frame {
-    params: crate::FrameParams,
+    params: FrameParams,
     depth: Image<[f32; 4]>,
     normal: Option<Image<[f32; 4]>>,
     motion: Option<Image<[f32; 4]>>,
@@ -94,7 +95,9 @@ impl Frame {
         unsafe {
             let given = read(what, pointer)?;
             let extent = [given.width, given.height];
-            crate::config::check_extent("width and height of AtrousGuides", extent)?;
+            if extent.iter().any(|side| !(1..=Config::MAX_SIDE).contains(side)) {
+                return Err(Error::Extent { what: "width and height of AtrousGuides", given: extent, max: Config::MAX_SIDE }.into());
+            }
             if given.depth.is_null() {
                 return Err(Failure::argument(format!("{what}->depth is NULL; give the depth of the frame")));
             }

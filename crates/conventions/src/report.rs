@@ -1,6 +1,6 @@
 //! The report of the test.
 
-use crate::config::Conventions;
+use atrous::config::Conventions;
 use std::fmt;
 
 /// The answer to one of the questions.
