@@ -4,9 +4,9 @@ use crate::binding::{absent_gradients, check_bindings, descriptor, present, Bind
 use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, FrameState, Grid, Parameter, Tuning, Work};
 use crate::device::Device;
 use crate::error::Error;
-use crate::pipeline::Pipelines;
+use crate::pipeline::{Bindable, Descriptor, Pipelines};
 use crate::requirements::Requirements;
-use crate::shaders::{descriptor_type, BindingKind, MAX_BINDINGS, MAX_PUSH_BYTES};
+use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
 use crate::specialise::specialise;
 use ash::vk;
 
@@ -27,14 +27,14 @@ impl Denoiser {
     /// ([`crate::graph::Graph::finish`]).
     ///
     /// # Errors
-    /// Errors of [`Requirements::check`]; [`Error::Vulkan`] where a call fails.
+    /// Errors of [`Requirements::check_device`]; [`Error::Vulkan`] where a call fails.
     ///
     /// # Safety
     /// Instance, physical device and device are live, belong together and outlive the result.
     pub unsafe fn new(host: Device<'_>, mut declaration: Declaration) -> Result<Self, Error> {
-        // SAFETY: instance and physical device are live and belong together, as the caller promised.
+        // SAFETY: instance, physical device and device are live and belong together, as the caller promised.
         let properties = unsafe {
-            Requirements::new(&declaration).check(host.instance, host.physical_device)?;
+            Requirements::new(&declaration).check_device(host)?;
             host.instance.get_physical_device_properties(host.physical_device)
         };
         specialise(&mut declaration, properties.device_type);
@@ -112,6 +112,26 @@ impl Denoiser {
         pass: usize,
         bindings: &[Binding],
     ) -> Result<(), Error> {
+        // SAFETY: the obligations are the same, and no pipeline is said to be bound.
+        unsafe { self.record_after(cmd, frame, pass, bindings, &mut vk::Pipeline::null()) }
+    }
+
+    /// Records one pass behind others of ours: `bound` is the compute pipeline that they left bound, or null, and becomes that of
+    /// this pass.
+    ///
+    /// # Errors
+    /// Errors of [`Self::record`].
+    ///
+    /// # Safety
+    /// Obligations of [`Self::record`]; nothing else bound a compute pipeline since `bound` was set.
+    pub(crate) unsafe fn record_after(
+        &mut self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        pass: usize,
+        bindings: &[Binding],
+        bound: &mut vk::Pipeline,
+    ) -> Result<(), Error> {
         let Some(decl) = self.declaration.passes.get(pass) else {
             return Err(Error::Bindings { pass: format!("index {pass}"), given: bindings.len(), needed: 0 });
         };
@@ -122,7 +142,7 @@ impl Denoiser {
             // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
             Work::Clear => unsafe { self.clear(cmd, bindings) },
             // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
-            Work::Dispatch(dispatch) => unsafe { self.dispatch(cmd, frame, pass, dispatch, bindings)? },
+            Work::Dispatch(dispatch) => unsafe { self.dispatch(cmd, frame, pass, dispatch, bindings, bound)? },
         }
         if let Some(name) = absent_gradients(&self.declaration, pass, bindings) {
             self.warn_of_missing_gradients(&format!("nothing is bound to `{name}`"));
@@ -137,6 +157,7 @@ impl Denoiser {
         pass: usize,
         dispatch: &Dispatch,
         bindings: &[Binding],
+        bound: &mut vk::Pipeline,
     ) -> Result<(), Error> {
         let Some(bindable) = self.pipelines.bindable(frame.slot, pass) else {
             return Err(Error::FrameSlot { given: frame.slot, frames_in_flight: self.declaration.setup().frames_in_flight });
@@ -146,11 +167,15 @@ impl Denoiser {
         let [x, y] = workgroups(dispatch, frame);
         let point = vk::PipelineBindPoint::COMPUTE;
         // SAFETY: `cmd` is recording outside a render pass; pipeline, layout and set belong together, and the set is not in use,
-        // since earlier work of the slot is complete.
+        // since earlier work of the slot is complete. Where `bound` is the pipeline, it still is bound to `cmd`.
         unsafe {
-            self.write_set(bindable.set, dispatch, bindings);
-            self.device.cmd_bind_pipeline(cmd, point, bindable.pipeline);
-            self.device.cmd_bind_descriptor_sets(cmd, point, bindable.layout, 0, &[bindable.set], &[]);
+            self.write_set(&bindable, dispatch, bindings);
+            if std::mem::replace(bound, bindable.pipeline) != bindable.pipeline {
+                self.device.cmd_bind_pipeline(cmd, point, bindable.pipeline);
+            }
+            // With null for no offsets, where ash would pass a pointer: Mesa allocates a copy of what it points to.
+            let bind = self.device.fp_v1_0().cmd_bind_descriptor_sets;
+            bind(cmd, point, bindable.layout, 0, 1, &bindable.set, 0, std::ptr::null());
             if !push.is_empty() {
                 self.device.cmd_push_constants(cmd, bindable.layout, vk::ShaderStageFlags::COMPUTE, 0, push);
             }
@@ -188,32 +213,22 @@ impl Denoiser {
 
     /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not
     /// read.
-    unsafe fn write_set(&self, set: vk::DescriptorSet, dispatch: &Dispatch, bindings: &[Binding]) {
-        let mut images = [vk::DescriptorImageInfo::default(); MAX_BINDINGS];
-        let mut buffers = [vk::DescriptorBufferInfo::default(); MAX_BINDINGS];
-        for (i, slot) in dispatch.slots.iter().enumerate() {
+    unsafe fn write_set(&self, bindable: &Bindable, dispatch: &Dispatch, bindings: &[Binding]) {
+        let mut descriptors = [Descriptor::NULL; MAX_BINDINGS];
+        for (to, slot) in descriptors.iter_mut().zip(&dispatch.slots) {
             match descriptor(*slot, bindings) {
                 Binding::Image { view, layout } => {
-                    images[i] = vk::DescriptorImageInfo::default().image_view(view).image_layout(layout)
+                    to.image = vk::DescriptorImageInfo::default().image_view(view).image_layout(layout)
                 }
-                Binding::Buffer { buffer, offset, range } => buffers[i] = vk::DescriptorBufferInfo { buffer, offset, range },
+                Binding::Buffer { buffer, offset, range } => to.buffer = vk::DescriptorBufferInfo { buffer, offset, range },
                 Binding::Absent | Binding::ClearedImage { .. } => {}
             }
         }
-        let shader = &dispatch.shader;
-        let mut writes = [vk::WriteDescriptorSet::default(); MAX_BINDINGS];
-        for (i, binding) in shader.bindings.iter().enumerate() {
-            let write = vk::WriteDescriptorSet::default()
-                .dst_set(set)
-                .dst_binding(binding.number)
-                .descriptor_type(descriptor_type(binding.kind));
-            writes[i] = match binding.kind {
-                BindingKind::UniformBuffer | BindingKind::StorageBuffer(_) => write.buffer_info(std::slice::from_ref(&buffers[i])),
-                _ => write.image_info(std::slice::from_ref(&images[i])),
-            };
+        // SAFETY: the set is ours and not in use; views and buffers are live, as the host promised to `record`. The template is
+        // that of the set, and reads as many descriptors as the shader has bindings: at most MAX_BINDINGS.
+        unsafe {
+            self.device.update_descriptor_set_with_template(bindable.set, bindable.template, descriptors.as_ptr().cast());
         }
-        // SAFETY: the set is ours and not in use; views and buffers are live, as the host promised to `record`.
-        unsafe { self.device.update_descriptor_sets(&writes[..shader.bindings.len()], &[]) };
     }
 }
 
@@ -234,9 +249,10 @@ fn push_constants(dispatch: &Dispatch, frame: &FrameContext, bindings: &[Binding
 /// Workgroups of a dispatch, in x and y.
 fn workgroups(dispatch: &Dispatch, frame: &FrameContext) -> [u32; 2] {
     let (now, before) = (frame.render_extent, frame.constants.previous_render_extent);
-    let invocations = match dispatch.grid {
+    let [x, y] = match dispatch.grid {
         Grid::Pixels => now,
-        Grid::Strata(side) => [0, 1].map(|i| now[i].max(before[i]).div_ceil(side)),
+        Grid::Strata(side) => [now[0].max(before[0]).div_ceil(side), now[1].max(before[1]).div_ceil(side)],
     };
-    [0, 1].map(|i| invocations[i].div_ceil(dispatch.shader.workgroup[i]))
+    let [width, height, _] = dispatch.shader.workgroup;
+    [x.div_ceil(width), y.div_ceil(height)]
 }

@@ -2,8 +2,7 @@
 
 use crate::contract::{Declaration, Dispatch};
 use crate::error::Error;
-use crate::shaders::descriptor_type;
-use crate::shaders::Shader;
+use crate::shaders::{descriptor_type, Shader, ShaderBinding};
 use ash::vk;
 use std::collections::{btree_map::Entry, BTreeMap};
 
@@ -13,6 +12,7 @@ type Key = (String, Vec<(u32, u32)>);
 /// One module with its constants, ready to dispatch.
 struct Pipeline {
     set_layout: vk::DescriptorSetLayout,
+    template: vk::DescriptorUpdateTemplate,
     layout: vk::PipelineLayout,
     pipeline: vk::Pipeline,
 }
@@ -23,6 +23,21 @@ pub(crate) struct Bindable {
     pub layout: vk::PipelineLayout,
     pub pipeline: vk::Pipeline,
     pub set: vk::DescriptorSet,
+    /// Writes the set from one [`Descriptor`] for each binding, in their order.
+    pub template: vk::DescriptorUpdateTemplate,
+}
+
+/// A descriptor as templates read it; by the kind of the binding, one or the other.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub(crate) union Descriptor {
+    pub image: vk::DescriptorImageInfo,
+    pub buffer: vk::DescriptorBufferInfo,
+}
+
+impl Descriptor {
+    /// Null handles.
+    pub const NULL: Self = Self { buffer: vk::DescriptorBufferInfo { buffer: vk::Buffer::null(), offset: 0, range: 0 } };
 }
 
 /// Pipelines of every shader that a declaration uses, and one descriptor set per pass and frame slot.
@@ -112,7 +127,8 @@ impl Pipelines {
             let info = vk::DescriptorSetAllocateInfo::default().descriptor_pool(pool).set_layouts(&layouts);
             // SAFETY: pool and layout are live and of this device.
             let sets = unsafe { self.device.allocate_descriptor_sets(&info) }.map_err(Error::vulkan("vkAllocateDescriptorSets"))?;
-            bindables.push(sets.first().map(|&set| Bindable { layout: pipeline.layout, pipeline: pipeline.pipeline, set }));
+            let &Pipeline { layout, pipeline, template, .. } = pipeline;
+            bindables.push(sets.first().map(|&set| Bindable { layout, pipeline, set, template }));
         }
         self.bindables.push(bindables);
         Ok(())
@@ -137,6 +153,7 @@ impl Pipeline {
     unsafe fn new(device: &ash::Device, dispatch: &Dispatch) -> Result<Self, Error> {
         let mut this = Self {
             set_layout: vk::DescriptorSetLayout::null(),
+            template: vk::DescriptorUpdateTemplate::null(),
             layout: vk::PipelineLayout::null(),
             pipeline: vk::Pipeline::null(),
         };
@@ -171,6 +188,7 @@ impl Pipeline {
             let info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
             self.set_layout =
                 device.create_descriptor_set_layout(&info, None).map_err(Error::vulkan("vkCreateDescriptorSetLayout"))?;
+            self.template = create_template(device, self.set_layout, shader)?;
             let layouts = [self.set_layout];
             let size = shader.push_bytes();
             let range = vk::PushConstantRange { stage_flags: vk::ShaderStageFlags::COMPUTE, offset: 0, size };
@@ -187,9 +205,33 @@ impl Pipeline {
         unsafe {
             device.destroy_pipeline(self.pipeline, None);
             device.destroy_pipeline_layout(self.layout, None);
+            device.destroy_descriptor_update_template(self.template, None);
             device.destroy_descriptor_set_layout(self.set_layout, None);
         }
     }
+}
+
+/// # Safety
+/// The device is live, and the layout is that of the shader's bindings.
+unsafe fn create_template(
+    device: &ash::Device,
+    set_layout: vk::DescriptorSetLayout,
+    shader: &Shader,
+) -> Result<vk::DescriptorUpdateTemplate, Error> {
+    let entry = |(i, binding): (usize, &ShaderBinding)| {
+        vk::DescriptorUpdateTemplateEntry::default()
+            .dst_binding(binding.number)
+            .descriptor_type(descriptor_type(binding.kind))
+            .descriptor_count(1)
+            .offset(i * size_of::<Descriptor>())
+    };
+    let entries: Vec<_> = shader.bindings.iter().enumerate().map(entry).collect();
+    let info = vk::DescriptorUpdateTemplateCreateInfo::default()
+        .template_type(vk::DescriptorUpdateTemplateType::DESCRIPTOR_SET)
+        .descriptor_set_layout(set_layout)
+        .descriptor_update_entries(&entries);
+    // SAFETY: the device is live, and every entry is a binding of the layout.
+    unsafe { device.create_descriptor_update_template(&info, None) }.map_err(Error::vulkan("vkCreateDescriptorUpdateTemplate"))
 }
 
 fn key(dispatch: &Dispatch) -> Key {

@@ -104,6 +104,27 @@ impl Requirements {
         }
     }
 
+    /// Checks what [`Self::check`] does, and that the host created instance and device for Vulkan 1.1.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] lists everything that is missing.
+    ///
+    /// # Safety
+    /// The handles are live and belong together.
+    pub unsafe fn check_device(&self, host: Device<'_>) -> Result<(), Error> {
+        // SAFETY: the handles are live and belong together.
+        let template = unsafe {
+            self.check(host.instance, host.physical_device)?;
+            host.instance.get_device_proc_addr(host.device.handle(), c"vkCreateDescriptorUpdateTemplate".as_ptr())
+        };
+        if template.is_none() {
+            let missing =
+                "Vulkan 1.1 on this device: the physical device has it, so create the instance with apiVersion 1.1 or later";
+            return Err(Error::Unsupported { missing: vec![missing.to_owned()] });
+        }
+        Ok(())
+    }
+
     /// Checks what the built-in executor needs on top: synchronization2, from Vulkan 1.3 or `VK_KHR_synchronization2`.
     ///
     /// # Errors

@@ -162,10 +162,17 @@ impl Barriers {
     unsafe fn flush(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, omit: bool) {
         let nothing = self.globals.is_empty() && self.images.is_empty() && self.buffers.is_empty();
         if !omit && !nothing {
-            let info = vk::DependencyInfo::default()
-                .memory_barriers(&self.globals)
-                .image_memory_barriers(&self.images)
-                .buffer_memory_barriers(&self.buffers);
+            // Null where there is none: an empty slice is a pointer as well, and Mesa allocates a copy of what it points to.
+            let mut info = vk::DependencyInfo::default();
+            if !self.globals.is_empty() {
+                info = info.memory_barriers(&self.globals);
+            }
+            if !self.images.is_empty() {
+                info = info.image_memory_barriers(&self.images);
+            }
+            if !self.buffers.is_empty() {
+                info = info.buffer_memory_barriers(&self.buffers);
+            }
             // SAFETY: `cmd` is recording outside a render pass on a device with synchronization2; images and buffers are live, and
             // in the layouts named.
             unsafe { device.cmd_pipeline_barrier2(cmd, &info) };

@@ -180,14 +180,15 @@ impl Executor {
         unsafe {
             self.capture.collect(frame)
         };
+        let mut bound = vk::Pipeline::null();
         for pass in 0..self.denoiser.declaration().passes().len() {
             if self.denoiser.declaration().passes()[pass].phase != phase {
                 continue;
             }
             if !self.is_left_out(frame, pass) {
                 // SAFETY: `cmd` is recording outside a render pass on a compute queue; bound images and buffers are live and in the
-                // state they were bound with; the slot's earlier work is complete.
-                unsafe { self.record_pass(cmd, frame, pass)? };
+                // state they were bound with; the slot's earlier work is complete. Barriers and timestamps bind no pipeline.
+                unsafe { self.record_pass(cmd, frame, pass, &mut bound)? };
             } else if let Some(profiler) = &self.profiler {
                 // Times of a frame are read together, so there has to be one.
                 // SAFETY: `cmd` is recording, and the first pass, which was recorded before, has reset the queries of the slot.
@@ -225,7 +226,7 @@ impl Executor {
         let profiler = self.profiler.take();
         // SAFETY: `cmd` is recording outside a render pass on a compute queue; bound images and buffers are live and in the state
         // they were bound with; the slot's earlier work is complete.
-        let result = unsafe { self.record_pass(cmd, frame, pass) };
+        let result = unsafe { self.record_pass(cmd, frame, pass, &mut vk::Pipeline::null()) };
         self.profiler = profiler;
         result?;
         // SAFETY: `cmd` is recording outside a render pass, and what the host bound is live.
@@ -237,7 +238,14 @@ impl Executor {
         frame.debug_view.is_none() && self.denoiser.declaration().passes()[pass].draws_view()
     }
 
-    pub(crate) unsafe fn record_pass(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, pass: usize) -> Result<(), Error> {
+    /// `bound` as in [`Denoiser::record_after`].
+    pub(crate) unsafe fn record_pass(
+        &mut self,
+        cmd: vk::CommandBuffer,
+        frame: &FrameContext,
+        pass: usize,
+        bound: &mut vk::Pipeline,
+    ) -> Result<(), Error> {
         // SAFETY: `cmd` is recording outside a render pass on a compute queue; ours and the host's images and buffers are live, the
         // barriers bring them to the declared states, and the slot's earlier work is complete.
         unsafe {
@@ -263,7 +271,7 @@ impl Executor {
             if let Some(profiler) = &self.profiler {
                 profiler.before_pass(cmd, frame.slot, pass);
             }
-            self.denoiser.record(cmd, frame, pass, &self.bindings)?;
+            self.denoiser.record_after(cmd, frame, pass, &self.bindings, bound)?;
             if let Some(profiler) = &self.profiler {
                 profiler.after_pass(cmd, frame.slot, pass);
             }

@@ -123,7 +123,7 @@ impl Session {
         for pass in 0..self.executor.denoiser().declaration().passes().len() {
             trace(self, &frame, pass, false)?;
             // SAFETY: `submit` hands over a command buffer that is recording, and waits for each submission before the next.
-            self.submit(|session, cmd| unsafe { session.executor.record_pass(cmd, &frame, pass) })?;
+            self.submit(|session, cmd| unsafe { session.executor.record_pass(cmd, &frame, pass, &mut vk::Pipeline::null()) })?;
             trace(self, &frame, pass, true)?;
         }
         Ok(frame)

@@ -3,12 +3,12 @@
 use ash::vk;
 use atrous::{Config, Denoiser, Device, Error, Requirements};
 
-/// A device of Vulkan 1.1 without any feature, on the physical device that the tests use.
-fn with_a_plain_device(body: impl FnOnce(Device<'_>)) {
+/// A device without any feature, of an instance of this version, on the physical device that the tests use.
+fn with_a_plain_device(version: u32, body: impl FnOnce(Device<'_>)) {
     // SAFETY: every pointer lives until its call returns; the device goes before its instance.
     unsafe {
         let entry = ash::Entry::load().expect("a loader");
-        let application = vk::ApplicationInfo::default().api_version(vk::API_VERSION_1_1);
+        let application = vk::ApplicationInfo::default().api_version(version);
         let instance =
             entry.create_instance(&vk::InstanceCreateInfo::default().application_info(&application), None).expect("instance");
         let physical_device = instance.enumerate_physical_devices().expect("devices")[0];
@@ -24,13 +24,13 @@ fn with_a_plain_device(body: impl FnOnce(Device<'_>)) {
 }
 
 pub fn a_device_without_synchronization2_runs_the_nodes_and_not_the_executor() {
-    with_a_plain_device(|host| {
+    with_a_plain_device(vk::API_VERSION_1_1, |host| {
         for config in super::configurations() {
             // SAFETY: the handles are live and belong together.
             unsafe {
                 let declaration = config.declare().expect("valid");
                 let requirements = Requirements::new(&declaration);
-                requirements.check(host.instance, host.physical_device).expect("the nodes need nothing beyond Vulkan 1.1");
+                requirements.check_device(host).expect("the nodes need nothing beyond Vulkan 1.1");
                 Denoiser::new(host, declaration.clone()).expect("a denoiser");
                 let error = requirements.check_executor_device(host).expect_err("the executor needs more");
                 let Error::Unsupported { missing } = &error else { panic!("{error}") };
@@ -40,6 +40,15 @@ pub fn a_device_without_synchronization2_runs_the_nodes_and_not_the_executor() {
                 assert_eq!(opened.err(), Some(error));
             }
         }
+    });
+}
+
+pub fn an_instance_of_vulkan_1_0_is_told_what_to_ask_for() {
+    with_a_plain_device(vk::API_VERSION_1_0, |host| {
+        // SAFETY: the handles are live and belong together.
+        let opened = unsafe { Denoiser::new(host, Config::new([8, 8]).declare().expect("valid")) };
+        let message = opened.err().expect("it needs Vulkan 1.1").to_string();
+        assert!(message.contains("create the instance with apiVersion 1.1"), "{message}");
     });
 }
 

@@ -30,6 +30,7 @@ pub const TESTS: &[DeviceTest] = &[
         "a_device_without_synchronization2_runs_the_nodes_and_not_the_executor",
         fewer_features::a_device_without_synchronization2_runs_the_nodes_and_not_the_executor,
     ),
+    ("an_instance_of_vulkan_1_0_is_told_what_to_ask_for", fewer_features::an_instance_of_vulkan_1_0_is_told_what_to_ask_for),
     ("a_device_with_everything_is_told_nothing", fewer_features::a_device_with_everything_is_told_nothing),
     ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
 ];
