@@ -52,11 +52,12 @@ mod percentile_rule;
 mod projection;
 mod render_rect;
 mod reprojection;
+mod rules;
+mod stage;
 mod statistics;
 mod strata;
 mod surface_motion;
 mod taa;
-mod table;
 mod temporal_accumulation;
 #[cfg(test)]
 mod test_scene;
@@ -99,13 +100,13 @@ pub use pass::Written;
 pub use percentile_rule::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
 pub use projection::Projections;
 pub use reprojection::{motion_in_pixels, InstanceTransform};
+pub use stage::Stage;
 pub use statistics::{Counter, Statistics};
 pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};
 pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
 };
 pub use taa::{taa, TaaInputs};
-pub use table::{Stage, STAGES};
 pub use temporal_accumulation::{
     temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
     TemporalAccumulationOutputs, VolumeAccumulationInputs,
@@ -117,3 +118,34 @@ pub use volume_motion::{pack_volume_motion, unpack_volume_motion, volume_motion_
 pub use volume_points::{
     pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,
 };
+
+use rules::*;
+
+/// Every stage that has a twin.
+pub static STAGES: &[Stage] = &[
+    Stage::new("import", import::twin, IMPORT),
+    Stage::new("forward_project", forward_project::twin, FORWARD_PROJECT),
+    Stage::new("gradient", gradient::twin, GRADIENT),
+    Stage::new("gradient_atrous", gradient_atrous::twin, &[strata("gradient_out", WEIGHTED)]),
+    Stage::new("adaptive_alpha", adaptive_alpha::twin, &[pixels("history_confidence", HALF)]),
+    Stage::new("demodulate", demodulate::twin, &[STATISTICS, pixels("irradiance_0", HALF), pixels("irradiance_1", HALF)]),
+    Stage::new("block_percentiles", block_percentiles::twin, &[rule("block_percentiles", Per::Block, Values::Percentiles, HALF)]),
+    Stage::new("firefly", firefly::twin, &[pixels("irradiance", HALF)]),
+    Stage::new("block_difference", block_difference::twin, BLOCK_DIFFERENCE),
+    Stage::new("percentile_rule", percentile_rule::twin, &[pixels("history_confidence", STEEP)]),
+    Stage::new("change_test", change_test::twin, &[pixels("history_confidence", STEEP)]),
+    Stage::new("temporal_accumulation", temporal_accumulation::twin, TEMPORAL_ACCUMULATION),
+    Stage::new("variance", variance::twin, &[pixels("estimated_0", ESTIMATED), pixels("estimated_1", ESTIMATED)]),
+    Stage::new("atrous", atrous::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
+    Stage::new("eaw", eaw::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
+    Stage::new("modulate", modulate::twin, &[STATISTICS, pixels("denoised_radiance", HALF)]),
+    Stage::new(
+        "volume_motion",
+        volume_motion::twin,
+        &[pixels("claims", EXACT), rule("volume_motion", Per::Pixel, Values::Halves, EXACT)],
+    ),
+    Stage::new("volume_points", volume_points::twin, &[STATISTICS, pixels("radiance", HALF), pixels("volume_points", EXACT)]),
+    Stage::new("tone_map", tone_map::twin, &[pixels("tone_mapped", HALF)]),
+    Stage::new("taa", taa::twin, &[pixels("taa_history", CLIPPED), pixels("display", CLIPPED)]),
+    Stage::new("debug_view", debug_view::twin, &[pixels("debug_view", PICTURE)]),
+];

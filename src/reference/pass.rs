@@ -1,7 +1,7 @@
 //! One pass of a declaration on the CPU: its twin, with texels by the names of the shader's bindings.
 
 use super::bindings::{Bindings, Twin};
-use super::table::{compare_host_stage, Stage};
+use super::stage::{compare_host_stage, Stage};
 use super::texels::Texels;
 use crate::contract::{Declaration, Dispatch, FrameContext, Parameter, PassDecl, Shape, Tuning, Use};
 use crate::error::Error;

@@ -1,0 +1,91 @@
+//! A stage: its name, its twin, and how what it writes is compared with the GPU.
+
+use super::bindings::Twin;
+use super::compare::Rule;
+use super::rules::{strata, WEIGHTED};
+use super::texels::Texels;
+use super::STAGES;
+
+/// A stage on the CPU.
+#[derive(Clone, Copy, Debug)]
+pub struct Stage {
+    /// Name of the stage: that of its shader.
+    pub name: &'static str,
+    /// The CPU twin.
+    pub twin: Twin,
+    /// Rules by which the bindings that it writes are compared, in no particular order. Some have several, all of which must hold.
+    pub rules: &'static [Rule],
+}
+
+impl Stage {
+    pub(super) const fn new(name: &'static str, twin: Twin, rules: &'static [Rule]) -> Self {
+        Self { name, twin, rules }
+    }
+
+    /// The stage of this name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        STAGES.iter().find(|stage| stage.name == name)
+    }
+
+    /// Compares what the GPU and the twin wrote to one binding of a pass, in a frame of `render_extent` pixels. `constants` are the
+    /// specialisation constants of the pass: they say how large strata are, and which rules hold.
+    ///
+    /// # Errors
+    /// A message that names stage and binding, with the number of texels that differ and the first of them; or says that there is
+    /// no rule.
+    pub fn compare(
+        &self,
+        binding: &str,
+        constants: &[(&str, u32)],
+        render_extent: [u32; 2],
+        gpu: &Texels,
+        twin: &Texels,
+    ) -> Result<(), String> {
+        let stratum_size = constants.iter().find(|c| c.0 == "STRATUM_SIZE").map_or(1, |c| c.1);
+        let mut rules = self.rules.iter().filter(|rule| rule.binding == binding && rule.holds(constants)).peekable();
+        if rules.peek().is_none() {
+            return Err(format!("{}: there is no rule by which `{binding}` is compared", self.name));
+        }
+        rules
+            .try_for_each(|rule| rule.compare(stratum_size, render_extent, gpu, twin))
+            .map_err(|message| format!("{}: {message}", self.name))
+    }
+}
+
+/// Compares the output of a host's stage, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the
+/// device's own precision.
+pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+    strata("its output", WEIGHTED).compare(divisor, render_extent, gpu, twin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{test_scene, Image};
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn a_stage_has_one_name() {
+        let names: BTreeSet<_> = STAGES.iter().map(|stage| stage.name).collect();
+        assert_eq!(names.len(), STAGES.len());
+        assert!(Stage::find("atrous").is_some() && Stage::find("atrous_0").is_none());
+    }
+
+    #[test]
+    fn a_constant_may_choose_the_rule() {
+        let stage = Stage::find("gradient").expect("known");
+        let grey = |l: f32| Texels::Colour(test_scene::paint([4, 4], |x, y| [if (x, y) == (1, 1) { l } else { 1.0 }; 4]));
+        let compare =
+            |source| stage.compare("gradient", &[("SOURCE", source), ("STRATUM_SIZE", 3)], [12, 12], &grey(1.0), &grey(2.0));
+        assert!(compare(1).is_ok(), "one stratum of sixteen may differ");
+        let message = compare(0).expect_err("none may");
+        assert!(message.contains("gradient") && message.contains("1,1"), "{message}");
+    }
+
+    #[test]
+    fn what_has_no_rule_is_not_equal() {
+        let texels = Texels::Scalar(Image::new([1, 1], 0.0));
+        let message = Stage::find("taa").expect("known").compare("output_0", &[], [1, 1], &texels, &texels);
+        assert!(message.expect_err("no rule").contains("output_0"));
+    }
+}
