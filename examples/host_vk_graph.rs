@@ -57,7 +57,13 @@ struct Host {
 impl Host {
     fn new() -> Result<Self> {
         let device = GraphDevice::create(DeviceInfo::default())?;
-        let host = Device { instance: &device.physical.instance, physical_device: device.physical.handle, device: &device };
+        let host = Device {
+            instance: &device.physical.instance,
+            physical_device: device.physical.handle,
+            device: &device,
+            // vk-graph keeps its own to itself.
+            pipeline_cache: vk::PipelineCache::null(),
+        };
         // SAFETY: the handles are live, belong together, and the denoiser is dropped before the device.
         let denoiser = unsafe { Denoiser::new(host, Config::new(synthetic::EXTENT).declare()?)? };
         let declaration = denoiser.declaration().clone();

@@ -24,23 +24,28 @@ pub struct Denoiser {
 
 impl Denoiser {
     /// Creates pipelines and descriptor pools for a declaration: of a preset ([`crate::Config::declare`]), or of a graph
-    /// ([`crate::graph::Graph::finish`]).
+    /// ([`crate::graph::Graph::finish`]). Pipelines are created on as many threads as there are cores, and looked up in
+    /// [`Device::pipeline_cache`].
     ///
     /// # Errors
     /// Errors of [`Requirements::check_device`]; [`Error::Vulkan`] where a call fails.
     ///
     /// # Safety
-    /// Instance, physical device and device are live, belong together and outlive the result.
+    /// - Instance, physical device and device are live, belong together and outlive the result.
+    /// - The pipeline cache is null or a live one of the device, and not externally synchronised. Nothing else is merged into it
+    ///   meanwhile.
     pub unsafe fn new(host: Device<'_>, mut declaration: Declaration) -> Result<Self, Error> {
+        let Device { instance, physical_device, device, pipeline_cache } = host;
         // SAFETY: instance, physical device and device are live and belong together, as the caller promised.
         let properties = unsafe {
             Requirements::new(&declaration).check_device(host)?;
-            host.instance.get_physical_device_properties(host.physical_device)
+            instance.get_physical_device_properties(physical_device)
         };
         specialise(&mut declaration, properties.device_type);
-        // SAFETY: the device is live and outlives the pipelines, as the caller promised.
-        let pipelines = unsafe { Pipelines::new(host.device, &declaration)? };
-        Ok(Self { declaration, state: FrameState::default(), device: host.device.clone(), pipelines, warned: false })
+        // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
+        // caller promised.
+        let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
+        Ok(Self { declaration, state: FrameState::default(), device: device.clone(), pipelines, warned: false })
     }
 
     /// Resources and passes.

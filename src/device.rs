@@ -11,4 +11,10 @@ pub struct Device<'a> {
     pub physical_device: vk::PhysicalDevice,
     /// Device.
     pub device: &'a ash::Device,
+    /// Cache of the host that pipelines are looked up in and added to; null: none. It is used while a denoiser is created, and not
+    /// afterwards.
+    ///
+    /// Pipelines are created on several threads at once. Vulkan synchronises a cache itself, unless it was made with
+    /// `VK_PIPELINE_CACHE_CREATE_EXTERNALLY_SYNCHRONIZED_BIT`: do not give such a one.
+    pub pipeline_cache: vk::PipelineCache,
 }

@@ -23,6 +23,8 @@ pub mod graph;
 pub mod hot_reload;
 #[forbid(unsafe_code)]
 pub mod nodes;
+#[forbid(unsafe_code)]
+mod parallel;
 mod pipeline;
 #[forbid(unsafe_code)]
 pub mod presets;

@@ -2,9 +2,10 @@
 
 use crate::contract::{Declaration, Dispatch};
 use crate::error::Error;
+use crate::parallel;
 use crate::shaders::{descriptor_type, Shader, ShaderBinding};
 use ash::vk;
-use std::collections::{btree_map::Entry, BTreeMap};
+use std::collections::BTreeMap;
 
 /// A module, and the bits of its specialisation constants by their identifiers.
 type Key = (String, Vec<(u32, u32)>);
@@ -50,16 +51,22 @@ pub(crate) struct Pipelines {
 }
 
 impl Pipelines {
+    /// Creates pipelines on as many threads as there are cores.
+    ///
     /// # Safety
-    /// `device` is live and outlives the result.
-    pub unsafe fn new(device: &ash::Device, declaration: &Declaration) -> Result<Self, Error> {
-        let mut this = Self { device: device.clone(), pipelines: BTreeMap::new(), pools: Vec::new(), bindables: Vec::new() };
-        for pass in declaration.passes() {
-            let Some(dispatch) = pass.dispatch() else { continue };
-            if let Entry::Vacant(new) = this.pipelines.entry(key(dispatch)) {
-                // SAFETY: the device is live and outlives the pipeline.
-                new.insert(unsafe { Pipeline::new(device, dispatch)? });
-            }
+    /// `device` is live and outlives the result; `cache` is null or a cache of it that is synchronised internally.
+    pub unsafe fn new(device: &ash::Device, cache: vk::PipelineCache, declaration: &Declaration) -> Result<Self, Error> {
+        let dispatches = declaration.passes().iter().filter_map(|pass| pass.dispatch());
+        let jobs: Vec<_> = dispatches.map(|d| (key(d), d)).collect::<BTreeMap<_, _>>().into_iter().collect();
+        // SAFETY: the device is live and outlives the pipeline. Creating takes no lock: the device may be used by several threads,
+        // what a call creates is its own, and the cache is synchronised internally.
+        let create = |(key, dispatch): &(Key, &Dispatch)| unsafe { Ok((key.clone(), Pipeline::new(device, cache, dispatch)?)) };
+        let (created, error) = parallel::run(&jobs, parallel::cores(), create);
+        let (device, pipelines) = (device.clone(), created.into_iter().collect());
+        let mut this = Self { device, pipelines, pools: Vec::new(), bindables: Vec::new() };
+        if let Some(error) = error {
+            // What was created before the failure is destroyed with `this`.
+            return Err(error);
         }
         for _ in 0..declaration.setup().frames_in_flight {
             // SAFETY: the device is live, and the pipelines are its own.
@@ -82,7 +89,7 @@ impl Pipelines {
         let mut new = Vec::new();
         for (key, pipeline) in self.pipelines.iter().filter(|(key, _)| key.0 == name) {
             // SAFETY: the device is live, and the interface is that of the layout.
-            match unsafe { create_pipeline(&self.device, pipeline.layout, code, &key.1) } {
+            match unsafe { create_pipeline(&self.device, vk::PipelineCache::null(), pipeline.layout, code, &key.1) } {
                 Ok(pipeline) => new.push(pipeline),
                 Err(error) => {
                     // SAFETY: just made, and used by nothing.
@@ -150,7 +157,7 @@ impl Drop for Pipelines {
 }
 
 impl Pipeline {
-    unsafe fn new(device: &ash::Device, dispatch: &Dispatch) -> Result<Self, Error> {
+    unsafe fn new(device: &ash::Device, cache: vk::PipelineCache, dispatch: &Dispatch) -> Result<Self, Error> {
         let mut this = Self {
             set_layout: vk::DescriptorSetLayout::null(),
             template: vk::DescriptorUpdateTemplate::null(),
@@ -158,7 +165,7 @@ impl Pipeline {
             pipeline: vk::Pipeline::null(),
         };
         // SAFETY: the device is live; what was created before a failure is destroyed below.
-        let result = unsafe { this.create(device, &dispatch.shader, &dispatch.constants) };
+        let result = unsafe { this.create(device, cache, &dispatch.shader, &dispatch.constants) };
         match result {
             Ok(()) => Ok(this),
             Err(error) => {
@@ -169,7 +176,13 @@ impl Pipeline {
         }
     }
 
-    unsafe fn create(&mut self, device: &ash::Device, shader: &Shader, constants: &[(u32, u32)]) -> Result<(), Error> {
+    unsafe fn create(
+        &mut self,
+        device: &ash::Device,
+        cache: vk::PipelineCache,
+        shader: &Shader,
+        constants: &[(u32, u32)],
+    ) -> Result<(), Error> {
         let bindings: Vec<_> = shader
             .bindings
             .iter()
@@ -195,7 +208,7 @@ impl Pipeline {
             let ranges = if size > 0 { vec![range] } else { Vec::new() };
             let info = vk::PipelineLayoutCreateInfo::default().set_layouts(&layouts).push_constant_ranges(&ranges);
             self.layout = device.create_pipeline_layout(&info, None).map_err(Error::vulkan("vkCreatePipelineLayout"))?;
-            self.pipeline = create_pipeline(device, self.layout, &code, constants)?;
+            self.pipeline = create_pipeline(device, cache, self.layout, &code, constants)?;
         }
         Ok(())
     }
@@ -239,9 +252,10 @@ fn key(dispatch: &Dispatch) -> Key {
 }
 
 /// # Safety
-/// The device is live; the code is valid, and its interface is that of the layout.
+/// The device is live; the cache is null or one of its own; the code is valid, and its interface is that of the layout.
 unsafe fn create_pipeline(
     device: &ash::Device,
+    cache: vk::PipelineCache,
     layout: vk::PipelineLayout,
     code: &[u32],
     constants: &[(u32, u32)],
@@ -261,7 +275,7 @@ unsafe fn create_pipeline(
             .name(c"main")
             .specialization_info(&specialisation);
         let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout);
-        let pipelines = device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None);
+        let pipelines = device.create_compute_pipelines(cache, &[info], None);
         device.destroy_shader_module(module, None);
         let pipelines = pipelines.map_err(|(_, result)| Error::Vulkan { call: "vkCreateComputePipelines", result })?;
         Ok(pipelines.first().copied().unwrap_or_default())

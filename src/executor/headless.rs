@@ -82,7 +82,8 @@ impl HeadlessDevice {
 
     /// The handles for [`crate::Denoiser`] and [`super::Executor`].
     pub fn host(&self) -> Device<'_> {
-        Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device }
+        let pipeline_cache = vk::PipelineCache::null();
+        Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device, pipeline_cache }
     }
 
     /// Name and driver of the device.

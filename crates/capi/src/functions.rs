@@ -73,7 +73,9 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
         let device = ash::Device::load(instance.fp_v1_0(), info.device);
         let physical_device = info.physical_device;
-        let denoiser = Denoiser::new(Device { instance: &instance, physical_device, device: &device }, config.declare()?)?;
+        let pipeline_cache = ash::vk::PipelineCache::null();
+        let host = Device { instance: &instance, physical_device, device: &device, pipeline_cache };
+        let denoiser = Denoiser::new(host, config.declare()?)?;
         let frames = vec![None; config.frames_in_flight as usize];
         let config = *config;
         Ok(State {

@@ -29,7 +29,9 @@ impl State {
     /// # Safety
     /// Obligations of [`Denoiser::new`].
     pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
-        let host = atrous::Device { instance: &self.instance, physical_device: self.physical_device, device: &self.device };
+        let pipeline_cache = vk::PipelineCache::null();
+        let (instance, device) = (&self.instance, &self.device);
+        let host = atrous::Device { instance, physical_device: self.physical_device, device, pipeline_cache };
         // SAFETY: the handles were given to `atrous_create`, and the host keeps them alive until `atrous_destroy`; work recorded
         // with the old denoiser is complete.
         self.denoiser = unsafe { Denoiser::new(host, config.declare()?)? };

@@ -3,7 +3,7 @@
 use ash::vk;
 use atrous::config::{Conventions, EawWeights, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
-use atrous::{Config, DebugView, Device, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
+use atrous::{Config, DebugView, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
@@ -94,14 +94,13 @@ impl FrameDenoiser {
     /// A device without what the denoiser needs, or no memory.
     pub fn new(gpu: &Gpu, tracer: &PathTracer, options: &DenoiserOptions) -> Result<Self> {
         let config = options.config(tracer);
-        let host = Device { instance: gpu.instance(), physical_device: gpu.physical_device(), device: gpu.device() };
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
-        let mut executor = unsafe { Executor::new(host, config.declare()?, wanted)? };
+        let mut executor = unsafe { Executor::new(gpu.host(), config.declare()?, wanted)? };
         for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }

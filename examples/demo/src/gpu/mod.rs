@@ -50,6 +50,8 @@ pub(crate) struct Shared {
     pub(crate) device: ash::Device,
     pub(crate) allocator: ManuallyDrop<Mutex<Allocator>>,
     pub(crate) command_pool: Mutex<vk::CommandPool>,
+    /// Of every pipeline, so that what is made again, for another scene, is found in it.
+    pub(crate) pipeline_cache: vk::PipelineCache,
     /// Submitting and presenting need it to themselves.
     queue: Mutex<vk::Queue>,
     queue_family: u32,
@@ -73,6 +75,9 @@ impl Gpu {
         let pool_info = vk::CommandPoolCreateInfo::default().queue_family_index(queue_family);
         // SAFETY: the device is alive, the family is one of its own.
         let pool = unsafe { device.create_command_pool(&pool_info, None) }.doing("create a command pool")?;
+        // SAFETY: the device is alive.
+        let pipeline_cache = unsafe { device.create_pipeline_cache(&vk::PipelineCacheCreateInfo::default(), None) };
+        let pipeline_cache = pipeline_cache.doing("create a pipeline cache")?;
         let allocator = Allocator::new(&AllocatorCreateDesc {
             instance: instance.raw.clone(),
             device: device.clone(),
@@ -86,6 +91,7 @@ impl Gpu {
             device,
             allocator: ManuallyDrop::new(Mutex::new(allocator)),
             command_pool: Mutex::new(pool),
+            pipeline_cache,
             queue: Mutex::new(queue),
             queue_family,
             chosen,
@@ -128,6 +134,16 @@ impl Gpu {
     /// The physical device.
     pub fn physical_device(&self) -> vk::PhysicalDevice {
         self.shared.chosen.physical_device
+    }
+
+    /// The handles that a denoiser is made with.
+    pub fn host(&self) -> atrous::Device<'_> {
+        atrous::Device {
+            instance: self.instance(),
+            physical_device: self.physical_device(),
+            device: self.device(),
+            pipeline_cache: self.shared.pipeline_cache,
+        }
     }
 
     /// The queue, locked for as long as the guard lives: it has compute (graphics, too, where the device has such a family).
@@ -187,6 +203,7 @@ impl Drop for Shared {
         unsafe {
             let _ = self.device.device_wait_idle();
             self.device.destroy_command_pool(pool, None);
+            self.device.destroy_pipeline_cache(self.pipeline_cache, None);
             ManuallyDrop::drop(&mut self.allocator);
             self.device.destroy_device(None);
         }

@@ -205,7 +205,7 @@ impl Pipeline {
         let stage = vk::PipelineShaderStageCreateInfo::default().stage(vk::ShaderStageFlags::COMPUTE).module(module).name(c"main");
         let info = vk::ComputePipelineCreateInfo::default().stage(stage).layout(self.layout);
         // SAFETY: module and layout are alive, and the module's bindings are those of the layout.
-        let made = unsafe { device.create_compute_pipelines(vk::PipelineCache::null(), &[info], None) };
+        let made = unsafe { device.create_compute_pipelines(self.shared.pipeline_cache, &[info], None) };
         // SAFETY: a pipeline does not need its module once it is made.
         unsafe { device.destroy_shader_module(module, None) };
         Ok(made.map_err(|(_, result)| result).doing("create a compute pipeline")?[0])
