@@ -18,6 +18,8 @@ pub struct Denoiser {
     state: FrameState,
     device: ash::Device,
     pipelines: Pipelines,
+    /// Limits of the physical device, which another extent has to keep as well.
+    limits: vk::PhysicalDeviceLimits,
     /// Whether the warning about missing gradients was logged.
     warned: bool,
 }
@@ -45,7 +47,35 @@ impl Denoiser {
         // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
-        Ok(Self { declaration, state: FrameState::default(), device: device.clone(), pipelines, warned: false })
+        let (device, limits) = (device.clone(), properties.limits);
+        Ok(Self { declaration, state: FrameState::default(), device, pipelines, limits, warned: false })
+    }
+
+    /// Declares everything for images of another extent, and keeps every pipeline and descriptor set: the passes are the same. The
+    /// host allocates its images anew, by [`Self::declaration`]. All else is as after creation: frames count from 0, and the first
+    /// one drops all history, for [`ResetReason::Resize`](crate::ResetReason::Resize). Work that was recorded before may still be
+    /// in flight, as long as its images live.
+    ///
+    /// # Errors
+    /// [`Error::Extent`], as [`Config::declare`](crate::Config::declare) gives it; [`Error::Unsupported`] for an extent beyond the
+    /// limits of the device. Nothing is changed then.
+    pub fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
+        let declaration = self.resized(allocated_extent)?;
+        self.adopt(declaration);
+        Ok(())
+    }
+
+    /// The declaration for another extent, if the device is large enough for it.
+    pub(crate) fn resized(&self, allocated_extent: [u32; 2]) -> Result<Declaration, Error> {
+        let declaration = self.declaration.with_extent(allocated_extent)?;
+        Requirements::new(&declaration).check_limits(&self.limits)?;
+        Ok(declaration)
+    }
+
+    /// Goes on with what [`Self::resized`] gave.
+    pub(crate) fn adopt(&mut self, declaration: Declaration) {
+        self.declaration = declaration;
+        self.state.resize();
     }
 
     /// Resources and passes.
@@ -110,6 +140,7 @@ impl Denoiser {
     ///   extent), its layout is reached, earlier writes are visible, it is not written concurrently, and it outlives the execution
     ///   of `cmd`.
     /// - GPU work recorded earlier with the same `frame_slot` is complete.
+    /// - `frame` was begun by this denoiser, and since its last [`Self::resize`].
     pub unsafe fn record(
         &mut self,
         cmd: vk::CommandBuffer,

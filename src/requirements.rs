@@ -41,7 +41,7 @@ impl Requirements {
         if !families.iter().any(|f| f.queue_flags.contains(vk::QueueFlags::COMPUTE)) {
             missing.push("a queue with COMPUTE".to_owned());
         }
-        self.check_limits(&properties.limits, &mut missing);
+        self.list_limits(&properties.limits, &mut missing);
         for resource in self.declaration.resources() {
             let Shape::Image { format, .. } = resource.shape else { continue };
             if matches!(resource.lifetime, Lifetime::Input { .. }) {
@@ -61,14 +61,17 @@ impl Requirements {
                 missing.push(format!("format {format} with {:?} for `{}`", needed & !features, resource.name));
             }
         }
-        if missing.is_empty() {
-            Ok(())
-        } else {
-            Err(Error::Unsupported { missing })
-        }
+        nothing_is(missing)
     }
 
-    fn check_limits(&self, limits: &vk::PhysicalDeviceLimits, missing: &mut Vec<String>) {
+    /// Checks the limits of a device alone: what another extent may break.
+    pub(crate) fn check_limits(&self, limits: &vk::PhysicalDeviceLimits) -> Result<(), Error> {
+        let mut missing = Vec::new();
+        self.list_limits(limits, &mut missing);
+        nothing_is(missing)
+    }
+
+    fn list_limits(&self, limits: &vk::PhysicalDeviceLimits, missing: &mut Vec<String>) {
         let most = |want: fn(BindingKind) -> bool| {
             let count = |p: &crate::PassDecl| p.shader().map_or(0, |s| s.bindings.iter().filter(|b| want(b.kind)).count());
             self.declaration.passes().iter().map(count).max().unwrap_or(0) as u32
@@ -172,6 +175,14 @@ impl Requirements {
     }
 }
 
+fn nothing_is(missing: Vec<String>) -> Result<(), Error> {
+    if missing.is_empty() {
+        Ok(())
+    } else {
+        Err(Error::Unsupported { missing })
+    }
+}
+
 fn version(v: u32) -> String {
     format!("{}.{}.{}", vk::api_version_major(v), vk::api_version_minor(v), vk::api_version_patch(v))
 }
@@ -185,7 +196,7 @@ mod tests {
     fn limits_that_are_too_small_are_named() {
         let requirements = Requirements::new(&Config::new([4000, 3000]).declare().expect("valid"));
         let mut missing = Vec::new();
-        requirements.check_limits(&vk::PhysicalDeviceLimits { max_image_dimension2_d: 2048, ..Default::default() }, &mut missing);
+        requirements.list_limits(&vk::PhysicalDeviceLimits { max_image_dimension2_d: 2048, ..Default::default() }, &mut missing);
         assert!(missing.iter().any(|m| m == "maxImageDimension2D of 4000 (it has 2048)"), "{missing:?}");
     }
 
@@ -203,7 +214,7 @@ mod tests {
                 ..Default::default()
             };
             let mut missing = Vec::new();
-            Requirements::new(&config.declare().expect("valid")).check_limits(&guaranteed, &mut missing);
+            Requirements::new(&config.declare().expect("valid")).list_limits(&guaranteed, &mut missing);
             assert!(missing.is_empty(), "{missing:?}");
         }
     }

@@ -87,6 +87,18 @@ impl Declaration {
         self.setup.allocated_extent
     }
 
+    /// The same graph for images of another extent: what it would have declared if it had been built for that one. Shapes hold
+    /// divisors of the extent, and no pass depends on it.
+    ///
+    /// # Errors
+    /// [`Error::Extent`], as [`Config::declare`] and [`crate::graph::Graph::finish`] give it.
+    pub fn with_extent(&self, allocated_extent: [u32; 2]) -> Result<Self, Error> {
+        let setup = Setup { allocated_extent, ..self.setup };
+        setup.validate()?;
+        let config = self.config.map(|config| Config { allocated_extent, ..config });
+        Ok(Self { setup, config, ..self.clone() })
+    }
+
     /// The settings that are fixed for every frame.
     pub fn setup(&self) -> &Setup {
         &self.setup

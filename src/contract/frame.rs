@@ -17,7 +17,7 @@ choices! {
         Created = 1 => "created",
         /// The camera jumped.
         CameraCut = 2 => "camera_cut",
-        /// The images changed size.
+        /// The images changed size. Forced after [`FrameState::resize`].
         Resize = 3 => "resize",
         /// Another scene.
         SceneLoad = 4 => "scene_load",
@@ -142,10 +142,17 @@ impl FrameContext {
 }
 
 /// Remembers what the next frame needs of this one. Host-side state only.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct FrameState {
     frames: u64,
-    last: Option<FrameParams>,
+    /// The frame before, or the reason why there is none.
+    last: Result<FrameParams, ResetReason>,
+}
+
+impl Default for FrameState {
+    fn default() -> Self {
+        Self { frames: 0, last: Err(ResetReason::Created) }
+    }
 }
 
 impl FrameState {
@@ -156,11 +163,11 @@ impl FrameState {
     pub fn begin(&mut self, setup: &Setup, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         params.validate(setup)?;
         tuning.validate()?;
-        let reset = params.reset.or(if self.last.is_none() { Some(ResetReason::Created) } else { None });
+        let reset = params.reset.or(self.last.err());
         let before = if reset.is_some() { *params } else { self.last.unwrap_or(*params) };
         let index = self.frames;
         let constants = constants(setup, params, &before, index, reset.is_some());
-        self.last = Some(*params);
+        self.last = Ok(*params);
         self.frames += 1;
         // A lower percentile above the upper one would turn the range round.
         let tuning = Tuning { percentile_low: tuning.percentile_low.min(tuning.percentile_up), ..*tuning };
@@ -170,7 +177,12 @@ impl FrameState {
 
     /// The next frame drops all history: after images were re-created or lost.
     pub fn invalidate(&mut self) {
-        self.last = None;
+        self.last = Err(ResetReason::Created);
+    }
+
+    /// Starts anew for images of another extent: frames count from 0, and the first one drops all history.
+    pub fn resize(&mut self) {
+        *self = Self { frames: 0, last: Err(ResetReason::Resize) };
     }
 }
 

@@ -14,15 +14,21 @@ use std::ffi::{CStr, CString};
 /// Everything that an executor allocates, and the images and buffers that a host bound.
 pub(crate) struct Memory {
     device: ash::Device,
-    allocator: Option<Allocator>,
-    allocations: Vec<Allocation>,
+    allocator: Allocator,
+    objects: Objects,
     pub storages: Storages,
-    owned: Vec<Owned>,
     labels: Vec<CString>,
-    pub allocated: AllocatedMemory,
 }
 
-/// A Vulkan object that is destroyed with the executor.
+/// Vulkan objects with their memory.
+#[derive(Default)]
+struct Objects {
+    owned: Vec<Owned>,
+    allocations: Vec<Allocation>,
+    allocated: AllocatedMemory,
+}
+
+/// A Vulkan object of the executor.
 enum Owned {
     Image(vk::Image),
     View(vk::ImageView),
@@ -44,20 +50,42 @@ impl Memory {
         .map_err(|_| Error::OutOfMemory { what: "the allocator".into(), bytes: 0 })?;
         let mut this = Self {
             device: host.device.clone(),
-            allocator: Some(allocator),
-            allocations: Vec::new(),
+            allocator,
+            objects: Objects::default(),
             storages: Storages::new(declaration),
-            owned: Vec::new(),
             labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
-            allocated: AllocatedMemory::default(),
         };
-        // SAFETY: the device is live, and formats, extents and limits were checked against it. What was created before a failure is
-        // destroyed when `this` is dropped.
-        unsafe {
-            this.allocate_own(declaration, options)?;
-            this.allocate_transient_images(declaration, options)?;
-        }
+        // SAFETY: the device is live, and formats, extents and limits were checked against it. There is nothing yet to replace.
+        unsafe { this.reallocate(declaration, options)? };
         Ok(this)
+    }
+
+    /// Allocates everything in place of what there is, for another extent of the same resources. Both exist for a moment, so that
+    /// the old stays where this fails.
+    ///
+    /// # Safety
+    /// Formats, extents and limits were checked against the device; GPU work that uses what there is is complete.
+    pub unsafe fn reallocate(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+        let objects = std::mem::take(&mut self.objects);
+        let storages = std::mem::replace(&mut self.storages, Storages::new(declaration));
+        // SAFETY: the device is live, and formats, extents and limits were checked against it.
+        let result =
+            unsafe { self.allocate_own(declaration, options).and_then(|()| self.allocate_transient_images(declaration, options)) };
+        let replaced = if result.is_ok() {
+            self.storages.take_over(&storages);
+            objects
+        } else {
+            self.storages = storages;
+            std::mem::replace(&mut self.objects, objects)
+        };
+        // SAFETY: either GPU work with them is complete, or they were just made.
+        unsafe { self.destroy(replaced) };
+        result
+    }
+
+    /// Bytes that were allocated.
+    pub fn allocated(&self) -> AllocatedMemory {
+        self.objects.allocated
     }
 
     pub fn label(&self, pass: usize) -> &CStr {
@@ -81,9 +109,9 @@ impl Memory {
                 let storage = Storage::own(object);
                 self.storages.set(ResourceId(index as u32), copy, storage);
                 match resource.lifetime {
-                    Lifetime::Output => self.allocated.output += bytes,
-                    Lifetime::Transient => self.allocated.transient += bytes,
-                    _ => self.allocated.history += bytes,
+                    Lifetime::Output => self.objects.allocated.output += bytes,
+                    Lifetime::Transient => self.objects.allocated.transient += bytes,
+                    _ => self.objects.allocated.history += bytes,
                 }
             }
         }
@@ -114,7 +142,7 @@ impl Memory {
         // SAFETY: the device is live; the memory fits the buffer's own requirements.
         unsafe {
             let buffer = self.device.create_buffer(&info, None).map_err(Error::vulkan("vkCreateBuffer"))?;
-            self.owned.push(Owned::Buffer(buffer));
+            self.objects.owned.push(Owned::Buffer(buffer));
             let requirements = self.device.get_buffer_memory_requirements(buffer);
             let (memory, offset) = self.allocate(&resource.name, requirements, true)?;
             self.device.bind_buffer_memory(buffer, memory, offset).map_err(Error::vulkan("vkBindBufferMemory"))?;
@@ -147,7 +175,7 @@ impl Memory {
         }
         let (offsets, total) = alias(&spans);
         block.size = total;
-        self.allocated.transient += total;
+        self.objects.allocated.transient += total;
         // SAFETY: the block satisfies the requirements of every image at its offset.
         unsafe {
             let (memory, base) = self.allocate("transients", block, false)?;
@@ -186,7 +214,7 @@ impl Memory {
             .initial_layout(vk::ImageLayout::UNDEFINED);
         // SAFETY: the device is live; formats and extents were checked against it.
         let image = unsafe { self.device.create_image(&info, None) }.map_err(Error::vulkan("vkCreateImage"))?;
-        self.owned.push(Owned::Image(image));
+        self.objects.owned.push(Owned::Image(image));
         Ok(StoredImage { image, view: vk::ImageView::null(), format, extent })
     }
 
@@ -198,7 +226,7 @@ impl Memory {
             .subresource_range(WHOLE);
         // SAFETY: the image is live and has memory.
         let view = unsafe { self.device.create_image_view(&info, None) }.map_err(Error::vulkan("vkCreateImageView"))?;
-        self.owned.push(Owned::View(view));
+        self.objects.owned.push(Owned::View(view));
         Ok(view)
     }
 
@@ -216,21 +244,20 @@ impl Memory {
             linear,
             allocation_scheme: AllocationScheme::GpuAllocatorManaged,
         };
-        let allocator = self.allocator.as_mut().ok_or_else(out_of_memory)?;
-        let allocation = allocator.allocate(&desc).map_err(|_| out_of_memory())?;
-        // SAFETY: the allocation is kept until drop.
+        let allocation = self.allocator.allocate(&desc).map_err(|_| out_of_memory())?;
+        // SAFETY: the allocation is kept as long as the objects in it.
         let place = (unsafe { allocation.memory() }, allocation.offset());
-        self.allocations.push(allocation);
+        self.objects.allocations.push(allocation);
         Ok(place)
     }
-}
 
-impl Drop for Memory {
-    fn drop(&mut self) {
-        // SAFETY: all of them are ours, and the executor's owner waits for the GPU before it drops it.
-        unsafe {
-            // Views were made after their images.
-            for owned in self.owned.drain(..).rev() {
+    /// # Safety
+    /// GPU work that uses the objects is complete.
+    unsafe fn destroy(&mut self, objects: Objects) {
+        // Views were made after their images.
+        for owned in objects.owned.into_iter().rev() {
+            // SAFETY: ours, and GPU work with it is complete.
+            unsafe {
                 match owned {
                     Owned::Image(image) => self.device.destroy_image(image, None),
                     Owned::View(view) => self.device.destroy_image_view(view, None),
@@ -238,12 +265,18 @@ impl Drop for Memory {
                 }
             }
         }
-        if let Some(allocator) = &mut self.allocator {
-            for allocation in self.allocations.drain(..) {
-                if let Err(error) = allocator.free(allocation) {
-                    log::error!("atrous: freeing memory failed: {error}");
-                }
+        for allocation in objects.allocations {
+            if let Err(error) = self.allocator.free(allocation) {
+                log::error!("atrous: freeing memory failed: {error}");
             }
         }
+    }
+}
+
+impl Drop for Memory {
+    fn drop(&mut self) {
+        let objects = std::mem::take(&mut self.objects);
+        // SAFETY: the executor's owner waits for the GPU before it drops it.
+        unsafe { self.destroy(objects) };
     }
 }

@@ -116,6 +116,31 @@ impl Executor {
         }
     }
 
+    /// Runs the same passes for another extent. Pipelines stay; histories, transients and outputs are allocated anew, and the old
+    /// ones exist until then; the first frame drops all history: see [`Denoiser::resize`].
+    ///
+    /// Buffers that the host bound stay bound. Its images do not: [`Self::begin_frame`] names one that was neither bound again nor
+    /// unbound. A capture ends here, since its frames have one extent: [`Self::finish_capture`] says so if it lacks any.
+    ///
+    /// # Errors
+    /// Errors of [`Denoiser::resize`]; [`Error::OutOfMemory`]. Nothing is changed then.
+    ///
+    /// # Safety
+    /// GPU work that was recorded with this executor is complete, in every frame slot, and none is recorded that has yet to be
+    /// submitted.
+    pub unsafe fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
+        let declaration = self.denoiser.resized(allocated_extent)?;
+        // SAFETY: no GPU work uses the memory that is replaced, and the device has the formats and is large enough for the extent.
+        unsafe { self.memory.reallocate(&declaration, &self.options)? };
+        self.denoiser.adopt(declaration);
+        #[cfg(feature = "capture")]
+        // SAFETY: all GPU work is complete, so that nothing writes to the buffers of the capture.
+        unsafe {
+            self.capture.end_before_resize()
+        };
+        Ok(())
+    }
+
     /// The denoiser that is driven.
     pub fn denoiser(&self) -> &Denoiser {
         &self.denoiser
@@ -123,18 +148,19 @@ impl Executor {
 
     /// Bytes that were allocated.
     pub fn allocated(&self) -> AllocatedMemory {
-        self.memory.allocated
+        self.memory.allocated()
     }
 
     /// Starts a frame, and collects the timestamps that its slot holds.
     ///
     /// # Errors
-    /// Errors of [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to.
+    /// Errors of [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to, and an image
+    /// that was bound before [`Self::resize`] alone.
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
-        let declaration = self.denoiser.declaration();
-        let missing = (0..declaration.resources().len() as u32).map(ResourceId).find(|&id| {
-            declaration.resource(id).lifetime != Lifetime::Input { optional: true } && self.memory.storages.storage(id, 0).is_none()
-        });
+        let (declaration, storages) = (self.denoiser.declaration(), &self.memory.storages);
+        let is_required = |id| declaration.resource(id).lifetime != Lifetime::Input { optional: true };
+        let mut ids = (0..declaration.resources().len() as u32).map(ResourceId);
+        let missing = ids.find(|&id| storages.is_lost(id) || is_required(id) && storages.storage(id, 0).is_none());
         if let Some(id) = missing {
             return Err(Error::NotBound(declaration.resource(id).name.to_owned()));
         }
@@ -173,7 +199,7 @@ impl Executor {
     /// # Safety
     /// `cmd` is recording, outside a render pass, on a queue with `COMPUTE`; work recorded earlier with the frame's slot is
     /// complete; bound images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in
-    /// order.
+    /// order. The frame was begun since the last [`Self::resize`].
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
         #[cfg(feature = "capture")]
         // SAFETY: work recorded earlier with the frame's slot is complete, so that nothing writes to the buffers of its capture.

@@ -71,6 +71,19 @@ impl Session {
         })
     }
 
+    /// Runs the same passes for another extent, without history and without input images: upload each again, or unbind it. Buffers
+    /// and pipelines stay: see [`Executor::resize`].
+    ///
+    /// # Errors
+    /// Errors of [`Executor::resize`]. Nothing is changed then.
+    pub fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
+        // SAFETY: every frame was waited for.
+        unsafe { self.executor.resize(allocated_extent)? };
+        self.inputs.clear();
+        self.frame = None;
+        Ok(())
+    }
+
     /// The executor.
     pub fn executor(&self) -> &Executor {
         &self.executor

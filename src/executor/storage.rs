@@ -85,6 +85,8 @@ pub(crate) struct Storages {
     storages: Vec<[Option<Storage>; 2]>,
     /// Storages of resources to which nothing of the host is bound, by resource: an output of our own, or nothing.
     own: Vec<Option<Storage>>,
+    /// Whether an image of the host was bound before a resize, and nothing since, by resource.
+    lost: Vec<bool>,
     /// Transients that share memory with a resource, by resource.
     aliases: Vec<Vec<ResourceId>>,
     /// The pass that a transient starts in, by resource.
@@ -98,7 +100,28 @@ impl Storages {
         for (id, first, _) in declaration.transients() {
             first_pass[id.0 as usize] = Some(first);
         }
-        Self { storages: vec![[None, None]; count], own: vec![None; count], aliases: vec![Vec::new(); count], first_pass }
+        Self {
+            storages: vec![[None, None]; count],
+            own: vec![None; count],
+            lost: vec![false; count],
+            aliases: vec![Vec::new(); count],
+            first_pass,
+        }
+    }
+
+    /// Takes over the bindings of a host from before a resize: buffers, whose sizes do not depend on the extent. Images are lost.
+    pub fn take_over(&mut self, before: &Self) {
+        for (index, [bound, _]) in before.storages.iter().enumerate() {
+            match bound.filter(|storage| storage.home.is_some()) {
+                Some(storage) if storage.image().is_none() => self.bind(ResourceId(index as u32), storage),
+                bound => self.lost[index] = bound.is_some() || before.lost[index],
+            }
+        }
+    }
+
+    /// Whether the host has to bind a resource again, or to unbind it, after a resize.
+    pub fn is_lost(&self, id: ResourceId) -> bool {
+        self.lost[id.0 as usize]
     }
 
     /// Stores an object of our own.
@@ -127,6 +150,7 @@ impl Storages {
     }
 
     pub fn bind(&mut self, id: ResourceId, storage: Storage) {
+        self.lost[id.0 as usize] = false;
         let slot = &mut self.storages[id.0 as usize][0];
         if let Some(own) = slot.filter(|s| s.home.is_none()) {
             self.own[id.0 as usize] = Some(own);
@@ -135,6 +159,7 @@ impl Storages {
     }
 
     pub fn unbind(&mut self, id: ResourceId) {
+        self.lost[id.0 as usize] = false;
         self.storages[id.0 as usize][0] = self.own[id.0 as usize];
     }
 

@@ -154,9 +154,11 @@ impl Capturing {
         }
     }
 
+    /// Writes the frames of all slots.
+    ///
     /// # Safety
     /// All GPU work that was recorded is complete.
-    unsafe fn finish(&mut self) -> Result<u32, Error> {
+    unsafe fn write_all(&mut self) {
         let mut slots: Vec<_> = self.slots.iter().filter_map(|(slot, s)| Some((s.frame?.index, *slot))).collect();
         slots.sort_unstable();
         for (_, slot) in slots {
@@ -164,6 +166,27 @@ impl Capturing {
             unsafe { self.write(slot) };
         }
         self.slots.clear();
+    }
+
+    /// Writes what was recorded. Frames of another extent do not belong to the sequence.
+    ///
+    /// # Safety
+    /// All GPU work that was recorded is complete.
+    pub unsafe fn end_before_resize(&mut self) {
+        // SAFETY: all GPU work that was recorded is complete.
+        unsafe { self.write_all() };
+        let lacking = self.outstanding();
+        if let Some(writer) = self.writer.as_ref().filter(|_| lacking > 0) {
+            let problem = format!("{lacking} frames are lacking, since the images were resized; start another capture behind that");
+            self.fail(writer.error(problem));
+        }
+    }
+
+    /// # Safety
+    /// All GPU work that was recorded is complete.
+    unsafe fn finish(&mut self) -> Result<u32, Error> {
+        // SAFETY: all GPU work that was recorded is complete.
+        unsafe { self.write_all() };
         self.begun.clear();
         (self.remaining, self.first_index) = (0, None);
         let written = self.writer.take().map_or(0, |w| w.frames_written());

@@ -119,7 +119,7 @@ fn create_pipeline(
 ) -> Result<vk::Pipeline> {
     let vertex = shader_module(gpu, PRESENT_VERT.spirv)?;
     let made = shader_module(gpu, fragment.spirv).and_then(|fragment| {
-        let made = from_modules(gpu.device(), layout, render_pass, subpass, [vertex, fragment]);
+        let made = from_modules(gpu, layout, render_pass, subpass, [vertex, fragment]);
         // SAFETY: ours, and a pipeline does not need it once it is made.
         unsafe { gpu.device().destroy_shader_module(fragment, None) };
         made
@@ -130,7 +130,7 @@ fn create_pipeline(
 }
 
 fn from_modules(
-    device: &ash::Device,
+    gpu: &Gpu,
     layout: vk::PipelineLayout,
     render_pass: vk::RenderPass,
     subpass: u32,
@@ -160,6 +160,6 @@ fn from_modules(
         .render_pass(render_pass)
         .subpass(subpass);
     // SAFETY: modules, layout and render pass are alive and fit each other.
-    let made = unsafe { device.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) };
+    let made = unsafe { gpu.device().create_graphics_pipelines(gpu.shared.pipeline_cache, &[info], None) };
     made.map_err(|(_, result)| result).doing("create a graphics pipeline").map(|pipelines| pipelines[0])
 }
