@@ -10,6 +10,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("what_cannot_be_captured_is_refused_at_once", what_cannot_be_captured_is_refused_at_once),
     ("a_capture_can_end_early_and_another_can_follow", a_capture_can_end_early_and_another_can_follow),
     ("a_failure_ends_the_capture_and_not_the_frame", a_failure_ends_the_capture_and_not_the_frame),
+    ("a_resize_ends_a_capture", a_resize_ends_a_capture),
     ("what_is_outstanding_is_written_when_the_session_ends", what_is_outstanding_is_written_when_the_session_ends),
 ];
 
@@ -84,6 +85,27 @@ fn a_failure_ends_the_capture_and_not_the_frame() {
     s.capture(folder.path().join("next"), 1).expect("another");
     run(&mut s, 4);
     assert_eq!(s.finish_capture().expect("written"), 1);
+    assert_valid();
+}
+
+fn a_resize_ends_a_capture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (whole, part) = (folder.path().join("whole"), folder.path().join("part"));
+    let mut s = session(&Config::new(EXTENT));
+    s.capture(&whole, 2).expect("a capture");
+    (0..2).for_each(|i| run(&mut s, i));
+    s.resize([24, 16]).expect("another extent");
+    assert_eq!(frames_in(&whole), 2, "written before the images go");
+    assert_eq!(s.finish_capture().expect("nothing is lacking"), 2);
+    s.resize(EXTENT).expect("the first extent");
+    s.capture(&part, 5).expect("a capture");
+    (0..3).for_each(|i| run(&mut s, i));
+    s.resize(EXTENT).expect("the same extent");
+    assert_eq!(s.executor().frames_to_capture(), 0);
+    run(&mut s, 0);
+    let message = s.finish_capture().expect_err("two are lacking").to_string();
+    assert!(message.contains("part") && message.contains("2 frames") && message.contains("resized"), "{message}");
+    assert_eq!(frames_in(&part), 3);
     assert_valid();
 }
 

@@ -1,6 +1,7 @@
 //! What a host plans with: memory, boundaries, unknown names.
 
-use atrous::config::{PostProcess, Signals};
+use super::graphs::random;
+use atrous::config::{PostProcess, Preset, Signals};
 use atrous::{Access, Config, Lifetime, Phase};
 use atrous_harness::DeviceTest;
 
@@ -9,6 +10,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("memory_is_the_sum_of_its_parts", memory_is_the_sum_of_its_parts),
     ("the_boundary_of_a_phase_names_first_and_last_access", the_boundary_of_a_phase_names_first_and_last_access),
     ("phases_come_in_order", phases_come_in_order),
+    ("another_extent_gives_what_would_have_been_declared", another_extent_gives_what_would_have_been_declared),
 ];
 
 fn one_signal_takes_at_most_64_bytes_a_pixel() {
@@ -48,5 +50,42 @@ fn phases_come_in_order() {
     assert!(phases.is_sorted());
     for phase in Phase::ALL {
         assert!(phases.contains(&phase), "{phase:?}");
+    }
+}
+
+/// Compared as text, which has everything: shapes, lifetimes, usages, passes, shaders, constants, parameters.
+fn another_extent_gives_what_would_have_been_declared() {
+    let (from, to) = ([64, 36], [1920, 1081]);
+    for preset in Preset::ALL {
+        for signals in Signals::ALL {
+            let all = |extent| Config {
+                preset,
+                signals,
+                volume: true,
+                firefly_filter: true,
+                object_normal: true,
+                debug_view: true,
+                forward_motion: true,
+                stratum_size: 4,
+                frames_in_flight: 3,
+                post_process: PostProcess::ToneMapTaa,
+                ..Config::new(extent)
+            };
+            for config in [Config { preset, signals, ..Config::new(from) }, all(from)] {
+                let declaration = config.declare().expect("valid");
+                let there = Config { allocated_extent: to, ..config }.declare().expect("valid");
+                let resized = declaration.with_extent(to).expect("valid");
+                assert_eq!(resized.memory(), there.memory());
+                assert!(format!("{resized:?}") == format!("{there:?}"), "{config:?}");
+                for extent in [[0, 1], [1, 20_000]] {
+                    let refused = Config { allocated_extent: extent, ..config }.declare();
+                    assert_eq!(declaration.with_extent(extent).err(), Some(refused.expect_err("refused")));
+                }
+            }
+        }
+    }
+    for seed in 0..6 {
+        let resized = random::declare(seed, from).with_extent(to).expect("valid");
+        assert!(format!("{resized:?}") == format!("{:?}", random::declare(seed, to)), "seed {seed}");
     }
 }

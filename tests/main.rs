@@ -22,7 +22,9 @@ mod hot_reload;
 mod parity;
 mod pattern;
 mod percentile;
+mod pipelines;
 mod properties;
+mod resize;
 mod sequences;
 mod support;
 mod sync_validation;
@@ -59,6 +61,8 @@ fn main() {
         Group { name: "parity", tests: parity::TESTS, needs_device: true },
         Group { name: "pattern", tests: pattern::TESTS, needs_device: true },
         Group { name: "percentile", tests: percentile::TESTS, needs_device: true },
+        Group { name: "pipelines", tests: pipelines::TESTS, needs_device: true },
+        Group { name: "resize", tests: resize::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },

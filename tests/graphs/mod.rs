@@ -4,8 +4,8 @@
 //! `ATROUS_GRAPH_SEEDS=40..90` takes other seeds than the twelve that are tested always. A failure names its seed.
 
 mod dice;
-mod inputs;
-mod random;
+pub mod inputs;
+pub mod random;
 
 use super::parity;
 use super::support::{assert_valid, gpu, scene::Scene};

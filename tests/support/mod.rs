@@ -2,6 +2,7 @@
 
 pub mod host;
 pub mod rig;
+pub mod spy;
 
 pub use atrous_synthetic::scene::{self, pixels, random, rmse};
 
