@@ -21,7 +21,15 @@ struct Refusals {
         std::fprintf(stderr, "%s: got %s (%s), expected %s with `%s`\n", what, atrous_status_name(given), atrous_last_error(),
                      atrous_status_name(wanted), word);
     }
+
+    void expect_equal(uint32_t given, uint32_t wanted, const char* what) {
+        ++count;
+        if (given == wanted) return;
+        ++wrong;
+        std::fprintf(stderr, "%s is %u, expected %u\n", what, given, wanted);
+    }
 };
+#define EXPECT_EQUAL(wanted, given) refusals.expect_equal(given, wanted, #given)
 #define EXPECT(wanted, word, call) refusals.expect(call, wanted, word, #call)
 
 // An object with a page behind it that must not be touched: AddressSanitizer does not see what the library itself reads.
@@ -229,6 +237,10 @@ inline void refuse_bad_calls(AtrousDenoiser* denoiser, VkCommandBuffer cmd, Refu
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "allocated_extent", atrous_resize(denoiser, 0, 8));
     EXPECT(ATROUS_STATUS_OK, "", atrous_resize(denoiser, 16, 16));
     EXPECT(ATROUS_STATUS_STALE_FRAME, "before atrous_resize", atrous_record(denoiser, &frame, cmd, 0, images, 2));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_resource(denoiser, 2, &resource));
+    EXPECT_EQUAL(16u, resource.width);
+    EXPECT(ATROUS_STATUS_OK, "", atrous_begin_frame(denoiser, &params, &again));
+    EXPECT_EQUAL(3u, again.reset);  // resize
 }
 
 // Every function on a handle that is none.

@@ -17,6 +17,7 @@ struct Engine {
     VkPhysicalDevice physical_device{};
     VkDevice device{};
     VkQueue queue{};
+    VkPipelineCache pipeline_cache{};
     VkCommandPool pool{};
     VkCommandBuffer cmd{};
 
@@ -39,6 +40,8 @@ struct Engine {
         device_info.pNext = &features, device_info.queueCreateInfoCount = 1, device_info.pQueueCreateInfos = &queue_info;
         CHECK(vkCreateDevice(physical_device, &device_info, nullptr, &device));
         vkGetDeviceQueue(device, family, 0, &queue);
+        const VkPipelineCacheCreateInfo cache_info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
+        CHECK(vkCreatePipelineCache(device, &cache_info, nullptr, &pipeline_cache));
         VkCommandPoolCreateInfo pool_info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
         pool_info.queueFamilyIndex = family, pool_info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
         CHECK(vkCreateCommandPool(device, &pool_info, nullptr, &pool));
@@ -52,6 +55,7 @@ struct Engine {
 
     ~Engine() {
         vkDestroyCommandPool(device, pool, nullptr);
+        vkDestroyPipelineCache(device, pipeline_cache, nullptr);
         vkDestroyDevice(device, nullptr);
         vkDestroyInstance(instance, nullptr);
     }

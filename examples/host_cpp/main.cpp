@@ -32,6 +32,7 @@ public:
         AtrousConfig config{sizeof config};
         CHECK(atrous_config_default(&config, synthetic::width, synthetic::height));
         AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
+        info.pipeline_cache = engine.pipeline_cache;
         CHECK(atrous_create(&info, &denoiser_));
         CHECK(atrous_counts(denoiser_, &resource_count_, &pass_count_));
         for (uint32_t i = 0; i < resource_count_; ++i) allocate(i);

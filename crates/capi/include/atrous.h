@@ -165,6 +165,9 @@ typedef struct AtrousCreateInfo {
   PFN_vkGetInstanceProcAddr get_instance_proc_addr;
   // Configuration; read during the call alone.
   const struct AtrousConfig *config;
+  // Cache that pipelines are looked up in and added to, or null. Used during the call alone, on several threads: not one that
+  // is externally synchronised.
+  VkPipelineCache pipeline_cache;
 } AtrousCreateInfo;
 
 // A small buffer of bytes that a name is copied into.
@@ -377,10 +380,12 @@ AtrousStatus atrous_create(const struct AtrousCreateInfo *info,
 // GPU work that was recorded with it is complete; the device is live.
 AtrousStatus atrous_destroy(struct AtrousDenoiser *denoiser);
 
-// Declares everything anew for other extents; history starts anew, and frames that were begun before are refused.
+// Declares everything anew for other extents, and keeps pipelines; history starts anew, and frames that were begun before are
+// refused. Nothing changes on the device: work that was recorded before may still be in flight, as long as its images live.
+// Where an extent is refused, nothing is changed.
 //
 // # Safety
-// GPU work that was recorded with it is complete; the device is live.
+// None beyond those of a call through C.
 AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser,
                            uint32_t width,
                            uint32_t height);

@@ -72,22 +72,11 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
     unsafe {
         let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
         let device = ash::Device::load(instance.fp_v1_0(), info.device);
-        let physical_device = info.physical_device;
-        let pipeline_cache = ash::vk::PipelineCache::null();
+        let AtrousCreateInfo { physical_device, pipeline_cache, .. } = *info;
         let host = Device { instance: &instance, physical_device, device: &device, pipeline_cache };
         let denoiser = Denoiser::new(host, config.declare()?)?;
         let frames = vec![None; config.frames_in_flight as usize];
-        let config = *config;
-        Ok(State {
-            instance,
-            device,
-            physical_device,
-            denoiser,
-            config,
-            tuning: Tuning::for_preset(config.preset),
-            generation: 0,
-            frames,
-        })
+        Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })
     }
 }
 
@@ -100,17 +89,20 @@ pub unsafe extern "C" fn atrous_destroy(denoiser: *mut AtrousDenoiser) -> Atrous
     guard(|| handle::remove(denoiser))
 }
 
-/// Declares everything anew for other extents; history starts anew, and frames that were begun before are refused.
+/// Declares everything anew for other extents, and keeps pipelines; history starts anew, and frames that were begun before are
+/// refused. Nothing changes on the device: work that was recorded before may still be in flight, as long as its images live.
+/// Where an extent is refused, nothing is changed.
 ///
 /// # Safety
-/// GPU work that was recorded with it is complete; the device is live.
+/// None beyond those of a call through C.
 #[no_mangle]
 pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32, height: u32) -> AtrousStatus {
     guard(|| {
         handle::with(denoiser, |state| {
-            let config = Config { allocated_extent: [width, height], ..state.config };
-            // SAFETY: GPU work recorded with the old pipelines is complete, and the handles given to `atrous_create` are live.
-            unsafe { state.recreate(&config) }
+            state.denoiser.resize([width, height])?;
+            state.generation += 1;
+            state.frames.fill(None);
+            Ok(())
         })
     })
 }

@@ -1,8 +1,7 @@
 //! The table behind the opaque handles.
 
 use crate::status::{AtrousStatus, Failure};
-use ash::vk;
-use atrous::{Config, Denoiser, FrameContext, Tuning};
+use atrous::{Denoiser, FrameContext, Tuning};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -13,33 +12,12 @@ pub struct AtrousDenoiser {
 
 /// The object behind a handle.
 pub(super) struct State {
-    pub instance: ash::Instance,
-    pub device: ash::Device,
-    pub physical_device: vk::PhysicalDevice,
     pub denoiser: Denoiser,
-    pub config: Config,
     pub tuning: Tuning,
     /// Counts resizes; a frame of an earlier generation is refused.
     pub generation: u64,
     /// The frame that was begun last, by slot.
     pub frames: Vec<Option<FrameContext>>,
-}
-
-impl State {
-    /// # Safety
-    /// Obligations of [`Denoiser::new`].
-    pub unsafe fn recreate(&mut self, config: &Config) -> Result<(), Failure> {
-        let pipeline_cache = vk::PipelineCache::null();
-        let (instance, device) = (&self.instance, &self.device);
-        let host = atrous::Device { instance, physical_device: self.physical_device, device, pipeline_cache };
-        // SAFETY: the handles were given to `atrous_create`, and the host keeps them alive until `atrous_destroy`; work recorded
-        // with the old denoiser is complete.
-        self.denoiser = unsafe { Denoiser::new(host, config.declare()?)? };
-        self.config = *config;
-        self.generation += 1;
-        self.frames = vec![None; config.frames_in_flight as usize];
-        Ok(())
-    }
 }
 
 struct Table {

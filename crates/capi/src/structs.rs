@@ -4,7 +4,7 @@
 use crate::GetInstanceProcAddr;
 use ash::vk::{
     AccessFlags, AccessFlags2, Buffer, BufferUsageFlags, Device, Format, Image, ImageLayout, ImageUsageFlags, ImageView, Instance,
-    PhysicalDevice, PipelineStageFlags, PipelineStageFlags2,
+    PhysicalDevice, PipelineCache, PipelineStageFlags, PipelineStageFlags2,
 };
 use std::ffi::c_char;
 
@@ -100,6 +100,9 @@ pub struct AtrousCreateInfo {
     pub get_instance_proc_addr: GetInstanceProcAddr,
     /// Configuration; read during the call alone.
     pub config: *const AtrousConfig,
+    /// Cache that pipelines are looked up in and added to, or null. Used during the call alone, on several threads: not one that
+    /// is externally synchronised.
+    pub pipeline_cache: PipelineCache,
 }
 
 /// Parameters of a frame; `atrous_frame_params_default` fills it.

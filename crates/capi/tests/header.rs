@@ -24,6 +24,7 @@ fn header() -> String {
         "ImageView",
         "Instance",
         "PhysicalDevice",
+        "PipelineCache",
         "PipelineStageFlags",
         "PipelineStageFlags2",
     ];
