@@ -17,7 +17,7 @@ pub enum Error {
         max: u32,
     },
     /// The render extent does not fit into the allocated one.
-    #[error("render_extent {render:?} is larger than allocated_extent {allocated:?}; create the denoiser with a larger Config::allocated_extent")]
+    #[error("render_extent {render:?} is larger than allocated_extent {allocated:?}; resize the denoiser, or render less")]
     RenderExtent {
         /// Render extent as given.
         render: [u32; 2],

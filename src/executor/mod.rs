@@ -11,6 +11,7 @@ mod headless;
 mod memory;
 mod profiler;
 mod readback;
+mod resize;
 mod scope;
 mod session;
 mod session_inputs;
@@ -114,31 +115,6 @@ impl Executor {
                 capture: capture::Capturing::new(host),
             })
         }
-    }
-
-    /// Runs the same passes for another extent. Pipelines stay; histories, transients and outputs are allocated anew, and the old
-    /// ones exist until then; the first frame drops all history: see [`Denoiser::resize`].
-    ///
-    /// Buffers that the host bound stay bound. Its images do not: [`Self::begin_frame`] names one that was neither bound again nor
-    /// unbound. A capture ends here, since its frames have one extent: [`Self::finish_capture`] says so if it lacks any.
-    ///
-    /// # Errors
-    /// Errors of [`Denoiser::resize`]; [`Error::OutOfMemory`]. Nothing is changed then.
-    ///
-    /// # Safety
-    /// GPU work that was recorded with this executor is complete, in every frame slot, and none is recorded that has yet to be
-    /// submitted.
-    pub unsafe fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
-        let declaration = self.denoiser.resized(allocated_extent)?;
-        // SAFETY: no GPU work uses the memory that is replaced, and the device has the formats and is large enough for the extent.
-        unsafe { self.memory.reallocate(&declaration, &self.options)? };
-        self.denoiser.adopt(declaration);
-        #[cfg(feature = "capture")]
-        // SAFETY: all GPU work is complete, so that nothing writes to the buffers of the capture.
-        unsafe {
-            self.capture.end_before_resize()
-        };
-        Ok(())
     }
 
     /// The denoiser that is driven.

@@ -34,7 +34,7 @@ pub struct Session {
     pub(super) staging: Option<Staging>,
     commands: Commands,
     pub(super) barriers: Barriers,
-    frame: Option<FrameContext>,
+    pub(super) frame: Option<FrameContext>,
     pub(super) gpu: Arc<HeadlessDevice>,
 }
 
@@ -69,19 +69,6 @@ impl Session {
             frame: None,
             gpu,
         })
-    }
-
-    /// Runs the same passes for another extent, without history and without input images: upload each again, or unbind it. Buffers
-    /// and pipelines stay: see [`Executor::resize`].
-    ///
-    /// # Errors
-    /// Errors of [`Executor::resize`]. Nothing is changed then.
-    pub fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
-        // SAFETY: every frame was waited for.
-        unsafe { self.executor.resize(allocated_extent)? };
-        self.inputs.clear();
-        self.frame = None;
-        Ok(())
     }
 
     /// The executor.
