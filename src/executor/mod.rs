@@ -8,6 +8,7 @@ mod bound;
 #[cfg(feature = "capture")]
 mod capture;
 mod headless;
+mod input_set;
 mod memory;
 mod profiler;
 mod readback;
@@ -21,6 +22,7 @@ mod transfer;
 
 pub use bound::HostImage;
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
+pub use input_set::InputSet;
 pub use profiler::PassTime;
 pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};

@@ -29,7 +29,7 @@ pub struct SessionOptions {
 pub struct Session {
     // Declared before `gpu`, so that it is dropped first.
     pub(super) executor: Executor,
-    pub(super) inputs: BTreeMap<String, OwnedImage>,
+    pub(super) inputs: BTreeMap<String, Arc<OwnedImage>>,
     pub(super) buffers: BTreeMap<String, Staging>,
     pub(super) staging: Option<Staging>,
     commands: Commands,

@@ -7,8 +7,10 @@ use super::session_objects::OwnedImage;
 use super::storage::Storage;
 use super::transfer::{whole_image, Staging, UPLOADED};
 use super::HostImage;
+use crate::contract::{bytes_per_texel, Shape};
 use crate::error::Error;
 use ash::vk;
+use std::sync::Arc;
 
 impl Session {
     /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do
@@ -17,7 +19,7 @@ impl Session {
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::Format`] for an image of ids, [`Error::Size`] for a wrong number of texels.
     pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
-        self.upload_bytes(name, vk::Format::R32G32B32A32_SFLOAT, texels.len(), bytemuck::cast_slice(texels))
+        self.upload_image(name, vk::Format::R32G32B32A32_SFLOAT, texels.len(), bytemuck::cast_slice(texels))
     }
 
     /// Sets an input image of ids.
@@ -25,7 +27,25 @@ impl Session {
     /// # Errors
     /// Errors of [`Self::upload`].
     pub fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Result<(), Error> {
-        self.upload_bytes(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
+        self.upload_image(name, vk::Format::R32_UINT, texels.len(), bytemuck::cast_slice(texels))
+    }
+
+    /// Sets an input image from raw texels of the format that its declaration prefers
+    /// ([`ImageFormat::preferred`](crate::ImageFormat::preferred)), row by row: for times and traffic as a host has them.
+    ///
+    /// # Errors
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Size`] for a wrong number of bytes.
+    pub fn upload_bytes(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
+        let declaration = self.executor.denoiser().declaration();
+        let resource = declaration.resource(declaration.named(name)?);
+        let Shape::Image { format, .. } = resource.shape else { return Err(Error::NotBound(name.to_owned())) };
+        let needed = resource.bytes(declaration.allocated_extent());
+        if bytes.len() as u64 != needed {
+            let (given, needed) = (format!("{} bytes", bytes.len()), format!("{needed} bytes"));
+            return Err(Error::Size { resource: name.to_owned(), given, needed });
+        }
+        let format = format.preferred();
+        self.upload_image(name, format, bytes.len() / bytes_per_texel(format) as usize, bytes)
     }
 
     /// Sets an input buffer.
@@ -53,18 +73,16 @@ impl Session {
         self.executor.unbind(name)
     }
 
-    fn upload_bytes(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
+    fn upload_image(&mut self, name: &str, format: vk::Format, count: usize, bytes: &[u8]) -> Result<(), Error> {
         let (_, extent) = self.executor.denoiser().declaration().image_for(name, format, count)?;
-        if !self.inputs.contains_key(name) {
-            // SAFETY: the device outlives the session.
-            let image = unsafe { OwnedImage::new(self.gpu.host(), format, extent)? };
-            self.inputs.insert(name.to_owned(), image);
-        }
-        let Some(owned) = self.inputs.get(name) else { return Err(Error::NotBound(name.to_owned())) };
-        let (image, view) = (owned.image, owned.view);
-        let Scope { stage, access, layout } = UPLOADED;
-        let host = HostImage { image, view, format, extent, layout, stage, access };
-        self.executor.bind_image(name, host)?;
+        // What an input set holds as well keeps its content.
+        let reusable = |owned: &&Arc<OwnedImage>| owned.format == format && Arc::strong_count(owned) == 1;
+        let owned = match self.inputs.get(name).filter(reusable) {
+            Some(owned) => owned.clone(),
+            // SAFETY: the device outlives the session, and every input set.
+            None => Arc::new(unsafe { OwnedImage::new(self.gpu.host(), format, extent)? }),
+        };
+        let host = self.bind_input(name, owned)?;
         self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
         let mut storage = Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
         self.submit(|session, cmd| {
@@ -82,5 +100,15 @@ impl Session {
             }
             Ok(())
         })
+    }
+
+    /// Binds an image of a session to an input, in the state in which uploads leave it.
+    pub(super) fn bind_input(&mut self, name: &str, owned: Arc<OwnedImage>) -> Result<HostImage, Error> {
+        let OwnedImage { image, view, format, extent, .. } = *owned;
+        let Scope { stage, access, layout } = UPLOADED;
+        let host = HostImage { image, view, format, extent, layout, stage, access };
+        self.executor.bind_image(name, host)?;
+        self.inputs.insert(name.to_owned(), owned);
+        Ok(host)
     }
 }

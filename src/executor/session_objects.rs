@@ -18,7 +18,8 @@ pub(crate) struct OwnedImage {
     pub image: vk::Image,
     pub view: vk::ImageView,
     memory: vk::DeviceMemory,
-    format: vk::Format,
+    pub format: vk::Format,
+    pub extent: [u32; 2],
 }
 
 impl Commands {
@@ -67,6 +68,7 @@ impl OwnedImage {
             view: vk::ImageView::null(),
             memory: vk::DeviceMemory::null(),
             format,
+            extent,
         };
         let info = vk::ImageCreateInfo::default()
             .image_type(vk::ImageType::TYPE_2D)

@@ -2,10 +2,12 @@
 //!
 //! [`Picture`] is an 8-bit image made of radiance or of colours for a display, and read from and written to
 //! PNG. [`Strip`] puts labelled pictures side by side, with enlarged insets. [`LinePlot`] draws one line for each
-//! denoiser over the frames, and [`TextTable`] prints numbers that can be pasted into Markdown. All text is drawn with
-//! bitmap fonts, so that no font has to be installed and the same input gives the same bytes everywhere.
+//! denoiser over the frames, [`StackedBars`] one bar for each with a segment for each part, and [`TextTable`] prints
+//! numbers that can be pasted into Markdown. All text is drawn with bitmap fonts, so that no font has to be installed and
+//! the same input gives the same bytes everywhere.
 #![forbid(unsafe_code)]
 
+mod bars;
 mod convert;
 mod error;
 mod picture;
@@ -17,6 +19,7 @@ mod strip_layout;
 mod table;
 mod text;
 
+pub use bars::StackedBars;
 pub use convert::NOT_FINITE;
 pub use error::PictureError;
 pub use picture::{Picture, Region};

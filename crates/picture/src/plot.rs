@@ -9,18 +9,18 @@ use std::convert::Infallible;
 use std::ops::Range;
 
 /// The palette of Okabe and Ito, which colour-blind viewers can tell apart, without its yellow, which is faint on white.
-const COLOURS: [[u8; 3]; 7] =
+pub(crate) const COLOURS: [[u8; 3]; 7] =
     [[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [86, 180, 233], [230, 159, 0], [90, 90, 90]];
-const INK: [u8; 3] = [32, 32, 36];
-const GRID: [u8; 3] = [226, 227, 231];
-const MARGIN: u32 = 12;
+pub(crate) const INK: [u8; 3] = [32, 32, 36];
+pub(crate) const GRID: [u8; 3] = [226, 227, 231];
+pub(crate) const MARGIN: u32 = 12;
 /// Length of the coloured line before each name in the legend.
-const SWATCH: u32 = 18;
+pub(crate) const SWATCH: u32 = 18;
 /// Least width and height of the part with the axes.
 const LEAST_CHART: [u32; 2] = [200, 110];
 /// Values beyond are drawn here: a line that diverged is seen to do so, and the axis keeps steps that a number can hold.
-const LARGEST: f64 = 1e30;
-const LINE_HEIGHT: u32 = 18;
+pub(crate) const LARGEST: f64 = 1e30;
+pub(crate) const LINE_HEIGHT: u32 = 18;
 
 /// The values of one line, and its name in the legend.
 #[derive(Debug, Clone, PartialEq)]
@@ -185,11 +185,11 @@ fn bounded(value: f64) -> f64 {
     }
 }
 
-fn rgb([r, g, b]: [u8; 3]) -> RGBColor {
+pub(crate) fn rgb([r, g, b]: [u8; 3]) -> RGBColor {
     RGBColor(r, g, b)
 }
 
 /// Digits after the point that tell about ten steps of a range apart.
-fn decimals(range: f64) -> usize {
+pub(crate) fn decimals(range: f64) -> usize {
     (1.0 - range.log10().floor()).clamp(0.0, 9.0) as usize
 }

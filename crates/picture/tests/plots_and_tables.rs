@@ -1,6 +1,6 @@
-//! Line plots and text tables.
+//! Line plots, stacked bars and text tables.
 
-use atrous_picture::{Column, LinePlot, Picture, PictureError, TextTable};
+use atrous_picture::{Column, LinePlot, Picture, PictureError, StackedBars, TextTable};
 
 const WHITE: [u8; 3] = [255; 3];
 /// First and second colour of the lines.
@@ -77,4 +77,32 @@ fn tables_are_aligned() {
     assert_eq!(table.to_string(), expected);
     let error = table.row("svgf", &[1.0]).unwrap_err();
     assert_eq!(error.to_string(), "row \"svgf\" has 1 values, but the table has 2 columns of values");
+}
+
+#[test]
+fn a_bar_is_as_long_as_its_segments() {
+    let bars = StackedBars::new("time", "ms").bar("svgf", [("import", 1.0), ("atrous", 3.0)]).bar("eaw", [("atrous", 2.0)]);
+    let picture = bars.render().unwrap();
+    let plot = 0..picture.width() - 120;
+    let row = |y: u32, colour| plot.clone().filter(|&x| picture.pixel(x, y) == Some(colour)).count();
+    let longest = |colour| (0..picture.height()).map(|y| row(y, colour)).max().unwrap();
+    let (import, atrous) = (longest(BLUE), longest(RED));
+    assert!(import > 100 && atrous.abs_diff(3 * import) < 8, "{import}, {atrous}");
+    // Each name once in the legend, and the bar of `eaw` two thirds of the other's segment.
+    let rows: Vec<usize> = (0..picture.height()).map(|y| row(y, RED)).filter(|n| *n > 50).collect();
+    assert!(rows.iter().any(|n| n.abs_diff(2 * import) < 8), "{rows:?}");
+}
+
+#[test]
+fn bars_without_length_or_room_are_an_error() {
+    let nan = StackedBars::new("x", "ms").bar("a", [("b", f64::NAN), ("c", -1.0)]).render();
+    assert!(matches!(nan, Err(PictureError::NothingToPlot(_))));
+    assert!(matches!(StackedBars::new("x", "ms").render(), Err(PictureError::NothingToPlot(_))));
+    let narrow = StackedBars::new("x", "ms").width(100).bar("a", [("b", 1.0)]).render();
+    assert!(matches!(narrow, Err(PictureError::PlotSize { .. })));
+    let huge = StackedBars::new("x", "ms").bar("a", [("b", 1e200)]).render();
+    assert!(matches!(huge, Err(PictureError::NothingToPlot(_))));
+    for value in [1e-17, 1e-9, 1e12, 1e29] {
+        StackedBars::new("x", "ms").bar("a", [("b", value)]).render().unwrap();
+    }
 }

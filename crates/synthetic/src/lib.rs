@@ -2,10 +2,11 @@
 //!
 //! Every host that is compared denoises these frames. Only operations that IEEE 754 rounds exactly are used, in a fixed order, so
 //! that `examples/host_cpp/synthetic.hpp`, which says the same in C++, gives the same bits. [`scene`] has a larger choice for tests
-//! alone.
+//! alone, [`moving`] frames of any size for benchmarks.
 
 #![forbid(unsafe_code)]
 
+pub mod moving;
 pub mod scene;
 
 /// Width and height in pixels: not a multiple of a workgroup.
