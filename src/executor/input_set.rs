@@ -3,6 +3,7 @@
 use super::headless::HeadlessDevice;
 use super::session::Session;
 use super::session_objects::OwnedImage;
+use super::Executor;
 use crate::error::Error;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -37,6 +38,20 @@ impl InputSet {
         Ok(())
     }
 
+    /// Binds the images to those inputs of the same names that the declaration of an executor has. The set has to live as long as
+    /// work that is recorded with them.
+    ///
+    /// # Errors
+    /// Errors of [`Executor::bind_image`].
+    pub fn bind(&self, executor: &mut Executor) -> Result<(), Error> {
+        for (name, image) in &self.images {
+            if executor.denoiser().declaration().find(name).is_some() {
+                executor.bind_image(name, image.uploaded())?;
+            }
+        }
+        Ok(())
+    }
+
     fn check(&self, session: &Session) -> Result<(), Error> {
         let same = Arc::ptr_eq(&self.gpu, &session.gpu);
         let message = "the inputs are on another device than the session; open both with the same HeadlessDevice";
@@ -48,14 +63,13 @@ impl Session {
     /// Binds the images of a set to those inputs of the same names that the declaration has.
     ///
     /// # Errors
-    /// Errors of [`super::Executor::bind_image`]; [`Error::NoDevice`] for a set of another device.
+    /// Errors of [`Executor::bind_image`]; [`Error::NoDevice`] for a set of another device.
     pub fn bind_inputs(&mut self, set: &InputSet) -> Result<(), Error> {
         set.check(self)?;
-        for (name, image) in &set.images {
-            if self.executor.denoiser().declaration().find(name).is_some() {
-                self.bind_input(name, image.clone())?;
-            }
-        }
+        set.bind(&mut self.executor)?;
+        let declaration = self.executor.denoiser().declaration();
+        let bound = set.images.iter().filter(|(name, _)| declaration.find(name).is_some());
+        self.inputs.extend(bound.map(|(name, image)| (name.clone(), image.clone())));
         Ok(())
     }
 }

@@ -82,7 +82,9 @@ impl Session {
             // SAFETY: the device outlives the session, and every input set.
             None => Arc::new(unsafe { OwnedImage::new(self.gpu.host(), format, extent)? }),
         };
-        let host = self.bind_input(name, owned)?;
+        let host = owned.uploaded();
+        self.executor.bind_image(name, host)?;
+        self.inputs.insert(name.to_owned(), owned);
         self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
         let mut storage = Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
         self.submit(|session, cmd| {
@@ -95,20 +97,10 @@ impl Session {
                 buffer_barrier(device, cmd, buffer, copied, Scope::COPY_SOURCE);
                 session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
                 let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
-                device.cmd_copy_buffer_to_image(cmd, buffer, image, layout, &[whole_image(extent)]);
+                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[whole_image(extent)]);
                 session.barriers.single(device, cmd, &mut storage, UPLOADED, true);
             }
             Ok(())
         })
-    }
-
-    /// Binds an image of a session to an input, in the state in which uploads leave it.
-    pub(super) fn bind_input(&mut self, name: &str, owned: Arc<OwnedImage>) -> Result<HostImage, Error> {
-        let OwnedImage { image, view, format, extent, .. } = *owned;
-        let Scope { stage, access, layout } = UPLOADED;
-        let host = HostImage { image, view, format, extent, layout, stage, access };
-        self.executor.bind_image(name, host)?;
-        self.inputs.insert(name.to_owned(), owned);
-        Ok(host)
     }
 }

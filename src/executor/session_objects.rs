@@ -1,6 +1,9 @@
 //! The Vulkan objects that a session owns.
 
 use super::barriers::WHOLE;
+use super::scope::Scope;
+use super::transfer::UPLOADED;
+use super::HostImage;
 use crate::error::Error;
 use ash::vk;
 
@@ -102,6 +105,15 @@ impl OwnedImage {
             this.view = device.create_image_view(&info, None).map_err(Error::vulkan("vkCreateImageView"))?;
         }
         Ok(this)
+    }
+}
+
+impl OwnedImage {
+    /// The image as an input, in the state in which uploads leave it.
+    pub fn uploaded(&self) -> HostImage {
+        let &Self { image, view, format, extent, .. } = self;
+        let Scope { stage, access, layout } = UPLOADED;
+        HostImage { image, view, format, extent, layout, stage, access }
     }
 }
 

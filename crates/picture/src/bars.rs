@@ -107,7 +107,7 @@ impl StackedBars {
             .y_label_area_size(labels + MARGIN)
             .margin_right(MARGIN)
             .margin_top(8)
-            .build_cartesian_2d(0.0..longest * 1.03, (0..count).into_segmented())?;
+            .build_cartesian_2d(0.0..longest * 1.03, (0..count - 1).into_segmented())?;
         axes.configure_mesh()
             .disable_y_mesh()
             .axis_style(rgb(INK))
@@ -118,7 +118,7 @@ impl StackedBars {
             .y_labels(count)
             .x_label_formatter(&|x| if scientific { format!("{x:.2e}") } else { format!("{x:.decimals$}") })
             .y_label_formatter(&|y| match y {
-                // The axis goes upwards, and beyond the last bar.
+                // The axis goes upwards.
                 SegmentValue::CenterOf(i) if *i < count => self.bars[count - 1 - i].0.clone(),
                 _ => String::new(),
             })

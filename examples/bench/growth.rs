@@ -1,0 +1,45 @@
+//! How cost grows with the size, and whether it depends on the content.
+
+use super::content::Content;
+use super::report::{Case, Report};
+use atrous_picture::{Column, PictureError, TextTable};
+
+/// Nanoseconds a pixel at each size, and over those at the smallest.
+pub fn with_size(report: &Report, sizes: &[[u32; 2]]) -> Result<TextTable, PictureError> {
+    let columns = sizes.iter().flat_map(|[w, h]| [Column::new(format!("{w}x{h} ns/pixel"), 2), Column::new("× smallest", 3)]);
+    let mut table = TextTable::new("cost of a pixel", columns);
+    for content in Content::ALL {
+        for graph in graphs(report) {
+            let at = |size| report.of_content(graph, size, content).map_or(f64::NAN, Case::ns_per_pixel);
+            let smallest = sizes.first().map_or(f64::NAN, |size| at(*size));
+            let values: Vec<f64> = sizes.iter().flat_map(|size| [at(*size), at(*size) / smallest]).collect();
+            table.row(format!("{graph} {content}"), &values)?;
+        }
+    }
+    Ok(table)
+}
+
+/// Nanoseconds a pixel of both contents, and their ratio.
+pub fn with_content(report: &Report, sizes: &[[u32; 2]]) -> Result<TextTable, PictureError> {
+    let columns = [("moving ns/pixel", 2), ("wall ns/pixel", 2), ("moving / wall", 3)];
+    let mut table = TextTable::new("content", columns.map(|(name, decimals)| Column::new(name, decimals)));
+    for graph in graphs(report) {
+        for &size in sizes {
+            let of = |content| report.of_content(graph, size, content).map_or(f64::NAN, Case::ns_per_pixel);
+            let (moving, wall) = (of(Content::Moving), of(Content::Wall));
+            table.row(format!("{graph} {}x{}", size[0], size[1]), &[moving, wall, moving / wall])?;
+        }
+    }
+    Ok(table)
+}
+
+/// Names of graphs, each once.
+fn graphs(report: &Report) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for case in &report.cases {
+        if !names.contains(&case.graph.as_str()) {
+            names.push(&case.graph);
+        }
+    }
+    names
+}

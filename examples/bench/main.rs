@@ -1,0 +1,98 @@
+//! Time, traffic and memory of every pass, and what a driver's compiler makes of the shaders: `cargo run --release --example bench
+//! -- --help`. docs/performance.md says how to read it.
+
+mod against;
+mod clock;
+mod content;
+mod graphs;
+mod growth;
+mod host_cost;
+mod inputs;
+mod isa;
+mod measure;
+mod options;
+mod report;
+mod runner;
+mod statistics;
+mod subject;
+mod tables;
+mod yardsticks;
+
+use atrous::executor::{HeadlessDevice, HeadlessOptions};
+use clap::Parser;
+use clock::Clock;
+use measure::{Graph, Measurement};
+use options::Options;
+use report::Report;
+use std::error::Error;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    let done = if options.isa { isa::run(&options) } else { bench(&options).map(|()| ExitCode::SUCCESS) };
+    done.unwrap_or_else(|error| {
+        eprintln!("error: {error}");
+        ExitCode::FAILURE
+    })
+}
+
+fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
+    let before = options.against.as_deref().map(Report::read).transpose()?;
+    let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device: options.device.clone(), ..Default::default() })?);
+    let clock = Clock::of(&gpu)?;
+    let sizes = options.sizes(clock == Clock::ProcessCpuTime);
+    println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
+    let mut report = Report::new(gpu.name(), clock);
+    for &size in &sizes {
+        for content in options.contents() {
+            let (frames, rounds) = (options.frames, options.rounds);
+            let cases = Measurement { gpu: &gpu, clock, content, size, frames, rounds }.run(graphs(options, size)?)?;
+            for case in &cases {
+                println!("{}", tables::passes(case)?);
+            }
+            let floor = cases.first().map(|case| &case.floor);
+            if let Some(floor) = floor {
+                print_floor(floor, clock);
+            }
+            report.cases.extend(cases);
+        }
+    }
+    println!("{}", tables::summary(&report)?);
+    if options.growth {
+        println!("{}\n{}", growth::with_size(&report, &sizes)?, growth::with_content(&report, &sizes)?);
+    }
+    if let Some(before) = &before {
+        against::warnings(before, &report).iter().for_each(|warning| println!("note: {warning}"));
+        println!("{}", against::table(before, &report)?);
+    }
+    if let Some(path) = &options.json {
+        report.write(path)?;
+    }
+    if let Some(path) = &options.picture {
+        tables::bars(&report).render()?.write_png(path)?;
+    }
+    Ok(())
+}
+
+fn graphs(options: &Options, size: [u32; 2]) -> Result<Vec<Graph>, atrous::Error> {
+    let choices = options.choices();
+    let graph = |subject: &subject::Subject| {
+        Ok(Graph { label: subject.label(&choices), declaration: subject.declare(size, &choices)?, tuning: subject.tuning() })
+    };
+    options.subjects().iter().map(graph).collect()
+}
+
+fn print_floor(floor: &report::Floor, clock: Clock) {
+    print!(
+        "copy {:.2} GB/s; {} multiply-adds a pixel {:.4} ms",
+        floor.copy_gb_per_s,
+        yardsticks::MULTIPLY_ADDS,
+        floor.arithmetic_ms
+    );
+    if clock == Clock::ProcessCpuTime {
+        let empty = floor.empty_submission_ms;
+        print!("; an empty submission {:.4} ms (95 %: {:.4}), which is taken off every pass", empty.median, empty.p95);
+    }
+    println!("\n");
+}

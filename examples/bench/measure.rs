@@ -1,0 +1,108 @@
+//! Measures all graphs at one size with one content: rounds in which they take turns, yardsticks among them.
+
+use super::clock::{Clock, EmptySubmission};
+use super::content::Content;
+use super::report::{Case, Floor, HostCost, Memory, Pass};
+use super::runner::{Frames, Runner};
+use super::statistics::Spread;
+use super::{host_cost, inputs, yardsticks};
+use atrous::executor::{HeadlessDevice, InputSet};
+use atrous::{Declaration, PassDecl, Shape, Tuning};
+use std::error::Error;
+use std::sync::Arc;
+
+/// Frames before those that are timed.
+const WARM_UP: u32 = 3;
+/// Submissions without work in a round.
+const EMPTY_SUBMISSIONS: u32 = 20;
+
+/// A graph to measure.
+pub struct Graph {
+    pub label: String,
+    pub declaration: Declaration,
+    pub tuning: Tuning,
+}
+
+pub struct Measurement<'a> {
+    pub gpu: &'a Arc<HeadlessDevice>,
+    pub clock: Clock,
+    pub content: Content,
+    pub size: [u32; 2],
+    pub frames: u32,
+    pub rounds: u32,
+}
+
+impl Measurement<'_> {
+    pub fn run(&self, graphs: Vec<Graph>) -> Result<Vec<Case>, Box<dyn Error>> {
+        let mut frames: Frames = std::array::from_fn(|_| InputSet::new(self.gpu.clone()));
+        let mut empty = EmptySubmission::new(self.gpu)?;
+        let mut copy = self.runner(yardsticks::copy(self.size)?, Tuning::default(), &mut frames)?;
+        let mut arithmetic = self.runner(yardsticks::arithmetic(self.size)?, Tuning::default(), &mut frames)?;
+        let mut hosts = Vec::new();
+        let mut runners = Vec::new();
+        for graph in &graphs {
+            let host = host_cost::start_up(self.gpu, &graph.declaration)?;
+            runners.push(self.runner(graph.declaration.clone(), graph.tuning, &mut frames)?);
+            let recording_us = host_cost::recording(self.gpu, &graph.declaration, self.content, &frames, &mut empty)?;
+            hosts.push(HostCost { recording_us, ..host });
+        }
+        let mut empty_ms = Vec::new();
+        for _ in 0..self.rounds {
+            for _ in 0..EMPTY_SUBMISSIONS {
+                empty_ms.push(empty.milliseconds()?);
+            }
+            for runner in [&mut copy, &mut arithmetic].into_iter().chain(&mut runners) {
+                runner.round(self.frames)?;
+            }
+        }
+        let empty = if self.clock == Clock::ProcessCpuTime { Spread::of(&empty_ms) } else { Spread::default() };
+        let time = |runner: &Runner| runner.samples.iter().map(|s| Spread::of(s).less(empty.median).median).fold(0.0, f64::max);
+        let bytes = |declaration: &Declaration| declaration.passes().iter().map(|p| bytes(declaration, p)).sum::<u64>() as f64;
+        let copy_gb_per_s = bytes(copy.declaration()) / time(&copy) * 1e-6;
+        let floor = Floor { copy_gb_per_s, arithmetic_ms: time(&arithmetic), empty_submission_ms: empty };
+        Ok(graphs.iter().zip(&runners).zip(hosts).map(|((graph, runner), host)| self.case(graph, runner, host, &floor)).collect())
+    }
+
+    fn runner(&self, declaration: Declaration, tuning: Tuning, frames: &mut Frames) -> Result<Runner, Box<dyn Error>> {
+        let mut runner = Runner::new(self.gpu, declaration, tuning, self.content, self.clock, frames)?;
+        runner.warm_up(WARM_UP)?;
+        Ok(runner)
+    }
+
+    fn case(&self, graph: &Graph, runner: &Runner, host: HostCost, floor: &Floor) -> Case {
+        let declaration = runner.declaration();
+        let empty = floor.empty_submission_ms.median;
+        let pass = |(pass, samples): (&PassDecl, &Vec<f64>)| Pass {
+            name: pass.name.clone(),
+            stage: pass.stage().unwrap_or(&pass.name).to_owned(),
+            time: Spread::of(samples).less(empty),
+            bytes: bytes(declaration, pass),
+        };
+        let passes: Vec<Pass> = declaration.passes().iter().zip(&runner.samples).map(pass).collect();
+        let count = runner.samples.first().map_or(0, Vec::len);
+        let sum = |i: usize| runner.samples.iter().map(|s| (s[i] - empty).max(0.0)).sum();
+        let sums: Vec<f64> = (0..count).map(sum).collect();
+        let (memory, allocated) = (declaration.memory(), runner.session().executor().allocated());
+        Case {
+            graph: graph.label.clone(),
+            size: self.size,
+            content: self.content.name().to_owned(),
+            passes,
+            frame: Spread::of(&sums),
+            memory: Memory {
+                history: memory.history,
+                transient: memory.transient,
+                allocated: allocated.history + allocated.transient,
+            },
+            host,
+            floor: floor.clone(),
+        }
+    }
+}
+
+/// Texels of all images of a pass, each once: what a perfect cache would move.
+fn bytes(declaration: &Declaration, pass: &PassDecl) -> u64 {
+    let resources = pass.uses.iter().map(|u| declaration.resource(u.resource));
+    let images = resources.filter(|r| matches!(r.shape, Shape::Image { .. }) && inputs::is_given(r));
+    images.map(|r| r.bytes(declaration.allocated_extent())).sum()
+}

@@ -1,0 +1,106 @@
+//! The command line.
+
+use super::content::Content;
+use super::subject::{Choices, Subject};
+use atrous::config::{PostProcess, Signals};
+use clap::Parser;
+use std::path::PathBuf;
+
+/// Times every pass of presets and other graphs, with their bytes, memory, start-up and recording.
+///
+/// docs/performance.md says what the columns mean.
+#[derive(Parser)]
+#[command(name = "bench")]
+pub struct Options {
+    /// Presets or graphs, separated by commas; all presets where none is given
+    #[arg(long, value_delimiter = ',', value_parser = str::parse::<Subject>)]
+    pub preset: Vec<Subject>,
+    /// Sizes in pixels, separated by commas; 720p to 4K where none is given, on CPU devices 320x180 and 640x360
+    #[arg(long, value_delimiter = ',', value_parser = parse_size)]
+    pub size: Vec<[u32; 2]>,
+    /// Content of the inputs: moving (a moving camera, holes, disocclusions) or wall (every pixel takes every tap)
+    #[arg(long, default_value = "moving", value_parser = str::parse::<Content>)]
+    pub content: Content,
+    /// Signals: together or apart
+    #[arg(long, default_value_t)]
+    pub signals: Signals,
+    /// À-trous levels
+    #[arg(long, default_value_t = 5)]
+    pub levels: u32,
+    /// Tone map and temporal anti-aliasing as well
+    #[arg(long)]
+    pub post_process: bool,
+    /// Frames of each graph that are timed in a round
+    #[arg(long, default_value_t = 6, value_parser = clap::value_parser!(u32).range(1..))]
+    pub frames: u32,
+    /// Rounds in which all graphs take turns, so that a slow minute of the machine hits all alike
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..))]
+    pub rounds: u32,
+    /// Index or a part of the name of the device
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Writes the figures to this file
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+    /// Draws a bar for each graph and size, with a segment for each pass, into this PNG file
+    #[arg(long, value_name = "FILE", conflicts_with = "isa")]
+    pub picture: Option<PathBuf>,
+    /// Compares with figures that --json wrote; with --isa, with the table in a Markdown file
+    #[arg(long, value_name = "FILE")]
+    pub against: Option<PathBuf>,
+    /// Shows how cost grows: per pixel with the size, and with the content, of which both are measured
+    #[arg(long, conflicts_with = "isa")]
+    pub growth: bool,
+    /// Prints what the driver's compiler makes of every shader instead: registers, occupancy, instructions, cycles
+    #[arg(long)]
+    pub isa: bool,
+    /// Writes the table of --isa into this Markdown file, between its markers
+    #[arg(long, value_name = "FILE", requires = "isa")]
+    pub update: Option<PathBuf>,
+}
+
+impl Options {
+    /// The graphs that are measured.
+    pub fn subjects(&self) -> Vec<Subject> {
+        if self.preset.is_empty() {
+            Subject::presets().collect()
+        } else {
+            self.preset.clone()
+        }
+    }
+
+    /// The settings of presets.
+    pub fn choices(&self) -> Choices {
+        let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
+        Choices { signals: self.signals, levels: self.levels, post_process }
+    }
+
+    /// Sizes from small to large.
+    pub fn sizes(&self, cpu_device: bool) -> Vec<[u32; 2]> {
+        let mut sizes = match (self.size.as_slice(), cpu_device) {
+            ([], false) => vec![[1280, 720], [1920, 1080], [2560, 1440], [3840, 2160]],
+            ([], true) => vec![[320, 180], [640, 360]],
+            (given, _) => given.to_vec(),
+        };
+        sizes.sort_by_key(|[w, h]| u64::from(*w) * u64::from(*h));
+        sizes.dedup();
+        sizes
+    }
+
+    /// Contents that are measured.
+    pub fn contents(&self) -> Vec<Content> {
+        if self.growth {
+            Content::ALL.to_vec()
+        } else {
+            vec![self.content]
+        }
+    }
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    let parsed = parsed.filter(|sides: &[u32; 2]| sides.iter().all(|s| (1..=atrous::Config::MAX_SIDE).contains(s)));
+    parsed.ok_or_else(|| {
+        format!("\"{text}\" is no size: give width and height like 1920x1080, each from 1 to {}", atrous::Config::MAX_SIDE)
+    })
+}

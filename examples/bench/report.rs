@@ -1,0 +1,131 @@
+//! The figures of a run, as they are written to a file and read from it.
+
+use super::clock::Clock;
+use super::content::Content;
+use super::statistics::Spread;
+use serde::{Deserialize, Serialize};
+use std::error::Error;
+use std::path::Path;
+
+/// What the files of this version say of themselves.
+const FORMAT: &str = "atrous-bench 1";
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Report {
+    pub format: String,
+    pub device: String,
+    pub clock: Clock,
+    /// Fused multiply-adds a pixel of the arithmetic loop.
+    pub multiply_adds: u32,
+    pub cases: Vec<Case>,
+}
+
+/// One graph at one size with one content.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Case {
+    pub graph: String,
+    pub size: [u32; 2],
+    pub content: String,
+    pub passes: Vec<Pass>,
+    /// Milliseconds of all passes of a frame together.
+    pub frame: Spread,
+    pub memory: Memory,
+    pub host: HostCost,
+    /// The same run's yardsticks at this size.
+    pub floor: Floor,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Pass {
+    pub name: String,
+    /// The stage that it runs; of a pass without a shader its name.
+    pub stage: String,
+    /// Milliseconds.
+    pub time: Spread,
+    /// Texels of all images that it touches, each read or written once.
+    pub bytes: u64,
+}
+
+/// Bytes.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Memory {
+    pub history: u64,
+    /// Aliased by lifetime.
+    pub transient: u64,
+    /// Histories and transients as the device counts them, with its alignment.
+    pub allocated: u64,
+}
+
+/// Cost on the CPU of a host.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct HostCost {
+    /// All pipelines, on the wall clock.
+    pub start_up_ms: f64,
+    /// All pipelines, CPU time of all threads.
+    pub start_up_cpu_ms: f64,
+    /// CPU time of recording a frame.
+    pub recording_us: f64,
+}
+
+/// What the device reached by itself.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Floor {
+    pub copy_gb_per_s: f64,
+    pub arithmetic_ms: f64,
+    /// CPU time of a submission without work, which is taken off; 0 where timestamps are used.
+    pub empty_submission_ms: Spread,
+}
+
+impl Report {
+    pub fn new(device: &str, clock: Clock) -> Self {
+        let multiply_adds = super::yardsticks::MULTIPLY_ADDS;
+        Self { format: FORMAT.to_owned(), device: device.to_owned(), clock, multiply_adds, cases: Vec::new() }
+    }
+
+    pub fn read(path: &Path) -> Result<Self, Box<dyn Error>> {
+        let text = std::fs::read_to_string(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        let report: Self = serde_json::from_str(&text)
+            .map_err(|e| format!("{} holds no figures of this benchmark; give a file that --json wrote ({e})", path.display()))?;
+        if report.format != FORMAT {
+            return Err(
+                format!("{} has the format \"{}\"; this benchmark reads \"{FORMAT}\"", path.display(), report.format).into()
+            );
+        }
+        Ok(report)
+    }
+
+    pub fn write(&self, path: &Path) -> Result<(), Box<dyn Error>> {
+        let text = serde_json::to_string_pretty(self)? + "\n";
+        Ok(std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))?)
+    }
+
+    pub fn find(&self, graph: &str, size: [u32; 2], content: &str) -> Option<&Case> {
+        self.cases.iter().find(|c| c.graph == graph && c.size == size && c.content == content)
+    }
+
+    pub fn of_content(&self, graph: &str, size: [u32; 2], content: Content) -> Option<&Case> {
+        self.find(graph, size, content.name())
+    }
+}
+
+impl Case {
+    pub fn pixels(&self) -> f64 {
+        f64::from(self.size[0]) * f64::from(self.size[1])
+    }
+
+    pub fn name(&self) -> String {
+        format!("{} {}x{} {}", self.graph, self.size[0], self.size[1], self.content)
+    }
+
+    /// Nanoseconds that a frame takes for each pixel.
+    pub fn ns_per_pixel(&self) -> f64 {
+        self.frame.median * 1e6 / self.pixels()
+    }
+}
+
+impl Pass {
+    /// Time over what a copy of the same bytes takes.
+    pub fn over_copy(&self, floor: &Floor) -> f64 {
+        self.time.median / (self.bytes as f64 / floor.copy_gb_per_s * 1e-6)
+    }
+}

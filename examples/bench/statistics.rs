@@ -1,0 +1,26 @@
+//! The middle and the upper end of samples.
+
+use serde::{Deserialize, Serialize};
+
+/// Median and 95th percentile.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Spread {
+    pub median: f64,
+    pub p95: f64,
+}
+
+impl Spread {
+    /// Of at least one sample.
+    pub fn of(samples: &[f64]) -> Self {
+        let mut sorted = samples.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        // The nearest rank: a value that was measured.
+        let rank = |share: f64| sorted.get(((share * sorted.len() as f64).ceil() as usize).max(1) - 1).copied().unwrap_or(f64::NAN);
+        Self { median: rank(0.5), p95: rank(0.95) }
+    }
+
+    /// Without a constant part; never below 0.
+    pub fn less(self, constant: f64) -> Self {
+        Self { median: (self.median - constant).max(0.0), p95: (self.p95 - constant).max(0.0) }
+    }
+}

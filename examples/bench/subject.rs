@@ -1,0 +1,75 @@
+//! The graphs that can be measured, by name: every preset, and those of `graphs`.
+
+use super::graphs::{OwnGraph, GRAPHS};
+use atrous::config::{PostProcess, Preset, Signals};
+use atrous::{Config, Declaration, Error, Tuning};
+use std::str::FromStr;
+
+/// A preset, or a graph of one's own.
+#[derive(Clone, Copy)]
+pub enum Subject {
+    Preset(Preset),
+    Own(&'static OwnGraph),
+}
+
+/// The settings of presets; a graph of one's own has its own.
+#[derive(Clone, Copy)]
+pub struct Choices {
+    pub signals: Signals,
+    pub levels: u32,
+    pub post_process: PostProcess,
+}
+
+impl Subject {
+    /// Every preset.
+    pub fn presets() -> impl Iterator<Item = Self> {
+        Preset::ALL.into_iter().map(Self::Preset)
+    }
+
+    /// The name, with the settings that are not the defaults.
+    pub fn label(self, choices: &Choices) -> String {
+        let preset = match self {
+            Self::Preset(preset) => preset,
+            Self::Own(graph) => return graph.name.to_owned(),
+        };
+        let mut label = preset.name().to_owned();
+        if choices.signals != Signals::default() {
+            label += &format!(" {}", choices.signals);
+        }
+        if choices.levels != Config::new([1, 1]).levels {
+            label += &format!(" {} levels", choices.levels);
+        }
+        if choices.post_process != PostProcess::None {
+            label += " post-process";
+        }
+        label
+    }
+
+    pub fn declare(self, size: [u32; 2], choices: &Choices) -> Result<Declaration, Error> {
+        let &Choices { signals, levels, post_process } = choices;
+        match self {
+            Self::Preset(preset) => Config { preset, signals, levels, post_process, ..Config::new(size) }.declare(),
+            Self::Own(graph) => (graph.declare)(size),
+        }
+    }
+
+    pub fn tuning(self) -> Tuning {
+        match self {
+            Self::Preset(preset) => Tuning::for_preset(preset),
+            Self::Own(_) => Tuning::default(),
+        }
+    }
+}
+
+impl FromStr for Subject {
+    type Err = String;
+
+    fn from_str(name: &str) -> Result<Self, String> {
+        let own = GRAPHS.iter().find(|graph| graph.name == name).map(Self::Own);
+        let preset = Preset::ALL.into_iter().find(|preset| preset.name() == name).map(Self::Preset);
+        own.or(preset).ok_or_else(|| {
+            let names = Preset::ALL.iter().map(|preset| preset.name()).chain(GRAPHS.iter().map(|graph| graph.name));
+            format!("\"{name}\" is no preset and no graph; there are: {}", names.collect::<Vec<_>>().join(", "))
+        })
+    }
+}

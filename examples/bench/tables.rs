@@ -1,0 +1,92 @@
+//! Tables of a run: the passes of each graph, and all graphs side by side.
+
+use super::report::{Case, Report};
+use atrous_picture::{Column, PictureError, StackedBars, TextTable};
+
+/// The passes of one graph.
+pub fn passes(case: &Case) -> Result<TextTable, PictureError> {
+    let columns =
+        [("ms", 4), ("95 % ms", 4), ("%", 1), ("ns/pixel", 2), ("MB", 2), ("GB/s", 2), ("× copy", 2), ("× arithmetic", 3)];
+    let mut table = TextTable::new(case.name(), columns.map(|(name, decimals)| Column::new(name, decimals)));
+    let total: f64 = case.passes.iter().map(|p| p.time.median).sum();
+    for pass in &case.passes {
+        let (ms, bytes) = (pass.time.median, pass.bytes as f64);
+        // A pass that touches buffers alone has no bytes to compare.
+        let of_bytes = |v: f64| if pass.bytes == 0 || ms == 0.0 { f64::NAN } else { v };
+        table.row(
+            &pass.name,
+            &[
+                ms,
+                pass.time.p95,
+                100.0 * ms / total,
+                ms * 1e6 / case.pixels(),
+                bytes * 1e-6,
+                of_bytes(bytes * 1e-6 / ms),
+                of_bytes(pass.over_copy(&case.floor)),
+                ms / case.floor.arithmetic_ms,
+            ],
+        )?;
+    }
+    let bytes: u64 = case.passes.iter().map(|p| p.bytes).sum();
+    let bytes = bytes as f64;
+    let ms = case.frame.median;
+    table.row(
+        "all passes",
+        &[
+            ms,
+            case.frame.p95,
+            100.0,
+            case.ns_per_pixel(),
+            bytes * 1e-6,
+            bytes * 1e-6 / ms,
+            ms / (bytes / case.floor.copy_gb_per_s * 1e-6),
+            ms / case.floor.arithmetic_ms,
+        ],
+    )?;
+    Ok(table)
+}
+
+/// All graphs.
+pub fn summary(report: &Report) -> Result<TextTable, PictureError> {
+    let columns = [
+        ("ms", 3),
+        ("95 % ms", 3),
+        ("ns/pixel", 2),
+        ("× arithmetic", 2),
+        ("history B/pixel", 1),
+        ("transient B/pixel", 1),
+        ("allocated MB", 1),
+        ("recording µs", 1),
+        ("start-up ms", 1),
+        ("start-up CPU ms", 1),
+    ];
+    let mut table = TextTable::new("graph", columns.map(|(name, decimals)| Column::new(name, decimals)));
+    for case in &report.cases {
+        let pixels = case.pixels();
+        let values = [
+            case.frame.median,
+            case.frame.p95,
+            case.ns_per_pixel(),
+            case.frame.median / case.floor.arithmetic_ms,
+            case.memory.history as f64 / pixels,
+            case.memory.transient as f64 / pixels,
+            case.memory.allocated as f64 * 1e-6,
+            case.host.recording_us,
+            case.host.start_up_ms,
+            case.host.start_up_cpu_ms,
+        ];
+        table.row(case.name(), &values)?;
+    }
+    Ok(table)
+}
+
+/// A bar for each case, with a segment for each pass in the colour of its stage.
+pub fn bars(report: &Report) -> StackedBars {
+    let title = format!("Time of a pixel by pass: {}, {}", report.device, report.clock.title());
+    let mut bars = StackedBars::new(title, "ns a pixel");
+    for case in &report.cases {
+        let segments = case.passes.iter().map(|p| (p.stage.as_str(), p.time.median * 1e6 / case.pixels()));
+        bars = bars.bar(format!("{} {:.1}", case.name(), case.ns_per_pixel()), segments);
+    }
+    bars
+}
