@@ -4,6 +4,7 @@
 
 mod allocation;
 mod bad_input;
+mod bench;
 #[cfg(feature = "capture")]
 mod capture;
 mod checksums;
@@ -41,6 +42,8 @@ fn main() {
     }
     let groups = [
         Group { name: "allocation", tests: allocation::TESTS, needs_device: true },
+        Group { name: "bench", tests: bench::TESTS, needs_device: false },
+        Group { name: "bench", tests: bench::DEVICE_TESTS, needs_device: true },
         Group { name: "contract", tests: contract::TESTS, needs_device: false },
         Group { name: "declarations", tests: declarations::TESTS, needs_device: false },
         Group { name: "documents", tests: documents::TESTS, needs_device: false },

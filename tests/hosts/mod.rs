@@ -4,11 +4,10 @@
 //! reports on the standard output.
 
 mod cpp;
-mod examples;
 mod fewer_features;
 mod submissions;
 
-use super::support::{assert_valid, session};
+use super::support::{assert_valid, examples, session};
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::{Config, FrameParams, Tuning};

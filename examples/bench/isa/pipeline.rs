@@ -38,8 +38,10 @@ unsafe fn create(device: &ash::Device, decl: &PipelineDecl<'_>) -> Result<vk::Pi
         binding.stage_flags(vk::ShaderStageFlags::COMPUTE)
     };
     let bindings: Vec<_> = decl.bindings.iter().map(binding).collect();
-    let entry = |(i, constant): (usize, &atrous::PipelineConstant<'_>)| {
-        vk::SpecializationMapEntry { constant_id: constant.id, offset: 4 * i as u32, size: 4 }
+    let entry = |(i, constant): (usize, &atrous::PipelineConstant<'_>)| vk::SpecializationMapEntry {
+        constant_id: constant.id,
+        offset: 4 * i as u32,
+        size: 4,
     };
     let entries: Vec<_> = decl.constants.iter().enumerate().map(entry).collect();
     let values: Vec<u8> = decl.constants.iter().flat_map(|constant| constant.bits.to_ne_bytes()).collect();

@@ -5,17 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Statistics that the table shows where the driver has them, in this order; the file has all.
-const SHOWN: [&str; 9] = [
-    VGPRS,
-    "SGPRs",
-    "Spilled VGPRs",
-    "Subgroups per SIMD",
-    "Instructions",
-    "Latency",
-    INVERSE_THROUGHPUT,
-    "Code size",
-    "LDS size",
-];
+const SHOWN: [&str; 7] = [VGPRS, "SGPRs", "Subgroups per SIMD", "Instructions", "Latency", INVERSE_THROUGHPUT, "Code size"];
 /// Vector registers of an invocation.
 pub const VGPRS: &str = "VGPRs";
 /// Cycles that a wave keeps the device busy.

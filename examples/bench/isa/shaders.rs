@@ -41,7 +41,7 @@ fn name(pipeline: &PipelineDecl<'_>) -> String {
     let mut name = pipeline.module.to_owned();
     for constant in &pipeline.constants {
         // A mask of bindings is read by its digits.
-        let bits = if constant.bits > 9 { format!("{:#x}", constant.bits) } else { constant.bits.to_string() };
+        let bits = if constant.name == "WIRED" { format!("{:#x}", constant.bits) } else { constant.bits.to_string() };
         name += &format!(" {}={bits}", constant.name);
     }
     name
