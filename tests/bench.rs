@@ -40,7 +40,7 @@ fn bad_input_is_refused() {
     std::fs::write(&no_figures, "{\"format\": 1}").expect("a file");
     let no_figures = no_figures.to_str().expect("UTF-8");
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
-    let refused: [(&[&str], &str); 9] = [
+    let refused: [(&[&str], &str); 10] = [
         (&["--size", "1920"], "\"1920\" is no size: give width and height like 1920x1080"),
         (&["--size", "0x4"], "\"0x4\" is no size"),
         (&["--preset", "sgvf"], "\"sgvf\" is no preset and no graph; there are: svgf, asvgf"),
@@ -50,6 +50,7 @@ fn bad_input_is_refused() {
         (&["--against", "/nowhere.json"], "/nowhere.json: "),
         (&["--isa", "--against", manifest], "the lines `<!-- bench --isa: begin -->`"),
         (&["--update", manifest], "--isa"),
+        (&["--isa", "--update", manifest, "--preset", "svgf"], "cannot be used with"),
     ];
     for (arguments, message) in refused {
         let output = bench().args(arguments).output().expect("a process");
@@ -72,10 +73,12 @@ fn every_preset_is_measured_and_compared() {
     for case in cases {
         let passes = case["passes"].as_array().expect("passes");
         assert!(passes.iter().any(|p| p["bytes"].as_u64() > Some(48 * 27 * 8)), "{case}");
-        assert!(case["frame"]["median"].as_f64() > Some(0.0) && case["floor"]["copy_gb_per_s"].as_f64() > Some(0.0), "{case}");
+        assert!(case["frame"]["median"].as_f64() > Some(0.0) && case["floor"]["arithmetic_ms"].as_f64() > Some(0.0), "{case}");
         assert!(case["host"]["recording_us"].as_f64() > Some(0.0) && case["memory"]["allocated"].as_u64() > Some(0), "{case}");
     }
     assert!(picture.metadata().expect("a picture").len() > 1000);
+    let stamps = run(bench().args(small).args(["--preset", "svgf", "--timestamps"]));
+    assert!(text(&stamps.stdout).contains("GPU timestamps"), "{}", text(&stamps.stdout));
     let both = run(bench().args(small).args(["--preset", "svgf,custom", "--growth", "--against"]).arg(&json));
     let said = text(&both.stdout);
     for expected in

@@ -18,14 +18,8 @@ pub enum Clock {
 }
 
 impl Clock {
-    /// The clock that suits a device.
-    pub fn of(gpu: &HeadlessDevice) -> Result<Self, Box<dyn Error>> {
-        let host = gpu.host();
-        // SAFETY: instance and physical device are live and belong together.
-        let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
-        if properties.device_type == vk::PhysicalDeviceType::CPU {
-            return Ok(Self::ProcessCpuTime);
-        }
+    /// Timestamps, where the device has them.
+    pub fn timestamps(gpu: &HeadlessDevice) -> Result<Self, Box<dyn Error>> {
         if !gpu.has_timestamps() {
             return Err(format!("the queue of {} has no timestamps, so its passes cannot be timed", gpu.name()).into());
         }
@@ -38,6 +32,14 @@ impl Clock {
             Self::ProcessCpuTime => "CPU time of the process",
         }
     }
+}
+
+/// Whether a device is the CPU.
+pub fn is_cpu(gpu: &HeadlessDevice) -> bool {
+    let host = gpu.host();
+    // SAFETY: instance and physical device are live and belong together.
+    let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
+    properties.device_type == vk::PhysicalDeviceType::CPU
 }
 
 /// A command buffer without commands, submitted and waited for as a pass is.

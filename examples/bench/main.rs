@@ -40,8 +40,9 @@ fn main() -> ExitCode {
 fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     let before = options.against.as_deref().map(Report::read).transpose()?;
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device: options.device.clone(), ..Default::default() })?);
-    let clock = Clock::of(&gpu)?;
-    let sizes = options.sizes(clock == Clock::ProcessCpuTime);
+    let cpu_device = clock::is_cpu(&gpu);
+    let clock = if cpu_device && !options.timestamps { Clock::ProcessCpuTime } else { Clock::timestamps(&gpu)? };
+    let sizes = options.sizes(cpu_device);
     println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
     let mut report = Report::new(gpu.name(), clock);
     for &size in &sizes {
@@ -51,9 +52,8 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
             for case in &cases {
                 println!("{}", tables::passes(case)?);
             }
-            let floor = cases.first().map(|case| &case.floor);
-            if let Some(floor) = floor {
-                print_floor(floor, clock);
+            if let Some(case) = cases.first() {
+                print_floor(&case.floor, clock);
             }
             report.cases.extend(cases);
         }
@@ -84,15 +84,11 @@ fn graphs(options: &Options, size: [u32; 2]) -> Result<Vec<Graph>, atrous::Error
 }
 
 fn print_floor(floor: &report::Floor, clock: Clock) {
-    print!(
-        "copy {:.2} GB/s; {} multiply-adds a pixel {:.4} ms",
-        floor.copy_gb_per_s,
-        yardsticks::MULTIPLY_ADDS,
-        floor.arithmetic_ms
-    );
+    let copy = floor.copy_gb_per_s.map_or("too short to measure".to_owned(), |gb_per_s| format!("{gb_per_s:.2} GB/s"));
+    print!("copy: {copy}; {} multiply-adds a pixel: {:.4} ms", yardsticks::MULTIPLY_ADDS, floor.arithmetic_ms);
     if clock == Clock::ProcessCpuTime {
         let empty = floor.empty_submission_ms;
-        print!("; an empty submission {:.4} ms (95 %: {:.4}), which is taken off every pass", empty.median, empty.p95);
+        print!("; a submission without work: {:.4} ms (95 %: {:.4}), taken off every pass", empty.median, empty.p95);
     }
     println!("\n");
 }

@@ -58,7 +58,7 @@ impl Measurement<'_> {
         let empty = if self.clock == Clock::ProcessCpuTime { Spread::of(&empty_ms) } else { Spread::default() };
         let time = |runner: &Runner| runner.samples.iter().map(|s| Spread::of(s).less(empty.median).median).fold(0.0, f64::max);
         let bytes = |declaration: &Declaration| declaration.passes().iter().map(|p| bytes(declaration, p)).sum::<u64>() as f64;
-        let copy_gb_per_s = bytes(copy.declaration()) / time(&copy) * 1e-6;
+        let copy_gb_per_s = Some(time(&copy)).filter(|ms| *ms > 0.0).map(|ms| bytes(copy.declaration()) / ms * 1e-6);
         let floor = Floor { copy_gb_per_s, arithmetic_ms: time(&arithmetic), empty_submission_ms: empty };
         Ok(graphs.iter().zip(&runners).zip(hosts).map(|((graph, runner), host)| self.case(graph, runner, host, &floor)).collect())
     }

@@ -39,6 +39,9 @@ pub struct Options {
     /// Index or a part of the name of the device
     #[arg(long)]
     pub device: Option<String>,
+    /// Timestamps on a CPU device as well, which swing with whatever else runs there
+    #[arg(long)]
+    pub timestamps: bool,
     /// Writes the figures to this file
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
@@ -54,8 +57,8 @@ pub struct Options {
     /// Prints what the driver's compiler makes of every shader instead: registers, occupancy, instructions, cycles
     #[arg(long)]
     pub isa: bool,
-    /// Writes the table of --isa into this Markdown file, between its markers
-    #[arg(long, value_name = "FILE", requires = "isa")]
+    /// Writes the table of --isa, of all presets, into this Markdown file, between its markers
+    #[arg(long, value_name = "FILE", requires = "isa", conflicts_with = "preset")]
     pub update: Option<PathBuf>,
 }
 

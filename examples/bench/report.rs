@@ -70,7 +70,8 @@ pub struct HostCost {
 /// What the device reached by itself.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Floor {
-    pub copy_gb_per_s: f64,
+    /// `None` where the copy takes no longer than a submission without work.
+    pub copy_gb_per_s: Option<f64>,
     pub arithmetic_ms: f64,
     /// CPU time of a submission without work, which is taken off; 0 where timestamps are used.
     pub empty_submission_ms: Spread,
@@ -123,9 +124,9 @@ impl Case {
     }
 }
 
-impl Pass {
-    /// Time over what a copy of the same bytes takes.
-    pub fn over_copy(&self, floor: &Floor) -> f64 {
-        self.time.median / (self.bytes as f64 / floor.copy_gb_per_s * 1e-6)
+impl Floor {
+    /// A time over what a copy of as many bytes takes; NaN where that is not known, or there are none.
+    pub fn over_copy(&self, ms: f64, bytes: u64) -> f64 {
+        self.copy_gb_per_s.filter(|_| bytes > 0).map_or(f64::NAN, |gb_per_s| ms / (bytes as f64 / gb_per_s * 1e-6))
     }
 }

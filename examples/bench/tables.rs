@@ -1,6 +1,7 @@
 //! Tables of a run: the passes of each graph, and all graphs side by side.
 
 use super::report::{Case, Report};
+use super::statistics::Spread;
 use atrous_picture::{Column, PictureError, StackedBars, TextTable};
 
 /// The passes of one graph.
@@ -9,40 +10,17 @@ pub fn passes(case: &Case) -> Result<TextTable, PictureError> {
         [("ms", 4), ("95 % ms", 4), ("%", 1), ("ns/pixel", 2), ("MB", 2), ("GB/s", 2), ("× copy", 2), ("× arithmetic", 3)];
     let mut table = TextTable::new(case.name(), columns.map(|(name, decimals)| Column::new(name, decimals)));
     let total: f64 = case.passes.iter().map(|p| p.time.median).sum();
-    for pass in &case.passes {
-        let (ms, bytes) = (pass.time.median, pass.bytes as f64);
+    let row = |time: Spread, share: f64, bytes: u64| {
+        let (ms, megabytes) = (time.median, bytes as f64 * 1e-6);
         // A pass that touches buffers alone has no bytes to compare.
-        let of_bytes = |v: f64| if pass.bytes == 0 || ms == 0.0 { f64::NAN } else { v };
-        table.row(
-            &pass.name,
-            &[
-                ms,
-                pass.time.p95,
-                100.0 * ms / total,
-                ms * 1e6 / case.pixels(),
-                bytes * 1e-6,
-                of_bytes(bytes * 1e-6 / ms),
-                of_bytes(pass.over_copy(&case.floor)),
-                ms / case.floor.arithmetic_ms,
-            ],
-        )?;
+        let gb_per_s = if bytes == 0 || ms == 0.0 { f64::NAN } else { megabytes / ms };
+        let per_pixel = ms * 1e6 / case.pixels();
+        [ms, time.p95, share, per_pixel, megabytes, gb_per_s, case.floor.over_copy(ms, bytes), ms / case.floor.arithmetic_ms]
+    };
+    for pass in &case.passes {
+        table.row(&pass.name, &row(pass.time, 100.0 * pass.time.median / total, pass.bytes))?;
     }
-    let bytes: u64 = case.passes.iter().map(|p| p.bytes).sum();
-    let bytes = bytes as f64;
-    let ms = case.frame.median;
-    table.row(
-        "all passes",
-        &[
-            ms,
-            case.frame.p95,
-            100.0,
-            case.ns_per_pixel(),
-            bytes * 1e-6,
-            bytes * 1e-6 / ms,
-            ms / (bytes / case.floor.copy_gb_per_s * 1e-6),
-            ms / case.floor.arithmetic_ms,
-        ],
-    )?;
+    table.row("all passes", &row(case.frame, 100.0, case.passes.iter().map(|p| p.bytes).sum()))?;
     Ok(table)
 }
 

@@ -15,8 +15,9 @@ pub fn incomparable(kept: &IsaReport, now: &IsaReport) -> Option<String> {
     (!same).then(message)
 }
 
-/// Shaders that grew by more than 10 % in registers, or, without loops, in cycles; and those that the table lacks or has in vain.
-pub fn findings(kept: &IsaReport, now: &IsaReport) -> Vec<String> {
+/// Shaders that grew by more than 10 % in registers, or, without loops, in cycles; and those that the table lacks, or has in vain
+/// where those of all presets are compared.
+pub fn findings(kept: &IsaReport, now: &IsaReport, all: bool) -> Vec<String> {
     let mut findings = Vec::new();
     for shader in &now.shaders {
         match kept.find(&shader.name) {
@@ -24,7 +25,7 @@ pub fn findings(kept: &IsaReport, now: &IsaReport) -> Vec<String> {
             None => findings.push(format!("{} is not in the table", shader.name)),
         }
     }
-    let gone = kept.shaders.iter().filter(|shader| now.find(&shader.name).is_none());
+    let gone = kept.shaders.iter().filter(|shader| all && now.find(&shader.name).is_none());
     findings.extend(gone.map(|shader| format!("{} is in the table, and no graph has it", shader.name)));
     findings
 }
@@ -53,13 +54,13 @@ mod tests {
 
     #[test]
     fn growth_within_the_slack_passes() {
-        assert!(findings(&report(40.0, 1000.0, 0), &report(44.0, 1100.0, 0)).is_empty());
-        assert!(findings(&report(40.0, 1000.0, 0), &report(20.0, 10.0, 0)).is_empty());
+        assert!(findings(&report(40.0, 1000.0, 0), &report(44.0, 1100.0, 0), true).is_empty());
+        assert!(findings(&report(40.0, 1000.0, 0), &report(20.0, 10.0, 0), true).is_empty());
     }
 
     #[test]
     fn growth_beyond_it_is_found() {
-        let found = findings(&report(40.0, 1000.0, 0), &report(48.0, 1200.0, 0));
+        let found = findings(&report(40.0, 1000.0, 0), &report(48.0, 1200.0, 0), true);
         assert_eq!(
             found,
             [
@@ -71,15 +72,16 @@ mod tests {
 
     #[test]
     fn cycles_of_loops_are_not_compared() {
-        assert!(findings(&report(40.0, 1000.0, 1), &report(40.0, 2000.0, 1)).is_empty());
-        assert_eq!(findings(&report(40.0, 1000.0, 1), &report(48.0, 2000.0, 1)).len(), 1);
+        assert!(findings(&report(40.0, 1000.0, 1), &report(40.0, 2000.0, 1), true).is_empty());
+        assert_eq!(findings(&report(40.0, 1000.0, 1), &report(48.0, 2000.0, 1), true).len(), 1);
     }
 
     #[test]
     fn shaders_of_one_side_alone_are_found() {
         let none = IsaReport { shaders: Vec::new(), ..report(1.0, 1.0, 0) };
-        assert_eq!(findings(&none, &report(1.0, 1.0, 0)), ["atrous WIRED=0x1f is not in the table"]);
-        assert_eq!(findings(&report(1.0, 1.0, 0), &none), ["atrous WIRED=0x1f is in the table, and no graph has it"]);
+        assert_eq!(findings(&none, &report(1.0, 1.0, 0), true), ["atrous WIRED=0x1f is not in the table"]);
+        assert_eq!(findings(&report(1.0, 1.0, 0), &none, true), ["atrous WIRED=0x1f is in the table, and no graph has it"]);
+        assert!(findings(&report(1.0, 1.0, 0), &none, false).is_empty());
     }
 
     #[test]

@@ -45,7 +45,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
         let text = report.written_into(&text).map_err(|e| format!("{}: {e}", path.display()))?;
         std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))?;
     }
-    Ok(kept.map_or(ExitCode::SUCCESS, |kept| compared(&kept, &report)))
+    Ok(kept.map_or(ExitCode::SUCCESS, |kept| compared(&kept, &report, options.preset.is_empty())))
 }
 
 fn read(path: &Path) -> Result<IsaReport, Box<dyn Error>> {
@@ -53,12 +53,12 @@ fn read(path: &Path) -> Result<IsaReport, Box<dyn Error>> {
     Ok(IsaReport::from_markdown(&text).map_err(|e| format!("{}: {e}", path.display()))?)
 }
 
-fn compared(kept: &IsaReport, now: &IsaReport) -> ExitCode {
+fn compared(kept: &IsaReport, now: &IsaReport, all: bool) -> ExitCode {
     if let Some(reason) = compare::incomparable(kept, now) {
         println!("{reason}");
         return ExitCode::SUCCESS;
     }
-    let findings = compare::findings(kept, now);
+    let findings = compare::findings(kept, now, all);
     for finding in &findings {
         eprintln!("{finding}");
     }
