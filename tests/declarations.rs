@@ -1,7 +1,8 @@
 //! `uses` against the SPIR-V, read by a second reader that the build does not use.
 
+use ash::vk;
 use atrous::config::{GradientSource, PostProcess, Preset, Signals};
-use atrous::{Access, Config, PassDecl, Shape};
+use atrous::{Access, Config, PassDecl, PipelineDecl, Shape};
 use atrous_harness::DeviceTest;
 use spirv_reflect::types::ReflectDescriptorType as Kind;
 use spirv_reflect::ShaderModule;
@@ -30,9 +31,9 @@ fn uses_equal_the_spirv_by_a_second_reader() {
             let config = Config { signals, object_normal, post_process, preset, gradient_source, ..options };
             let declaration = config.declare().expect("valid");
             for pass in declaration.passes() {
-                let Some(spirv) = pass.spirv() else { continue };
+                let Some(pipeline) = pass.pipeline() else { continue };
                 let shapes: Vec<_> = pass.uses.iter().map(|u| declaration.resource(u.resource).shape).collect();
-                check(pass, &shapes, spirv);
+                check(pass, &shapes, &pipeline);
                 modules += 1;
             }
         }
@@ -40,12 +41,14 @@ fn uses_equal_the_spirv_by_a_second_reader() {
     assert!(modules > 40, "{modules}");
 }
 
-fn check(pass: &PassDecl, shapes: &[Shape], spirv: &[u8]) {
-    let module = ShaderModule::load_u8_data(spirv).expect("SPIR-V");
+fn check(pass: &PassDecl, shapes: &[Shape], pipeline: &PipelineDecl<'_>) {
+    let module = ShaderModule::load_u8_data(pipeline.spirv).expect("SPIR-V");
     let mut bindings = module.enumerate_descriptor_bindings(None).expect("bindings");
     bindings.sort_by_key(|b| b.binding);
     for block in module.enumerate_push_constant_blocks(None).expect("push constants") {
         assert!(block.size <= 128, "{}: {} bytes of push constants", pass.name, block.size);
+        // This reader rounds up, as a uniform block would be.
+        assert_eq!(block.size, pipeline.push_bytes.next_multiple_of(16), "{}", pass.name);
     }
     let numbers: Vec<u32> = pass.bindings().map(|(number, _)| number).collect();
     assert_eq!(numbers.len(), pass.uses.len(), "{}", pass.name);
@@ -63,5 +66,19 @@ fn check(pass: &PassDecl, shapes: &[Shape], spirv: &[u8]) {
         };
         assert!(binding.set == 0 && binding.descriptor_type == expected, "{}: binding {number}", pass.name);
     }
-    assert!(bindings.iter().all(|b| b.set == 0), "{}", pass.name);
+    for binding in &bindings {
+        let (_, ty) = pipeline.bindings.iter().find(|(number, _)| *number == binding.binding).expect(&pass.name);
+        let expected = match binding.descriptor_type {
+            Kind::SampledImage => vk::DescriptorType::SAMPLED_IMAGE,
+            Kind::StorageImage => vk::DescriptorType::STORAGE_IMAGE,
+            Kind::StorageBuffer => vk::DescriptorType::STORAGE_BUFFER,
+            Kind::UniformBuffer => vk::DescriptorType::UNIFORM_BUFFER,
+            other => panic!("{}: {other:?}", pass.name),
+        };
+        assert!(binding.set == 0 && *ty == expected, "{}: binding {}", pass.name, binding.binding);
+    }
+    // Bit i of the mask of wired bindings is what stands at binding i.
+    for wired in pipeline.constants.iter().filter(|constant| constant.name == "WIRED") {
+        assert_eq!(wired.bits, numbers.iter().fold(0, |bits, number| bits | 1 << number), "{}", pass.name);
+    }
 }

@@ -20,6 +20,7 @@ mod host_header;
 mod hosts;
 #[cfg(feature = "hot-reload")]
 mod hot_reload;
+mod input_sets;
 mod parity;
 mod pattern;
 mod percentile;
@@ -58,6 +59,7 @@ fn main() {
         Group { name: "debug_views", tests: debug_views::TESTS, needs_device: true },
         Group { name: "eaw", tests: eaw::TESTS, needs_device: true },
         Group { name: "firefly", tests: firefly::TESTS, needs_device: true },
+        Group { name: "input_sets", tests: input_sets::TESTS, needs_device: true },
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },

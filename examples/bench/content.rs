@@ -11,7 +11,7 @@ pub const FRAMES: u32 = atrous_synthetic::moving::FRAMES;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// A wall seen head-on that stands still: every pixel has a history and takes every tap, which is the most work.
+    /// A wall seen head-on that stands still, noise included: every pixel has a history and takes every tap, which is the most work.
     Wall,
     /// A moving camera, surfaces at several depths, holes, and pixels that come into sight in every frame.
     Moving,
@@ -40,7 +40,7 @@ impl Content {
         match self {
             Self::Moving => MovingScene::new(size).pixel(index, x, y),
             Self::Wall => {
-                let noise = |i: u32| [2.0 * random(x, y, 2 * index + i); 3];
+                let noise = |i: u32| [2.0 * random(x, y, i); 3];
                 Pixel {
                     depth: 5.0,
                     normal: [0.0, 0.0, 1.0],

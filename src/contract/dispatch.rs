@@ -79,11 +79,6 @@ impl PassDecl {
         self.dispatch().is_some_and(|d| d.parameters.contains(&Parameter::View))
     }
 
-    /// The SPIR-V that a dispatch was built with, `None` for a pass that is no dispatch: for tools that reflect or profile it.
-    pub fn spirv(&self) -> Option<&[u8]> {
-        self.shader().map(|s| &*s.spirv)
-    }
-
     /// The stage that a dispatch runs, which is the file of its shader without `.comp`; `None` for a pass that is no dispatch.
     pub fn stage(&self) -> Option<&str> {
         self.shader().map(|s| &*s.stage)

@@ -1,4 +1,4 @@
-//! The pipeline of a pass as plain data: for tools that compile it by themselves, for statistics of a driver or offline.
+//! The pipeline of a pass as plain data: for tools that reflect it, or compile it by themselves for the statistics of a driver.
 
 use super::PassDecl;
 use crate::shaders::descriptor_type;

@@ -2,7 +2,8 @@
 //! with gaps, sky behind windows. Made for benchmarks: any size, pixel by pixel, in a fraction of a microsecond each.
 //!
 //! It has two frames, each the one before the other, so that alternating them is an endless camera shake with right motion vectors.
-//! The gaps uncover what is behind them in every frame.
+//! The gaps uncover what is behind them in every frame. Noise stays with its surface, as that of a re-shaded sample does: temporal
+//! gradients are those of steady light.
 
 use crate::scene::random;
 use atrous::FrameParams;
@@ -87,11 +88,8 @@ impl MovingScene {
     pub fn pixel(&self, index: u32, x: u32, y: u32) -> Pixel {
         let frame = (index % FRAMES) as usize;
         let uv = [(x as f32 + 0.5) / self.extent[0] as f32, (y as f32 + 0.5) / self.extent[1] as f32];
-        let u: [f32; 4] = std::array::from_fn(|i| random(x, y, 4 * index + i as u32));
-        // Exponential: as wide as its mean, as one path is.
-        let path = |u: f32| -(1.0 - u).ln();
-        let fog = if u[2] < 0.25 { 0.4 } else { 0.0 };
-        let (volume, scattering_depth) = ([fog, 0.9 * fog, 0.8 * fog], 0.5 + 6.0 * u[3]);
+        let fog = if random(x, y, 2 + index) < 0.25 { 0.4 } else { 0.0 };
+        let (volume, scattering_depth) = ([fog, 0.9 * fog, 0.8 * fog], 0.5 + 6.0 * random(x, y, 100 + index));
         let Some(hit) = self.trace(frame, uv) else {
             let sky = [0.3, 0.5, 0.9];
             let (normal, motion, albedo) = ([0.0; 3], [0.0; 2], [1.0; 3]);
@@ -107,6 +105,12 @@ impl MovingScene {
                 scattering_depth,
             };
         };
+        let motion = self.motion(frame, uv, &hit);
+        // The pixel that has this surface in frame 0 seeds both.
+        let seed = [0, 1].map(|i| (uv[i] + motion[i] * frame as f32) * self.extent[i] as f32);
+        let u = [0, 1].map(|i| random(seed[0].floor() as i32 as u32, seed[1].floor() as i32 as u32, i));
+        // Exponential: as wide as its mean, as one path is.
+        let path = |u: f32| -(1.0 - u).ln();
         let [nx, ny, nz] = hit.normal;
         let sun = (0.4 * nx + 0.8 * ny + 0.45 * nz).max(0.0);
         let lit = 0.5 + 0.5 * (1.7 * hit.point[0] + 0.9 * hit.point[2]).sin();
@@ -115,7 +119,7 @@ impl MovingScene {
         Pixel {
             depth: hit.depth,
             normal: hit.normal,
-            motion: self.motion(frame, uv, &hit),
+            motion,
             albedo: hit.albedo,
             surface_id: hit.id,
             direct: hit.albedo.map(|a| a * direct),
@@ -217,6 +221,34 @@ mod tests {
             assert_eq!(seen.len(), 9, "{seen:?}");
             assert!(seen[&0] > 1500 && seen.values().all(|count| *count > 8), "{seen:?}");
         }
+    }
+
+    /// The gradient sample of a pixel, which goes to the nearest pixel of the frame after, has the noise that it had.
+    #[test]
+    fn noise_stays_with_its_surface() {
+        let scene = MovingScene::new(EXTENT);
+        for (before, now) in [(0, 1), (1, 0)] {
+            let (mut same, mut all) = (0, 0);
+            for (x, y) in pixels(EXTENT) {
+                let old = scene.pixel(before, x, y);
+                // Alternating frames: where a surface goes is where it came from.
+                let to: [f32; 2] = std::array::from_fn(|i| [x, y][i] as f32 + 0.5 + old.motion[i] * EXTENT[i] as f32);
+                let Some(at) = inside(to) else { continue };
+                let new = scene.pixel(now, at[0], at[1]);
+                if old.surface_id == new.surface_id && old.surface_id > 0 {
+                    all += 1;
+                    let relative = |a: f32, b: f32| (a - b).abs() <= 0.1 * a.abs().max(b.abs());
+                    let light = |p: &Pixel| [p.direct[0] / p.albedo[0], p.indirect[0] / p.albedo[0]];
+                    same += u32::from(light(&old).into_iter().zip(light(&new)).all(|(a, b)| relative(a, b)));
+                }
+            }
+            assert!(same * 10 > all * 8, "{same} of {all}");
+        }
+    }
+
+    fn inside(to: [f32; 2]) -> Option<[u32; 2]> {
+        let within = |i: usize| (0.0..EXTENT[i] as f32).contains(&to[i]);
+        (within(0) && within(1)).then(|| to.map(|v| v as u32))
     }
 
     /// A pixel's motion leads to the same point of the same surface, or to what hid it.
