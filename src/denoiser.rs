@@ -7,7 +7,6 @@ use crate::error::Error;
 use crate::pipeline::{Bindable, Descriptor, Pipelines};
 use crate::requirements::Requirements;
 use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
-use crate::specialise::specialise;
 use ash::vk;
 
 /// Records the passes of a declaration. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
@@ -36,14 +35,14 @@ impl Denoiser {
     /// - Instance, physical device and device are live, belong together and outlive the result.
     /// - The pipeline cache is null or a live one of the device, and not externally synchronised. Nothing else is merged into it
     ///   meanwhile.
-    pub unsafe fn new(host: Device<'_>, mut declaration: Declaration) -> Result<Self, Error> {
+    pub unsafe fn new(host: Device<'_>, declaration: Declaration) -> Result<Self, Error> {
         let Device { instance, physical_device, device, pipeline_cache } = host;
         // SAFETY: instance, physical device and device are live and belong together, as the caller promised.
         let properties = unsafe {
             Requirements::new(&declaration).check_device(host)?;
             instance.get_physical_device_properties(physical_device)
         };
-        specialise(&mut declaration, properties.device_type);
+        let declaration = declaration.specialised(properties.device_type);
         // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };

@@ -5,17 +5,21 @@ use crate::frame_constants::Flags;
 use crate::shaders::{CONVENTIONS, MASKED_BRANCHES};
 use ash::vk;
 
-/// Sets them for every pass whose shader has them.
-pub(crate) fn specialise(declaration: &mut Declaration, device_type: vk::PhysicalDeviceType) {
-    let conventions = Flags::of(&declaration.setup().conventions, false);
-    let values = [(CONVENTIONS, conventions), (MASKED_BRANCHES, u32::from(device_type == vk::PhysicalDeviceType::CPU))];
-    for pass in &mut declaration.passes {
-        let Work::Dispatch(dispatch) = &mut pass.work else { continue };
-        for (name, value) in values {
-            let Some(constant) = dispatch.shader.constant(name) else { continue };
-            let id = constant.id;
-            dispatch.constants.retain(|(other, _)| *other != id);
-            dispatch.constants.push((id, value));
+impl Declaration {
+    /// The declaration with these constants set for every pass whose shader has them, as [`crate::Denoiser::new`] sets them: for
+    /// tools that compile [`crate::PassDecl::pipeline`] by themselves.
+    pub fn specialised(mut self, device_type: vk::PhysicalDeviceType) -> Self {
+        let conventions = Flags::of(&self.setup().conventions, false);
+        let values = [(CONVENTIONS, conventions), (MASKED_BRANCHES, u32::from(device_type == vk::PhysicalDeviceType::CPU))];
+        for pass in &mut self.passes {
+            let Work::Dispatch(dispatch) = &mut pass.work else { continue };
+            for (name, value) in values {
+                let Some(constant) = dispatch.shader.constant(name) else { continue };
+                let id = constant.id;
+                dispatch.constants.retain(|(other, _)| *other != id);
+                dispatch.constants.push((id, value));
+            }
         }
+        self
     }
 }

@@ -31,7 +31,10 @@ fn configurations() -> Vec<Config> {
     all
 }
 
-/// Every pipeline of the declarations by its name: the module, and the constants that are set.
+/// Constants that the library sets alike for every pass.
+const SET_FOR_ALL: [&str; 2] = ["CONVENTIONS", "MASKED_BRANCHES"];
+
+/// Every pipeline of the declarations by its name: the module, and the constants that a node sets.
 pub fn pipelines(declarations: &[Declaration]) -> BTreeMap<String, PipelineDecl<'_>> {
     let passes = declarations.iter().flat_map(Declaration::passes);
     passes.filter_map(|pass| pass.pipeline()).map(|pipeline| (name(&pipeline), pipeline)).collect()
@@ -39,7 +42,7 @@ pub fn pipelines(declarations: &[Declaration]) -> BTreeMap<String, PipelineDecl<
 
 fn name(pipeline: &PipelineDecl<'_>) -> String {
     let mut name = pipeline.module.to_owned();
-    for constant in &pipeline.constants {
+    for constant in pipeline.constants.iter().filter(|constant| !SET_FOR_ALL.contains(&constant.name)) {
         // A mask of bindings is read by its digits.
         let bits = if constant.name == "WIRED" { format!("{:#x}", constant.bits) } else { constant.bits.to_string() };
         name += &format!(" {}={bits}", constant.name);
