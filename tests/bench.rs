@@ -122,7 +122,8 @@ fn shaders_are_as_small_as_the_table_says() {
     }
     assert!(
         output.status.success(),
-        "{said}\nWhere this is meant to be, `ATROUS_UPDATE_ISA=1 cargo test --test suite bench::shaders` renews the table of docs/performance.md"
+        "{said}\nWhere this is meant to be, renew the table of docs/performance.md: ATROUS_UPDATE_ISA=1 cargo test --test suite \
+         bench::shaders"
     );
     if let Some(reason) = text(&output.stdout).lines().find(|line| line.contains("nothing was compared")) {
         println!("{reason}");

@@ -3,7 +3,7 @@
 use super::report::{Case, Report};
 use atrous_picture::{Column, PictureError, TextTable};
 
-/// What makes the two runs hard to compare.
+/// Reasons for which the two runs are hard to compare.
 pub fn warnings(before: &Report, now: &Report) -> Vec<String> {
     let mut warnings = Vec::new();
     if before.device != now.device {
@@ -17,8 +17,8 @@ pub fn warnings(before: &Report, now: &Report) -> Vec<String> {
     warnings
 }
 
-/// The ratios of each pass and of each frame; below 1 this run is faster. `ratio, arithmetic` is the ratio of times in units of
-/// each run's arithmetic loop, which leaves out how fast the machine was.
+/// Table of the ratios of each pass and of each frame; below 1 this run is faster. `ratio, arithmetic` is the ratio of times in
+/// units of each run's arithmetic loop, which leaves out how fast the machine was.
 pub fn table(before: &Report, now: &Report) -> Result<TextTable, PictureError> {
     let columns = [("before ms", 4), ("now ms", 4), ("ratio", 3), ("ratio, arithmetic", 3)];
     let mut table = TextTable::new("against", columns.map(|(name, decimals)| Column::new(name, decimals)));

@@ -11,7 +11,8 @@ pub const FRAMES: u32 = atrous_synthetic::moving::FRAMES;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Content {
-    /// A wall seen head-on that stands still, noise included: every pixel has a history and takes every tap, which is the most work.
+    /// A wall seen head-on that stands still, noise included: every pixel has a history and takes every tap, which is the most
+    /// work.
     Wall,
     /// A moving camera, surfaces at several depths, holes, and pixels that come into sight in every frame.
     Moving,

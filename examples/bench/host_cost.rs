@@ -14,7 +14,7 @@ use std::time::Instant;
 const BATCHES: usize = 9;
 const FRAMES_IN_BATCH: u32 = 40;
 
-/// All pipelines of a declaration, with the caches of the driver as they are.
+/// Creates all pipelines of a declaration, with the caches of the driver as they are.
 pub fn start_up(gpu: &HeadlessDevice, declaration: &Declaration) -> Result<HostCost, atrous::Error> {
     let (wall, cpu) = (Instant::now(), ProcessTime::now());
     // SAFETY: the handles are live, belong together and outlive the denoiser.

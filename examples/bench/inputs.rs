@@ -17,7 +17,7 @@ pub fn is_given(resource: &ResourceDecl) -> bool {
     resource.lifetime != Lifetime::Input { optional: true } || GIVEN.contains(&resource.name.as_str())
 }
 
-/// An image that is made.
+/// Image that is to be made.
 struct Image {
     name: String,
     format: vk::Format,

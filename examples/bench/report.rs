@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::path::Path;
 
-/// What the files of this version say of themselves.
+/// Format that the files of this version name.
 const FORMAT: &str = "atrous-bench 1";
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -46,7 +46,7 @@ pub struct Pass {
     pub bytes: u64,
 }
 
-/// Bytes.
+/// Bytes of a graph.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Memory {
     pub history: u64,
@@ -67,7 +67,7 @@ pub struct HostCost {
     pub recording_us: f64,
 }
 
-/// What the device reached by itself.
+/// Speed that the device reached with the yardsticks.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Floor {
     /// `None` where the copy takes no longer than a submission without work.

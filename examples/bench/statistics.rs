@@ -10,7 +10,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Of at least one sample.
+    /// Those of at least one sample.
     pub fn of(samples: &[f64]) -> Self {
         let mut sorted = samples.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -19,7 +19,7 @@ impl Spread {
         Self { median: rank(0.5), p95: rank(0.95) }
     }
 
-    /// Without a constant part; never below 0.
+    /// Takes a constant part off; never below 0.
     pub fn less(self, constant: f64) -> Self {
         Self { median: (self.median - constant).max(0.0), p95: (self.p95 - constant).max(0.0) }
     }

@@ -4,7 +4,7 @@ use super::report::{Case, Report};
 use super::statistics::Spread;
 use atrous_picture::{Column, PictureError, StackedBars, TextTable};
 
-/// The passes of one graph.
+/// Table of the passes of one graph.
 pub fn passes(case: &Case) -> Result<TextTable, PictureError> {
     let columns =
         [("ms", 4), ("95 % ms", 4), ("%", 1), ("ns/pixel", 2), ("MB", 2), ("GB/s", 2), ("× copy", 2), ("× arithmetic", 3)];
@@ -24,7 +24,7 @@ pub fn passes(case: &Case) -> Result<TextTable, PictureError> {
     Ok(table)
 }
 
-/// All graphs.
+/// Table of all graphs.
 pub fn summary(report: &Report) -> Result<TextTable, PictureError> {
     let columns = [
         ("ms", 3),
@@ -58,7 +58,7 @@ pub fn summary(report: &Report) -> Result<TextTable, PictureError> {
     Ok(table)
 }
 
-/// A bar for each case, with a segment for each pass in the colour of its stage.
+/// Picture with a bar for each case, with a segment for each pass in the colour of its stage.
 pub fn bars(report: &Report) -> StackedBars {
     let title = format!("Time of a pixel by pass: {}, {}", report.device, report.clock.title());
     let mut bars = StackedBars::new(title, "ns a pixel");

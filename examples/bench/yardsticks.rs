@@ -12,7 +12,7 @@ const HEAD: &str = "#version 450
 layout(local_size_x = 8, local_size_y = 8) in;
 ";
 
-/// 8 bytes read and 8 written a pixel.
+/// A copy of an image: 8 bytes read and 8 written a pixel.
 pub fn copy(size: [u32; 2]) -> Result<Declaration, Box<dyn Error>> {
     let source = format!(
         "{HEAD}layout(set = 0, binding = 0) uniform texture2D source;
@@ -29,7 +29,7 @@ pub fn copy(size: [u32; 2]) -> Result<Declaration, Box<dyn Error>> {
     Ok(g.finish()?)
 }
 
-/// [`MULTIPLY_ADDS`] a pixel, one behind the other in four chains, in code without a loop. Writes 4 bytes a pixel.
+/// A loop of [`MULTIPLY_ADDS`] a pixel, unrolled: one behind the other in four chains. Writes 4 bytes a pixel.
 pub fn arithmetic(size: [u32; 2]) -> Result<Declaration, Box<dyn Error>> {
     let body = "v = fma(v, vec4(0.999), vec4(0.001));\n".repeat(MULTIPLY_ADDS as usize / 4);
     let source = format!(

@@ -12,7 +12,7 @@ use std::convert::Infallible;
 const BAR_HEIGHT: u32 = 26;
 /// Room for the axis below the bars.
 const AXIS_HEIGHT: u32 = 52;
-/// Below, an axis has no steps that a number can hold.
+/// Shortest bar: below, an axis has no steps that a number can hold.
 const SMALLEST: f64 = 1e-18;
 /// Least width of the bars.
 const LEAST_WIDTH: u32 = 200;
@@ -50,8 +50,9 @@ impl StackedBars {
     /// Draws the bars.
     ///
     /// # Errors
-    /// [`PictureError::NothingToPlot`] if no bar has a length between 1e-18 and 1e30; [`PictureError::PlotSize`] if the width leaves no room beside
-    /// names and legend; [`PictureError::TooLarge`]; [`PictureError::Plot`] if the plotting library fails.
+    /// [`PictureError::NothingToPlot`] if no bar has a length between 1e-18 and 1e30; [`PictureError::PlotSize`] if the
+    /// width leaves no room beside names and legend; [`PictureError::TooLarge`]; [`PictureError::Plot`] if the plotting
+    /// library fails.
     pub fn render(&self) -> Result<Picture, PictureError> {
         let longest = self.bars.iter().map(|(_, segments)| segments.iter().map(|s| s.1).sum()).fold(0.0, f64::max);
         if !(SMALLEST..LARGEST).contains(&longest) {
