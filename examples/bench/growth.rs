@@ -4,16 +4,23 @@ use super::content::Content;
 use super::report::{Case, Report};
 use atrous_picture::{Column, PictureError, TextTable};
 
-/// Nanoseconds a pixel at each size, and over those at the smallest.
+/// Nanoseconds a pixel at each size, and over those at the smallest: as they are, and in units of the arithmetic loop at each
+/// size.
 pub fn with_size(report: &Report, sizes: &[[u32; 2]]) -> Result<TextTable, PictureError> {
-    let columns = sizes.iter().flat_map(|[w, h]| [Column::new(format!("{w}x{h} ns/pixel"), 2), Column::new("× smallest", 3)]);
+    let columns = sizes.iter().flat_map(|[w, h]| {
+        [Column::new(format!("{w}x{h} ns/pixel"), 2), Column::new("× smallest", 3), Column::new("× smallest, arithmetic", 3)]
+    });
     let mut table = TextTable::new("cost of a pixel", columns);
     for content in Content::ALL {
         for graph in graphs(report) {
-            let at = |size| report.of_content(graph, size, content).map_or(f64::NAN, Case::ns_per_pixel);
-            let smallest = sizes.first().map_or(f64::NAN, |size| at(*size));
-            let values: Vec<f64> = sizes.iter().flat_map(|size| [at(*size), at(*size) / smallest]).collect();
-            table.row(format!("{graph} {content}"), &values)?;
+            let at = |size| report.of_content(graph, size, content);
+            let cost = |size| at(size).map_or([f64::NAN; 2], |c| [c.ns_per_pixel(), c.frame.median / c.floor.arithmetic_ms]);
+            let smallest = sizes.first().map_or([f64::NAN; 2], |size| cost(*size));
+            let values = sizes.iter().flat_map(|size| {
+                let [ns, arithmetic] = cost(*size);
+                [ns, ns / smallest[0], arithmetic / smallest[1]]
+            });
+            table.row(format!("{graph} {content}"), &values.collect::<Vec<_>>())?;
         }
     }
     Ok(table)

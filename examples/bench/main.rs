@@ -46,17 +46,15 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
     let mut report = Report::new(gpu.name(), clock);
     for &size in &sizes {
-        for content in options.contents() {
-            let (frames, rounds) = (options.frames, options.rounds);
-            let cases = Measurement { gpu: &gpu, clock, content, size, frames, rounds }.run(graphs(options, size)?)?;
-            for case in &cases {
-                println!("{}", tables::passes(case)?);
-            }
-            if let Some(case) = cases.first() {
-                print_floor(&case.floor, clock);
-            }
-            report.cases.extend(cases);
+        let (contents, frames, rounds) = (&options.contents(), options.frames, options.rounds);
+        let cases = Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)?;
+        for case in &cases {
+            println!("{}", tables::passes(case)?);
         }
+        if let Some(case) = cases.first() {
+            print_floor(&case.floor, clock);
+        }
+        report.cases.extend(cases);
     }
     println!("{}", tables::summary(&report)?);
     if options.growth {

@@ -1,4 +1,4 @@
-//! Measures all graphs at one size with one content: rounds in which they take turns, yardsticks among them.
+//! Measures all graphs at one size: rounds in which they take turns, contents and yardsticks among them.
 
 use super::clock::{Clock, EmptySubmission};
 use super::content::Content;
@@ -26,32 +26,36 @@ pub struct Graph {
 pub struct Measurement<'a> {
     pub gpu: &'a Arc<HeadlessDevice>,
     pub clock: Clock,
-    pub content: Content,
+    pub contents: &'a [Content],
     pub size: [u32; 2],
     pub frames: u32,
     pub rounds: u32,
 }
 
+/// A graph that runs with one content.
+struct Running<'g> {
+    graph: &'g Graph,
+    content: Content,
+    runner: Runner,
+    host: HostCost,
+}
+
 impl Measurement<'_> {
-    pub fn run(&self, graphs: Vec<Graph>) -> Result<Vec<Case>, Box<dyn Error>> {
-        let mut frames: Frames = std::array::from_fn(|_| InputSet::new(self.gpu.clone()));
+    pub fn run(&self, graphs: &[Graph]) -> Result<Vec<Case>, Box<dyn Error>> {
         let mut empty = EmptySubmission::new(self.gpu)?;
-        let mut copy = self.runner(yardsticks::copy(self.size)?, Tuning::default(), &mut frames)?;
-        let mut arithmetic = self.runner(yardsticks::arithmetic(self.size)?, Tuning::default(), &mut frames)?;
-        let mut hosts = Vec::new();
-        let mut runners = Vec::new();
-        for graph in &graphs {
-            let host = host_cost::start_up(self.gpu, &graph.declaration)?;
-            runners.push(self.runner(graph.declaration.clone(), graph.tuning, &mut frames)?);
-            let recording_us = host_cost::recording(self.gpu, &graph.declaration, self.content, &frames, &mut empty)?;
-            hosts.push(HostCost { recording_us, ..host });
+        let mut running = Vec::new();
+        for &content in self.contents {
+            running.extend(self.start(graphs, content, &mut empty)?);
         }
+        let mut frames = self.no_frames();
+        let mut yardstick = |declaration| self.runner(declaration, Tuning::default(), Content::Moving, &mut frames);
+        let (mut copy, mut arithmetic) = (yardstick(yardsticks::copy(self.size)?)?, yardstick(yardsticks::arithmetic(self.size)?)?);
         let mut empty_ms = Vec::new();
         for _ in 0..self.rounds {
             for _ in 0..EMPTY_SUBMISSIONS {
                 empty_ms.push(empty.milliseconds()?);
             }
-            for runner in [&mut copy, &mut arithmetic].into_iter().chain(&mut runners) {
+            for runner in [&mut copy, &mut arithmetic].into_iter().chain(running.iter_mut().map(|r| &mut r.runner)) {
                 runner.round(self.frames)?;
             }
         }
@@ -60,16 +64,45 @@ impl Measurement<'_> {
         let bytes = |declaration: &Declaration| declaration.passes().iter().map(|p| bytes(declaration, p)).sum::<u64>() as f64;
         let copy_gb_per_s = Some(time(&copy)).filter(|ms| *ms > 0.0).map(|ms| bytes(copy.declaration()) / ms * 1e-6);
         let floor = Floor { copy_gb_per_s, arithmetic_ms: time(&arithmetic), empty_submission_ms: empty };
-        Ok(graphs.iter().zip(&runners).zip(hosts).map(|((graph, runner), host)| self.case(graph, runner, host, &floor)).collect())
+        Ok(running.into_iter().map(|running| self.case(running, &floor)).collect())
     }
 
-    fn runner(&self, declaration: Declaration, tuning: Tuning, frames: &mut Frames) -> Result<Runner, Box<dyn Error>> {
-        let mut runner = Runner::new(self.gpu, declaration, tuning, self.content, self.clock, frames)?;
+    /// Opens every graph for a content, and runs it until its times count.
+    fn start<'g>(
+        &self,
+        graphs: &'g [Graph],
+        content: Content,
+        empty: &mut EmptySubmission,
+    ) -> Result<Vec<Running<'g>>, Box<dyn Error>> {
+        let mut frames = self.no_frames();
+        let mut running = Vec::new();
+        for graph in graphs {
+            let host = host_cost::start_up(self.gpu, &graph.declaration)?;
+            let runner = self.runner(graph.declaration.clone(), graph.tuning, content, &mut frames)?;
+            let recording_us = host_cost::recording(self.gpu, &graph.declaration, content, &frames, empty)?;
+            running.push(Running { graph, content, runner, host: HostCost { recording_us, ..host } });
+        }
+        Ok(running)
+    }
+
+    fn no_frames(&self) -> Frames {
+        std::array::from_fn(|_| InputSet::new(self.gpu.clone()))
+    }
+
+    fn runner(
+        &self,
+        declaration: Declaration,
+        tuning: Tuning,
+        content: Content,
+        frames: &mut Frames,
+    ) -> Result<Runner, Box<dyn Error>> {
+        let mut runner = Runner::new(self.gpu, declaration, tuning, content, self.clock, frames)?;
         runner.warm_up(WARM_UP)?;
         Ok(runner)
     }
 
-    fn case(&self, graph: &Graph, runner: &Runner, host: HostCost, floor: &Floor) -> Case {
+    fn case(&self, running: Running<'_>, floor: &Floor) -> Case {
+        let Running { graph, content, runner, host } = running;
         let declaration = runner.declaration();
         let empty = floor.empty_submission_ms.median;
         let pass = |(pass, samples): (&PassDecl, &Vec<f64>)| Pass {
@@ -86,7 +119,7 @@ impl Measurement<'_> {
         Case {
             graph: graph.label.clone(),
             size: self.size,
-            content: self.content.name().to_owned(),
+            content: content.name().to_owned(),
             passes,
             frame: Spread::of(&sums),
             memory: Memory {
