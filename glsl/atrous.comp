@@ -2,7 +2,8 @@
 // One level of the edge-avoiding à-trous wavelet transform, guided by variance, which it filters along.
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
-// Constants: BOX: the 3x3 box kernel of [ASVGF] instead of the 5x5 B3 spline. VOLUME: steered by the depth of the surface behind alone, and
+// Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
+// SMOOTH: the luminance weight takes the deviation of 3x3 pixels. VOLUME: steered by the depth of the surface behind alone, and
 // less strictly [PSVGF]; the background takes part. FIRST: level 0.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
@@ -11,9 +12,11 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 1) const bool BOX = false;
+layout(constant_id = 1) const uint KERNEL = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
 layout(constant_id = 3) const bool FIRST = false;
+layout(constant_id = 4) const bool ODD = false;
+layout(constant_id = 5) const bool SMOOTH = true;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -31,28 +34,35 @@ layout(push_constant) uniform Push {
 // Storage images are read, not sampled ones: software Vulkan takes two thirds of the time for them, GPUs the same. Vulkan guarantees four
 // of them, so that with two signals the guide is sampled.
 #if SIGNALS == 1
-layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D guide;
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
 uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
 #else
 layout(set = 0, binding = 1) uniform utexture2D guide;
 uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
 #endif
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3, rgba16f) uniform readonly image2D input_0;
+layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D input_0;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 5, rgba16f) uniform readonly image2D input_1;
+layout(set = 0, binding = 5, rgba16f) uniform restrict readonly image2D input_1;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
 #endif
 
-const int RADIUS = BOX ? 1 : 2;
+const uint SPLINE_KERNEL = 0u;
+const uint BOX_KERNEL = 1u;
+const uint HEXAGON_KERNEL = 2u;
+const int RADIUS = KERNEL == SPLINE_KERNEL ? 2 : 1;
 const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 const float LUMINANCE_EPSILON = 1e-4;
 
-// Of the centre; 1/9 is rounded once, and not as a product of two thirds.
-const float CENTRE_KERNEL = BOX ? 1.0 / 9.0 : 9.0 / 64.0;
+const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : KERNEL == BOX_KERNEL ? 1.0 / 9.0 : 1.0 / 7.0;
 
-float kernel_at(int distance) { return BOX ? 1.0 / 3.0 : SPLINE[distance]; }
+float kernel_at(ivec2 offset) { return KERNEL == SPLINE_KERNEL ? SPLINE[abs(offset.x)] * SPLINE[abs(offset.y)] : CENTRE_KERNEL; }
+
+bool is_tap(ivec2 offset) {
+    if (KERNEL == HEXAGON_KERNEL && abs(offset) == (ODD ? ivec2(0, 1) : ivec2(1, 0))) return false;
+    return offset != ivec2(0);
+}
 
 struct Sum {
     vec3 irradiance;
@@ -65,8 +75,13 @@ struct Centre {
     float sharpness;  // of luminance: log2(e) over eq. 5's denominator
 };
 
-// g3x3: a steadier variance for the luminance weight alone.
-vec2 smoothed_variances(ivec2 p) {
+// g3x3: a steadier deviation, for the luminance weight alone.
+vec2 tolerated_deviations(ivec2 p) {
+#if SIGNALS == 1
+    if (!SMOOTH) return vec2(imageLoad(input_0, p).a);
+#else
+    if (!SMOOTH) return vec2(imageLoad(input_0, p).a, imageLoad(input_1, p).a);
+#endif
     vec2 sum = vec2(0.0);
     float weight_sum = 0.0;
     [[unroll]] for (int y = -1; y <= 1; ++y)
@@ -83,11 +98,11 @@ vec2 smoothed_variances(ivec2 p) {
 #endif
             weight_sum += weight;
         }
-    return sum / max(weight_sum, 0.25);
+    return sqrt(sum / max(weight_sum, 0.25));
 }
 
-Centre centre_of(vec4 value, float variance) {
-    return Centre(luminance(value.rgb), LOG2_E / (push.sigma_l * sqrt(variance) + LUMINANCE_EPSILON));
+Centre centre_of(vec4 value, float deviation) {
+    return Centre(luminance(value.rgb), LOG2_E / (push.sigma_l * deviation + LUMINANCE_EPSILON));
 }
 
 void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
@@ -119,25 +134,25 @@ void main() {
         return;
     }
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
-    vec2 variances = smoothed_variances(p);
+    vec2 deviations = tolerated_deviations(p);
     // Known when the pipeline is made, so that the taps of the first level are those of the smoothing.
     int step_size = FIRST ? 1 : 1 << push.level;
-    Centre centre_0 = centre_of(value_0, variances.x);
+    Centre centre_0 = centre_of(value_0, deviations.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
-    Centre centre_1 = centre_of(value_1, variances.y);
+    Centre centre_1 = centre_of(value_1, deviations.y);
     Sum sum_1 = start(value_1);
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
         [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
-            if (y == 0 && x <= 0) continue;
+            if ((y == 0 && x <= 0) || !is_tap(ivec2(x, y))) continue;
             ivec2 offset = ivec2(x, y) * step_size;
             float sharpness = depth_sharpness(geometry, vec2(offset));
             // The tap on the other side has the same kernel and the same tolerance of depth.
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
                 ivec2 q = p + side * offset, tap = nearest_inside(q);
                 uvec4 packed_q = guide_at(tap);
-                float kernel = q == tap && is_filtered(packed_q) ? kernel_at(abs(x)) * kernel_at(y) : 0.0;
+                float kernel = q == tap && is_filtered(packed_q) ? kernel_at(ivec2(x, y)) : 0.0;
                 float weight = log2_weight(geometry, packed_q, sharpness);
                 add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
 #if SIGNALS == 2

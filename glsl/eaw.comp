@@ -30,16 +30,16 @@ layout(push_constant) uniform Push {
 
 // Storage images are read, not sampled ones, as in atrous.comp.
 #if SIGNALS == 1
-layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D guide;
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
 uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
 #else
 layout(set = 0, binding = 1) uniform utexture2D guide;
 uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
 #endif
-layout(set = 0, binding = 2, rgba16f) uniform readonly image2D input_0;
+layout(set = 0, binding = 2, rgba16f) uniform restrict readonly image2D input_0;
 layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 4, rgba16f) uniform readonly image2D input_1;
+layout(set = 0, binding = 4, rgba16f) uniform restrict readonly image2D input_1;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D output_1;
 #endif
 

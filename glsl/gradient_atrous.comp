@@ -22,9 +22,9 @@ layout(push_constant) uniform Push {
 layout(local_size_x = 8, local_size_y = 8) in;
 
 // Storage images are read, not sampled ones, as in atrous.comp.
-layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D gradient_guide;
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D gradient_guide;
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3, rgba16f) uniform readonly image2D gradient_in;
+layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D gradient_in;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D gradient_out;
 
 const float LUMINANCE_EPSILON = 1e-4;

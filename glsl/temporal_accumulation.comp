@@ -43,7 +43,7 @@ const uint HISTORY_CONFIDENCE = 8u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 #if SIGNALS == 1
-layout(set = 0, binding = 2, rgba16ui) uniform readonly uimage2D previous_guide;
+layout(set = 0, binding = 2, rgba16ui) uniform restrict readonly uimage2D previous_guide;
 uvec4 previous_guide_at(ivec2 tap) { return imageLoad(previous_guide, tap); }
 #else
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
@@ -58,7 +58,7 @@ layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confiden
 layout(set = 0, binding = 9) uniform texture2D history_0;
 // Storage images are read where Vulkan guarantees as many, not sampled ones, as in atrous.comp.
 #if SIGNALS == 1
-layout(set = 0, binding = 10, rgba16ui) uniform readonly uimage2D previous_moments_0;
+layout(set = 0, binding = 10, rgba16ui) uniform restrict readonly uimage2D previous_moments_0;
 vec3 history_at(ivec2 tap, int signal) { return texelFetch(history_0, tap, 0).rgb; }
 uvec4 moments_at(ivec2 tap, int signal) { return imageLoad(previous_moments_0, tap); }
 #else

@@ -29,7 +29,7 @@ layout(push_constant) uniform Push {
 
 // Storage images are read, not sampled ones, as in atrous.comp.
 #if SIGNALS == 1
-layout(set = 0, binding = 1, rgba16ui) uniform readonly uimage2D guide;
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
 uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
 #else
 layout(set = 0, binding = 1) uniform utexture2D guide;
@@ -37,11 +37,11 @@ uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
 #endif
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D accumulated_0;
-layout(set = 0, binding = 4, rgba16ui) uniform readonly uimage2D moments_0;
+layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D moments_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D estimated_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 6) uniform texture2D accumulated_1;
-layout(set = 0, binding = 7, rgba16ui) uniform readonly uimage2D moments_1;
+layout(set = 0, binding = 7, rgba16ui) uniform restrict readonly uimage2D moments_1;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
 #endif
 

@@ -21,6 +21,7 @@ mod frame_constants;
 pub mod graph;
 #[cfg(feature = "hot-reload")]
 pub mod hot_reload;
+mod kernel;
 #[forbid(unsafe_code)]
 pub mod nodes;
 #[forbid(unsafe_code)]

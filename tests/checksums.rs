@@ -20,6 +20,7 @@ fn configurations() -> Vec<(&'static str, Config)> {
     let apart = Config { signals: Signals::Apart, ..base };
     let asvgf = Config { preset: Preset::Asvgf, ..base };
     let percentile = Config { preset: Preset::Percentile, ..base };
+    let fast = Config { preset: Preset::Fast, ..base };
     let eaw = Config { preset: Preset::Eaw, ..base };
     let stabilize = Config { preset: Preset::Stabilize, ..base };
     vec![
@@ -44,6 +45,8 @@ fn configurations() -> Vec<(&'static str, Config)> {
         ("percentile apart, object normals", Config { signals: Signals::Apart, object_normal: true, ..percentile }),
         ("percentile published", Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile }),
         ("percentile published apart", Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile }),
+        ("fast", fast),
+        ("fast apart, fireflies", Config { signals: Signals::Apart, firefly_filter: true, ..fast }),
         ("eaw", eaw),
         ("eaw apart, two weights", Config { signals: Signals::Apart, eaw_weights: EawWeights::first(2), ..eaw }),
         ("eaw 2x2", Config { sampling: Sampling::OneOf2x2, ..eaw }),

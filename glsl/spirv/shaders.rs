@@ -59,9 +59,11 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 5, scalar: Scalar::Bool, default: 1 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -84,9 +86,11 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("BOX"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 4, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 5, scalar: Scalar::Bool, default: 1 },
     ]),
 };
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {

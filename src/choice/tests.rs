@@ -17,7 +17,7 @@ const STABLE: [(&str, u32, &str); 17] = [
     ("NormalEncoding", 0, "xyz xyz_unorm octahedral octahedral_unorm"),
     ("NormalSpace", 0, "world view"),
     ("PostProcess", 0, "none tone_map tone_map_taa"),
-    ("Preset", 0, "svgf asvgf stabilize percentile eaw volume"),
+    ("Preset", 0, "svgf asvgf stabilize percentile eaw volume fast"),
     ("Sampling", 0, "full one_of_2x2 one_of_4x4"),
     ("Signals", 0, "together apart"),
     ("ViewForward", 0, "negative_z positive_z"),

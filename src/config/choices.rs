@@ -49,6 +49,9 @@ choices! {
         /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`crate::Config::volume`]
         /// adds the same passes to another preset.
         Volume = 5 => "volume",
+        /// The cheapest filter that follows light that changes: SVGF with 7 taps a level and the change test of
+        /// [`Preset::Percentile`]. Needs nothing of the host that SVGF does not.
+        Fast = 6 => "fast",
     }
 
     /// Share of the pixels that have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
@@ -118,6 +121,7 @@ impl Preset {
             Self::Percentile => "percentile",
             Self::Eaw => "EAW",
             Self::Volume => "volume",
+            Self::Fast => "fast",
         }
     }
 }

@@ -189,6 +189,7 @@ impl Tuning {
     pub fn for_preset(preset: Preset) -> Self {
         match preset {
             Preset::Svgf | Preset::Eaw | Preset::Volume => Self::default(),
+            Preset::Fast => Self { alpha: 0.1, alpha_moments: 0.1, normal_tolerance: 0.5, ..Self::default() },
             Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..Self::default() },
             Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
         }

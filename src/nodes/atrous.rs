@@ -4,16 +4,7 @@ use super::by_signals;
 use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};
 
-/// The kernel of a level.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Kernel {
-    /// 5×5 B3 spline \[SVGF\].
-    #[default]
-    Spline,
-    /// 3×3 box \[ASVGF\].
-    Box,
-}
+pub use crate::kernel::Kernel;
 
 /// Parameters of the node `atrous`.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +13,9 @@ pub struct Atrous {
     pub levels: u32,
     /// Default: [`Kernel::Spline`].
     pub kernel: Kernel,
+    /// Whether the deviation by which luminance is compared is that of 3×3 pixels (`g3x3` of \[SVGF\] eq. 5), which is steadier,
+    /// rather than the pixel's own. Default: true.
+    pub smooth_deviation: bool,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
     /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
@@ -35,7 +29,7 @@ pub struct Atrous {
 impl Default for Atrous {
     fn default() -> Self {
         let (sigma_l, sigma_n, sigma_z) = Default::default();
-        Self { levels: 5, kernel: Kernel::default(), feedback: None, sigma_l, sigma_n, sigma_z }
+        Self { levels: 5, kernel: Kernel::default(), smooth_deviation: true, feedback: None, sigma_l, sigma_n, sigma_z }
     }
 }
 
@@ -69,7 +63,8 @@ impl Graph {
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, module, level)
-                .constant("BOX", u32::from(atrous.kernel == Kernel::Box))
+                .constant("KERNEL", atrous.kernel as u32)
+                .constant("SMOOTH", u32::from(atrous.smooth_deviation))
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)
@@ -129,7 +124,7 @@ impl Graph {
 }
 
 fn level_pass(node: &str, name: String, module: &'static Shader, level: u32) -> Pass {
-    Pass::new(node, module).named(name).level(level).constant("FIRST", u32::from(level == 0))
+    Pass::new(node, module).named(name).level(level).constant("FIRST", u32::from(level == 0)).constant("ODD", level % 2)
 }
 
 /// The two images of every signal that the levels write in turn.

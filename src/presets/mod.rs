@@ -5,6 +5,7 @@
 
 mod asvgf;
 mod eaw;
+mod fast;
 mod gradients;
 mod percentile;
 mod stabilize;
@@ -13,6 +14,7 @@ mod volume;
 
 pub use asvgf::asvgf;
 pub use eaw::eaw;
+pub use fast::fast;
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
 pub use stabilize::stabilize;
@@ -76,6 +78,7 @@ fn surfaces(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Denoised>
     let denoised = match config.preset {
         Preset::Svgf => svgf(g, guides, config),
         Preset::Percentile => percentile(g, guides, config),
+        Preset::Fast => fast(g, guides, config),
         Preset::Eaw => eaw(g, guides, config),
         Preset::Asvgf => asvgf(g, guides, config),
         Preset::Stabilize => stabilize(g, guides, config),

@@ -5,6 +5,7 @@ use super::bindings::Bindings;
 use super::geometry_weights::Geometry;
 use super::luminance::texel_luminance;
 use super::{render_rect::RenderRect, Image};
+use crate::kernel::Kernel;
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
@@ -12,12 +13,6 @@ use glam::IVec2;
 mod edge_tests;
 #[cfg(test)]
 mod tests;
-
-/// The B3 spline \[EAW\]: one axis of the 5×5 kernel.
-const SPLINE: &[f32] = &[1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
-
-/// The box \[ASVGF\]: one axis of the 3×3 kernel.
-const BOX: &[f32] = &[1.0 / 3.0; 3];
 
 /// Tolerated difference of luminance where the variance is 0.
 pub const LUMINANCE_EPSILON: f32 = 1e-4;
@@ -33,15 +28,27 @@ pub struct AtrousInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
 }
 
-/// Filters every signal with taps `2^level` pixels apart; they share the geometry weights. Texels of the result are as those of the
-/// input.
-pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), SPLINE, level, inputs.irradiance)
+/// One level of the filter.
+#[derive(Clone, Copy, Debug)]
+pub struct AtrousLevel {
+    /// Number of the level: taps are `2^number` pixels apart.
+    pub number: u32,
+    /// Kernel.
+    pub kernel: Kernel,
+    /// Whether luminance is compared by the deviation of 3×3 pixels.
+    pub smooth_deviation: bool,
 }
 
-/// [`atrous`] with a 3×3 box for the kernel \[ASVGF\].
-pub fn box_atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), BOX, level, inputs.irradiance)
+impl AtrousLevel {
+    /// A level of \[SVGF\].
+    pub fn new(number: u32) -> Self {
+        Self { number, kernel: Kernel::Spline, smooth_deviation: true }
+    }
+}
+
+/// Filters every signal with the taps of a level; they share the geometry weights. Texels of the result are as those of the input.
+pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: AtrousLevel, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), level, inputs.irradiance)
 }
 
 /// [`atrous`] for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background
@@ -49,34 +56,33 @@ pub fn box_atrous(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &
 pub fn volume_atrous(
     frame: &FrameConstants,
     tuning: &Tuning,
-    level: u32,
+    level: AtrousLevel,
     guide: &Image<[u16; 4]>,
     radiance: &Image<[f32; 4]>,
 ) -> Image<[f32; 4]> {
-    let mut filtered = filter(frame, &Geometry::of_volume(frame, tuning, guide), SPLINE, level, &[radiance]);
+    let mut filtered = filter(frame, &Geometry::of_volume(frame, tuning, guide), level, &[radiance]);
     filtered.pop().unwrap_or_else(|| radiance.clone())
 }
 
 fn filter(
     frame: &FrameConstants,
     geometry: &Geometry,
-    kernel: &[f32],
-    level: u32,
+    level: AtrousLevel,
     irradiance: &[&Image<[f32; 4]>],
 ) -> Vec<Image<[f32; 4]>> {
-    let radius = kernel.len() as i32 / 2;
     let rect = RenderRect::new(frame.render_extent);
-    let step = 1_i32.checked_shl(level).unwrap_or(i32::MAX / 4);
+    let step = 1_i32.checked_shl(level.number).unwrap_or(i32::MAX / 4);
     // Geometry weights cost the most: they are computed once for the two signals that there can be.
     let mut filtered = Vec::with_capacity(irradiance.len());
     for pair in irradiance.chunks(2) {
         let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
-            let mut sums: [Sum; 2] = std::array::from_fn(|i| Sum::new(geometry, rect, pair.get(i).copied(), p));
+            let mut sums: [Sum; 2] =
+                std::array::from_fn(|i| Sum::new(geometry, rect, level.smooth_deviation, pair.get(i).copied(), p));
             if geometry.is_background(p) {
                 return sums.map(|sum| sum.centre);
             }
-            for (offset, q) in rect.window(p, radius, step) {
-                let h = kernel[(offset.x + radius) as usize] * kernel[(offset.y + radius) as usize];
+            for (offset, q) in rect.window(p, level.kernel.radius(), step) {
+                let Some(h) = level.kernel.weight(level.number, offset.x, offset.y) else { continue };
                 let weight = h * geometry.weight(p, q);
                 if weight > 0.0 {
                     sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
@@ -101,16 +107,17 @@ struct Sum {
 }
 
 impl Sum {
-    fn new(geometry: &Geometry, rect: RenderRect, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
+    fn new(geometry: &Geometry, rect: RenderRect, smooth: bool, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
         let Some(image) = image else { return Self::default() };
         let centre = image.at(p);
         if geometry.is_background(p) {
             return Self { centre, ..Self::default() };
         }
+        let deviation = if smooth { blurred_deviation(rect, image, p) } else { centre[3] };
         Self {
             centre,
             luminance: texel_luminance(centre),
-            tolerance: geometry.sigma_l * blurred_deviation(rect, image, p) + LUMINANCE_EPSILON,
+            tolerance: geometry.sigma_l * deviation + LUMINANCE_EPSILON,
             ..Self::default()
         }
     }
@@ -152,7 +159,8 @@ pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
         false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
     };
-    let kernel = if b.is_on("BOX")? { BOX } else { SPLINE };
-    let filtered = filter(b.frame, &geometry, kernel, b.level, &b.colours("input")?);
+    let kernel = Kernel::of_number(b.constant("KERNEL")?).unwrap_or_default();
+    let level = AtrousLevel { number: b.level, kernel, smooth_deviation: b.is_on("SMOOTH")? };
+    let filtered = filter(b.frame, &geometry, level, &b.colours("input")?);
     b.write_signals("output", filtered)
 }

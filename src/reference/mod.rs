@@ -69,7 +69,7 @@ mod volume_motion;
 mod volume_points;
 
 pub use adaptive_alpha::{adaptive_alpha, AdaptiveAlphaInput};
-pub use atrous::{atrous, box_atrous, volume_atrous, AtrousInputs, LUMINANCE_EPSILON};
+pub use atrous::{atrous, volume_atrous, AtrousInputs, AtrousLevel, LUMINANCE_EPSILON};
 pub use binary16::{round_image_to_half, round_to_half, LARGEST_HALF};
 pub use bindings::{Bindings, Twin};
 pub use block_difference::{block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference};

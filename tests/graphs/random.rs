@@ -181,9 +181,11 @@ impl Filter<'_> {
             _ => {
                 let estimator = dice.one_of(&[Estimator::Switched, Estimator::Fading]);
                 let estimate = g.variance(guides, accumulated, &history, Variance { estimator, ..Variance::default() });
-                let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box]);
+                let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box, Kernel::Hexagon]);
                 let sigma_l = dice.one_of(&[Value::Own, Value::Fixed(1.5), Value::Tunable("volume_sigma_l")]);
-                let atrous = Atrous { levels: levels(dice), kernel, feedback: fed_back, sigma_l, ..Atrous::default() };
+                let smooth_deviation = dice.coin();
+                let atrous =
+                    Atrous { levels: levels(dice), kernel, smooth_deviation, feedback: fed_back, sigma_l, ..Atrous::default() };
                 if dice.coin() {
                     self.other_kernel(g, dice, &estimate, kernel);
                 }

@@ -28,20 +28,33 @@ impl Images {
         }
     }
 
-    /// A level of the filter without the optional binding, in an order that is not that of the shader.
+    /// A level of the filter, in an order that is not that of the shader.
     fn pass(&self) -> Pass {
         Pass::new("mine", &shaders::ATROUS_SIGNALS_1)
             .bind("output_0", self.output)
             .bind("input_0", self.input)
+            .bind("depth_gradient", self.slopes)
             .bind("guide", self.guide)
             .level(3)
+    }
+
+    /// The modulation without its optional bindings.
+    fn modulation(&self) -> Pass {
+        Pass::new("mine", &shaders::MODULATE)
+            .bind("denoised_radiance", self.output)
+            .bind("guide", self.guide)
+            .bind("filtered_0", self.input)
     }
 }
 
 fn finish(edit: impl FnOnce(Pass, &Images) -> Pass) -> Result<crate::Declaration, Error> {
+    finish_with(|images| edit(images.pass(), images))
+}
+
+fn finish_with(pass: impl FnOnce(&Images) -> Pass) -> Result<crate::Declaration, Error> {
     let mut g = Graph::new([16, 16]);
     let images = Images::new(&mut g);
-    g.add(edit(images.pass(), &images));
+    g.add(pass(&images));
     g.finish()
 }
 
@@ -53,35 +66,43 @@ fn problem(edit: impl FnOnce(Pass, &Images) -> Pass, port: &str, wanted: &[&str]
 
 #[test]
 fn bindings_are_ordered_by_number_and_an_unwired_one_has_no_use() {
-    let declaration = finish(|pass, _| pass).expect("it fits");
+    let declaration = finish_with(Images::modulation).expect("it fits");
     let pass = &declaration.passes()[1];
     let bindings: Vec<_> = pass.bindings().collect();
-    assert_eq!(bindings, [(0, "frame"), (1, "guide"), (3, "input_0"), (4, "output_0")]);
-    assert_eq!(pass.use_of("input_0").map(|u| u.access), Some(crate::Access::Sampled));
-    assert_eq!(pass.use_of("output_0").map(|u| u.access), Some(crate::Access::StorageWrite));
-    assert!(pass.use_of("depth_gradient").is_none());
+    assert_eq!(bindings, [(0, "frame"), (1, "statistics"), (2, "guide"), (5, "denoised_radiance"), (6, "filtered_0")]);
+    assert_eq!(pass.use_of("filtered_0").map(|u| u.access), Some(crate::Access::Sampled));
+    assert_eq!(pass.use_of("denoised_radiance").map(|u| u.access), Some(crate::Access::StorageWrite));
+    assert!(pass.use_of("albedo").is_none());
     let dispatch = pass.dispatch().expect("a dispatch");
-    let guide = pass.bindings().position(|(_, name)| name == "guide");
-    assert_eq!(Some(dispatch.slots[2].stand_in), guide, "the guide stands in for depth_gradient");
-    assert_eq!(dispatch.constants, [(0, 0b11011)], "WIRED");
+    let filtered = pass.bindings().position(|(_, name)| name == "filtered_0");
+    assert_eq!(Some(dispatch.slots[3].stand_in), filtered, "filtered_0 stands in for albedo");
+    assert_eq!(dispatch.constants, [(0, 0b0110_0111)], "WIRED");
     assert!(matches!(dispatch.grid, Grid::Pixels));
 }
 
 #[test]
 fn an_optional_binding_that_is_wired_has_a_use_and_a_bit() {
-    let declaration = finish(|pass, images| pass.bind("depth_gradient", images.slopes).constant("BOX", 1)).expect("it fits");
+    let declaration = finish_with(|images| images.modulation().bind("albedo", images.maybe)).expect("it fits");
     let pass = &declaration.passes()[1];
-    assert_eq!(pass.bindings().nth(2), Some((2, "depth_gradient")));
-    assert_eq!(pass.dispatch().expect("a dispatch").constants, [(0, 0b11111), (1, 1)]);
+    assert_eq!(pass.bindings().nth(3), Some((3, "albedo")));
+    assert_eq!(pass.dispatch().expect("a dispatch").constants, [(0, 0b0110_1111)]);
+}
+
+#[test]
+fn a_constant_is_set_by_its_name() {
+    let declaration = finish(|pass, _| pass.constant("ODD", 1).constant("KERNEL", 2)).expect("it fits");
+    assert_eq!(declaration.passes()[1].dispatch().expect("a dispatch").constants, [(1, 2), (4, 1)]);
 }
 
 #[test]
 fn a_wrong_binding_is_named_with_those_that_there_are() {
-    let known = "frame, guide, depth_gradient (optional), input_0, output_0";
+    let known = "frame, guide, depth_gradient, input_0, output_0";
     problem(|pass, i| pass.bind("input", i.input), "input", &["no binding of atrous_signals_1", known]);
     problem(|pass, i| pass.bind("guide", i.guide), "guide", &["bound twice", known]);
     problem(|pass, i| pass.bind("frame", i.guide), "frame", &["bound by the graph itself"]);
     problem(|pass, _| Pass { wires: Vec::new(), ..pass }, "guide", &["nothing is bound", known]);
+    let with_optional = "albedo (optional), emission (optional), denoised_radiance, filtered_0, filtered_1 (optional)";
+    problem(|_, i| i.modulation().bind("input", i.input), "input", &["no binding of modulate", with_optional]);
 }
 
 #[test]
@@ -92,37 +113,39 @@ fn an_image_that_does_not_fit_is_named_with_what_the_shader_has() {
             wire(Pass { wires, ..pass }, images)
         }
     };
-    let input = rebound("input_0", |pass, i| pass.bind("input_0", i.guide));
-    problem(input, "input_0", &["cannot be `guide`", "class Float", "R16G16B16A16_UINT"]);
+    let slopes = rebound("depth_gradient", |pass, i| pass.bind("depth_gradient", i.input));
+    problem(slopes, "depth_gradient", &["cannot be `from`", "class Uint", "R16G16B16A16_SFLOAT"]);
     let output = rebound("output_0", |pass, i| pass.bind("output_0", i.guide));
     problem(output, "output_0", &["cannot be `guide`", "R16G16B16A16_SFLOAT"]);
-    let maybe = rebound("input_0", |pass, i| pass.bind("input_0", i.maybe));
-    problem(maybe, "input_0", &["cannot be `maybe`", "cannot do without"]);
+    let maybe = rebound("filtered_0", |pass, i| pass.bind("filtered_0", i.maybe));
+    problem(|_, i| maybe(i.modulation(), i), "filtered_0", &["cannot be `maybe`", "cannot do without"]);
     let previous = rebound("guide", |pass, i| pass.previous("guide", i.moments));
     problem(previous, "guide", &["cannot be `moments`", "frame before"]);
 }
 
 #[test]
 fn neighbours_of_one_kind_are_told_apart_by_name() {
-    let declaration = finish(|pass, i| pass.bind("depth_gradient", i.slopes)).expect("it fits");
+    let declaration = finish_with(|i| i.modulation().bind("emission", i.maybe)).expect("it fits");
     let pass = &declaration.passes()[1];
     let resource = |binding: &str| &declaration.resource(pass.use_of(binding).expect(binding).resource).name;
-    assert_eq!((resource("guide").as_str(), resource("depth_gradient").as_str()), ("guide", "depth_gradient"));
+    assert_eq!((resource("emission").as_str(), resource("filtered_0").as_str()), ("maybe", "from"));
 }
 
 #[test]
 fn a_wrong_constant_is_named_with_those_that_there_are() {
-    problem(|pass, _| pass.constant("BOKS", 1), "BOKS", &["no constant of atrous_signals_1", "BOX, VOLUME"]);
-    problem(|pass, _| pass.constant("WIRED", 3), "WIRED", &["no constant"]);
-    problem(|pass, _| pass.constant("BOX", 1).constant("BOX", 0), "BOX", &["set twice"]);
-    problem(|pass, _| pass.constant("BOX", 2), "BOX", &["is 2; a bool is 0 or 1"]);
+    problem(|pass, _| pass.constant("KERNELS", 1), "KERNELS", &["no constant of atrous_signals_1", "KERNEL, VOLUME"]);
+    for for_all in crate::shaders::SET_FOR_ALL {
+        problem(|pass, _| pass.constant(for_all, 3), for_all, &["no constant"]);
+    }
+    problem(|pass, _| pass.constant("ODD", 1).constant("ODD", 0), "ODD", &["set twice"]);
+    problem(|pass, _| pass.constant("ODD", 2), "ODD", &["is 2; a bool is 0 or 1"]);
 }
 
 #[test]
 fn a_wrong_parameter_is_named_with_those_that_there_are() {
     let known = "sigma_l, sigma_n, sigma_z, edge_falloff, volume_sigma_z";
     problem(|pass, _| pass.value("sigma", Value::Fixed(1.0)), "sigma", &["no parameter of atrous_signals_1", known]);
-    problem(|pass, _| pass.value("present", Value::Fixed(1.0)), "present", &["no parameter"]);
+    problem(|_, i| i.modulation().value("present", Value::Fixed(1.0)), "present", &["no parameter"]);
     let no_tunable = |pass: Pass, _: &Images| pass.value("sigma_l", Value::Tunable("sigma"));
     problem(no_tunable, "sigma_l", &["comes from `sigma`, which is no tunable", "alpha_moments"]);
     let curve = |pass: Pass, _: &Images| pass.value("sigma_l", Value::Tunable("tone_curve"));
@@ -146,7 +169,8 @@ fn a_parameter_comes_from_the_tunable_of_its_name_or_from_what_the_pass_says() {
     };
     assert_eq!((value("sigma_l"), value("sigma_z")), (7.0, 9.0));
     assert_eq!((of("sigma_n"), of("level")), (Parameter::Fixed(0.5_f32.to_bits()), Parameter::Fixed(3)));
-    assert_eq!(of("present"), Parameter::Present);
+    let declaration = finish_with(Images::modulation).expect("it fits");
+    assert_eq!(declaration.passes()[1].dispatch().expect("a dispatch").parameters, [Parameter::Present]);
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn filtered(tuning: &Tuning, gradient: f32, left: impl Fn(i32, &mut Surface), ri
     let mut image = paint(EXTENT, |x, _| if x < 12 { [1.0, 1.0, 1.0, 100.0] } else { [8.0, 8.0, 8.0, 100.0] });
     for level in 0..5 {
         let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &depth_gradient, irradiance: &[&image] };
-        image = atrous(&frame(EXTENT), tuning, level, &inputs).remove(0);
+        image = atrous(&frame(EXTENT), tuning, AtrousLevel::new(level), &inputs).remove(0);
     }
     (0..24).map(|x| image.get(x, 4).expect("inside")[0]).collect()
 }
@@ -80,7 +80,7 @@ fn luminance_stops_where_the_deviation_is_small() {
             [l, l, l, deviation]
         });
         let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
-        let output = atrous(&frame(EXTENT), &Tuning::default(), 0, &inputs).remove(0);
+        let output = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0);
         output.get(12, 4).expect("inside")[0] - output.get(11, 4).expect("inside")[0]
     };
     assert!(contrast(0.0) > 0.999);
@@ -98,7 +98,7 @@ fn the_deviation_in_the_weight_is_blurred_over_three_by_three() {
     let scene = guides([5, 5], |_, _| surface(10.0));
     let image = paint([5, 5], |x, y| if (x, y) == (2, 2) { [1.0, 1.0, 1.0, 0.0] } else { [2.0, 2.0, 2.0, 1.0] });
     let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
-    let [l, ..] = atrous(&frame([5, 5]), &Tuning::default(), 0, &inputs).remove(0).at(IVec2::new(2, 2));
+    let [l, ..] = atrous(&frame([5, 5]), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0).at(IVec2::new(2, 2));
     let (centre, w) = (9.0 / 64.0, (-1.0_f32 / (4.0 * 0.75_f32.sqrt() + 1e-4)).exp());
     let expected = (centre + (1.0 - centre) * w * 2.0) / (centre + (1.0 - centre) * w);
     assert!((l - expected).abs() < 2e-3, "{l} for {expected}");

@@ -5,13 +5,16 @@ use super::*;
 
 const EXTENT: [u32; 2] = [21, 17];
 
+/// One axis of the B3 spline \[EAW\].
+const SPLINE: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+
 fn run(frame: &FrameConstants, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     tuned(frame, &Tuning::default(), level, guides, image)
 }
 
 fn tuned(frame: &FrameConstants, tuning: &Tuning, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     let inputs = AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance: &[image] };
-    atrous(frame, tuning, level, &inputs).remove(0)
+    atrous(frame, tuning, AtrousLevel::new(level), &inputs).remove(0)
 }
 
 fn flat(extent: [u32; 2]) -> Guides {
@@ -110,7 +113,7 @@ fn signals_share_nothing_but_geometry() {
         (with_deviation(&noise(EXTENT, 1), 0.2), with_deviation(&noise(EXTENT, 2), 0.4), with_deviation(&noise(EXTENT, 3), 0.1));
     let guides = guides(EXTENT, |x, y| surface(4.0 + 0.01 * (x * y) as f32));
     let inputs = AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance: &[&a, &b, &c] };
-    let together = atrous(&frame(EXTENT), &Tuning::default(), 1, &inputs);
+    let together = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(1), &inputs);
     assert_eq!(together.len(), 3);
     for (output, image) in together.iter().zip([&a, &b, &c]) {
         assert_eq!(*output, run(&frame(EXTENT), 1, &guides, image));

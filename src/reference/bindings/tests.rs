@@ -3,6 +3,7 @@
 use super::super::test_scene::*;
 use super::super::*;
 use super::*;
+use crate::kernel::Kernel;
 
 const EXTENT: [u32; 2] = [12, 9];
 
@@ -14,7 +15,7 @@ fn message<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
 fn what_is_missing_or_of_another_kind_is_named() {
     let (frame, tuning) = (frame(EXTENT), Tuning::default());
     let (guide, ids) = (Texels::Packed(Image::new(EXTENT, [0; 4])), Texels::Uint(Image::new(EXTENT, 0)));
-    let mut b = Bindings::new("atrous", &frame, &tuning).with_constants(&[("BOX", 1)]);
+    let mut b = Bindings::new("atrous", &frame, &tuning).with_constants(&[("KERNEL", 1)]);
     b.reads("guide", &guide);
     b.reads("surface_id", &ids);
     assert!(b.packed("guide").is_ok() && b.uint("surface_id").is_ok() && b.optional_colour("albedo").expect("absent").is_none());
@@ -23,9 +24,9 @@ fn what_is_missing_or_of_another_kind_is_named() {
     for other in [message(b.colour("guide")), message(b.optional_colour("guide"))] {
         assert!(["atrous", "guide", COLOUR, PACKED].iter().all(|part| other.contains(part)), "{other}");
     }
-    assert_eq!(b.constant("BOX"), Ok(1));
+    assert_eq!(b.constant("KERNEL"), Ok(1));
     let constant = message(b.constant("VOLUME"));
-    assert!(constant.contains("VOLUME") && constant.contains("BOX"), "{constant}");
+    assert!(constant.contains("VOLUME") && constant.contains("KERNEL"), "{constant}");
 }
 
 #[test]
@@ -90,13 +91,19 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
         b.into_written().remove(0).1
     };
     let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
+    let surfaces = |kernel, smooth_deviation| {
+        atrous(&frame, &tuning, AtrousLevel { kernel, smooth_deviation, ..AtrousLevel::new(1) }, &inputs).remove(0)
+    };
     let expected = [
-        (("BOX", 0), ("VOLUME", 0), atrous(&frame, &tuning, 1, &inputs).remove(0)),
-        (("BOX", 1), ("VOLUME", 0), box_atrous(&frame, &tuning, 1, &inputs).remove(0)),
-        (("BOX", 0), ("VOLUME", 1), volume_atrous(&frame, &tuning, 1, &scene.guide, &image)),
+        (0, 0, 1, surfaces(Kernel::Spline, true)),
+        (1, 0, 1, surfaces(Kernel::Box, true)),
+        (2, 0, 1, surfaces(Kernel::Hexagon, true)),
+        (0, 0, 0, surfaces(Kernel::Spline, false)),
+        (0, 1, 1, volume_atrous(&frame, &tuning, AtrousLevel::new(1), &scene.guide, &image)),
     ];
-    for (kernel, geometry, expected) in expected {
-        assert_eq!(run(&[kernel, geometry]), Texels::Colour(expected), "{kernel:?} {geometry:?}");
+    for (kernel, volume, smooth, expected) in expected {
+        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("SMOOTH", smooth)];
+        assert_eq!(run(&constants), Texels::Colour(expected), "{constants:?}");
     }
 }
 

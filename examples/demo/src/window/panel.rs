@@ -145,6 +145,7 @@ fn about(preset: atrous::config::Preset) -> &'static str {
         Preset::Svgf => "Spatiotemporal variance-guided filtering (Schied et al. 2017)",
         Preset::Asvgf => "Adaptive by temporal gradients: follows changing light at once (Schied et al. 2018)",
         Preset::Percentile => "Adaptive by statistics of blocks: needs nothing more of the renderer than SVGF (Alber)",
+        Preset::Fast => "SVGF with 7 taps a level, adaptive by a test of blocks: the cheapest that follows changing light",
         _ => "Edge-avoiding à-trous wavelets: one frame, no history (Dammertz et al. 2010)",
     }
 }

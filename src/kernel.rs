@@ -1,0 +1,73 @@
+//! The kernels of the wavelet levels: which pixels of the grid of a level are taps, and how much each counts.
+
+/// The kernel of a level.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+#[repr(u32)]
+pub enum Kernel {
+    /// 5×5 B3 spline \[SVGF\]: 25 taps.
+    #[default]
+    Spline = 0,
+    /// 3×3 box \[ASVGF\]: 9 taps.
+    Box = 1,
+    /// The pixel and six around it: 7 taps. They are those of the box without the two beside it on even levels, without the two above
+    /// and below it on odd ones, so that two levels together look the same way in both directions.
+    Hexagon = 2,
+}
+
+/// One axis of the B3 spline, from the centre outwards \[EAW\].
+const SPLINE: [f32; 3] = [3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
+
+impl Kernel {
+    /// The largest distance of a tap along an axis, in steps of the level.
+    pub(crate) fn radius(self) -> i32 {
+        match self {
+            Self::Spline => 2,
+            Self::Box | Self::Hexagon => 1,
+        }
+    }
+
+    /// The weight of the tap at an offset in steps of the level; `None` where there is no tap.
+    pub(crate) fn weight(self, level: u32, x: i32, y: i32) -> Option<f32> {
+        let [x, y] = [x, y].map(|offset| offset.unsigned_abs() as usize);
+        match self {
+            Self::Spline => Some(SPLINE.get(x)? * SPLINE.get(y)?),
+            Self::Box => Some(1.0 / 9.0),
+            Self::Hexagon => {
+                let left_out = if level % 2 == 0 { (1, 0) } else { (0, 1) };
+                ((x, y) != left_out).then_some(1.0 / 7.0)
+            }
+        }
+    }
+
+    /// The kernel of this number.
+    pub(crate) fn of_number(number: u32) -> Option<Self> {
+        [Self::Spline, Self::Box, Self::Hexagon].into_iter().find(|kernel| *kernel as u32 == number)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_add_up_to_one_around_the_centre() {
+        for (kernel, taps) in [(Kernel::Spline, 25), (Kernel::Box, 9), (Kernel::Hexagon, 7)] {
+            for level in 0..4 {
+                let side = || -kernel.radius()..=kernel.radius();
+                let weights: Vec<f32> = side().flat_map(|y| side().filter_map(move |x| kernel.weight(level, x, y))).collect();
+                assert_eq!(weights.len(), taps, "{kernel:?}");
+                assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{kernel:?}");
+            }
+            assert_eq!(Kernel::of_number(kernel as u32), Some(kernel));
+        }
+        assert_eq!(Kernel::of_number(3), None);
+    }
+
+    #[test]
+    fn a_hexagon_lies_the_other_way_on_the_next_level() {
+        let beside = |level| Kernel::Hexagon.weight(level, 1, 0).is_some();
+        let above = |level| Kernel::Hexagon.weight(level, 0, -1).is_some();
+        assert_eq!([beside(0), above(0), beside(1), above(1)], [false, true, true, false]);
+    }
+}

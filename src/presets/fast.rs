@@ -1,0 +1,27 @@
+//! The cheapest filter that follows light that changes.
+
+use super::{firefly_filter, noisy, Denoised};
+use crate::config::Config;
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Modulate, Variance};
+
+/// SVGF with taps on a hexagon, and with the change test of [`super::percentile`] before the history: for hosts that count every
+/// microsecond. `docs/performance.md` has what it costs and how good it is beside the others.
+///
+/// It reads `signals`, `levels`, `firefly_filter` and `block_sort` of the configuration.
+pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let noisy = noisy(g, config.signals);
+    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let history = g.history(&irradiance, Feedback::Filtered);
+    let difference = g.block_difference(guides, &irradiance, &history);
+    let confidence = g.change_test(&difference);
+    let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
+    let atrous = Atrous { levels: config.levels, kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };
+    let filtered = g.atrous(guides, &estimate, atrous);
+    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let known = Known { history: Some(history), deviation: true, confidence: Some(confidence), percentiles, ..Known::new(&noisy) };
+    Denoised { radiance, known }
+}
