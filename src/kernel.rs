@@ -34,7 +34,7 @@ impl Kernel {
             Self::Spline => Some(SPLINE.get(x)? * SPLINE.get(y)?),
             Self::Box => Some(1.0 / 9.0),
             Self::Hexagon => {
-                let left_out = if level % 2 == 0 { (1, 0) } else { (0, 1) };
+                let left_out = if level.is_multiple_of(2) { (1, 0) } else { (0, 1) };
                 ((x, y) != left_out).then_some(1.0 / 7.0)
             }
         }
