@@ -3,6 +3,7 @@
 // Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (docs/stages.md).
 // In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance (filter_ping), irradiance_history, moments (previous).
 // Out: block_difference, four half floats a block: mean, deviation, pixels, mean luminance of the brighter side.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -15,7 +16,6 @@ layout(push_constant) uniform Push {
 #include "luminance.glsl"
 #include "nearest_history.glsl"
 #include "blocks.glsl"
-#include "rarely.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -52,7 +52,8 @@ Sums sums_of(ivec2 p) {
 // Adds `count` entries, `stride` apart, to the first of them.
 void reduce(uint first, uint stride, uint count) {
     Sums sum = sums[first];
-    for (uint i = 1u; i < count; ++i) {
+    // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
+    [[dont_unroll]] for (uint i = 1u; i < count; ++i) {
         Sums other = sums[first + i * stride];
         sum.count += other.count;
         sum.now += other.now;
@@ -69,9 +70,9 @@ void main() {
     barrier();
     // Rows, then the column of their sums: the order is fixed, and two barriers do.
     bool sums_a_row = i < 8u, sums_the_rows = i == 0u;
-    RARELY(sums_a_row) reduce(i * 8u, 1u, 8u);
+    if (sums_a_row) reduce(i * 8u, 1u, 8u);
     barrier();
-    RARELY(sums_the_rows) reduce(0u, 8u, 8u);
+    if (sums_the_rows) reduce(0u, 8u, 8u);
     if (!sums_the_rows) return;
     Sums sum = sums[0];
     float inverse = 1.0 / max(sum.count, 1.0);

@@ -10,7 +10,6 @@
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "blocks.glsl"
-#include "rarely.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -71,7 +70,7 @@ void main() {
     else sort_by_counting(i);
     bool writes = i == 0u;
     uint count = 0u;
-    RARELY(writes) for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
+    if (writes) for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
     if (!writes) return;
     float low = min(push.percentile_low, push.percentile_up);
     vec2 percentiles = vec2(percentile(low, count), percentile(push.percentile_up, count));

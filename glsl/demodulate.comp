@@ -20,7 +20,6 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
-#include "rarely.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -39,7 +38,7 @@ vec3 divisor_at(ivec2 p) {
     if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, p, 0).rgb;
     bool bad = !is_finite(a);
-    RARELY(bad) count_bad(BAD_ALBEDO);
+    if (bad) count_bad(BAD_ALBEDO);
     for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
     return a;
 }
@@ -50,7 +49,7 @@ const float HOLE = -1.0;
 vec4 demodulated(vec3 radiance, vec3 divisor) {
     bool hole = !is_finite(radiance);
     bool counted = hole && PAINTING == 0u;
-    RARELY(counted) count_bad(BAD_RADIANCE);
+    if (counted) count_bad(BAD_RADIANCE);
     return hole ? vec4(vec3(0.0), PAINTING > 0u ? HOLE : 0.0) : vec4(storable(radiance / divisor), 0.0);
 }
 

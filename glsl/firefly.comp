@@ -3,6 +3,7 @@
 // Source: [PSVGF], firefly filter. Deviation: the largest limit of the 3x3 blocks, so that a small lit corner of a dark block is kept.
 // In:  guide, block_percentiles. In place: filter_ping, noisy irradiance, own pixel only.
 // Constants: VOLUME: of every pixel, whatever the guide says.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -16,7 +17,6 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
-#include "rarely.glsl"
 #include "firefly_limit.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -34,7 +34,7 @@ void main() {
     float l = luminance(value.rgb);
     ivec2 block = p / BLOCK_SIZE;
     bool bright = l > firefly_limit_of(block_percentiles, block);
-    RARELY(bright) {
+    if (bright) {
         float limit = firefly_limit(block_percentiles, block);
         if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
     }

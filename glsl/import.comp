@@ -18,7 +18,6 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "conventions.glsl"
 #include "optional.glsl"
-#include "rarely.glsl"
 #include "statistics.glsl"
 #include "surface_motion.glsl"
 
@@ -103,7 +102,7 @@ vec3 world_normal(ivec2 p, bool background) {
     vec3 v = texelFetch(normal, p, 0).xyz;
     bool bad = !is_finite(v);
     bool counted = bad && !background;
-    RARELY(counted) count_bad(BAD_NORMAL);
+    if (counted) count_bad(BAD_NORMAL);
     vec3 n = decode_normal(v);
     if (has_convention(NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
     float squared = dot(n, n);
@@ -120,7 +119,7 @@ vec4 world_point(Ray ray, float z) {
 vec4 carry(vec4 world, uint id, inout vec3 n) {
 #if SURFACE_ID
     bool carried = is_present(INSTANCE_TRANSFORMS) && world.w != 0.0 && id < uint(instance_transforms.rows.length()) / 3u;
-    RARELY(carried) {
+    if (carried) {
         vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
         if (is_finite(x) && is_finite(y) && is_finite(z)) {
             vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
@@ -140,7 +139,7 @@ bool host_motion(ivec2 p, out vec3 m) {
     if (!is_present(MOTION)) return false;
     m = texelFetch(motion, p, 0).xyz;
     bool bad = !is_finite(m.xy);
-    RARELY(bad) count_bad(BAD_MOTION);
+    if (bad) count_bad(BAD_MOTION);
     vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
     uint unit = convention(MOTION_UNIT_SHIFT);
     vec2 scale = unit == MOTION_PIXELS ? previous_extent / extent : unit == MOTION_UV ? previous_extent : previous_extent * 0.5;
@@ -174,7 +173,7 @@ SurfaceMotion motion_of(ivec2 p, float z, uint id, vec3 n) {
     vec3 m;
     bool from_host = host_motion(p, m);
     bool from_matrices = !from_host;
-    RARELY(from_matrices) m.xy = matrix_motion(p, previous_world);
+    if (from_matrices) m.xy = matrix_motion(p, previous_world);
     result.motion = clamp(m.xy, -16384.0, 16384.0);
     if (z != 0.0) result.depth_ratio = previous_depth(previous_world, z, from_host, m.z) / z - 1.0;
     return result;
@@ -202,13 +201,13 @@ void main() {
     uint id = id_at(p);
     float d = texelFetch(depth, p, 0).x;
     bool bad_depth = is_nan(d);
-    RARELY(bad_depth) count_bad(BAD_DEPTH);
+    if (bad_depth) count_bad(BAD_DEPTH);
     float z = depth_of(d, id, p);
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
     float rough = 1.0;
     bool has_roughness = is_present(ROUGHNESS);
-    RARELY(has_roughness) rough = texelFetch(roughness, p, 0).x;
+    if (has_roughness) rough = texelFetch(roughness, p, 0).x;
     rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
     imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, rough, fold_id(id))));
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));

@@ -16,7 +16,6 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
-#include "rarely.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -42,7 +41,7 @@ vec3 emission_at(ivec2 p) {
     if (!is_present(EMISSION)) return vec3(0.0);
     vec3 e = texelFetch(emission, p, 0).rgb;
     bool bad = !is_finite(e);
-    RARELY(bad) count_bad(BAD_EMISSION);
+    if (bad) count_bad(BAD_EMISSION);
     return bad ? vec3(0.0) : e;
 }
 

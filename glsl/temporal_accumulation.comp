@@ -31,7 +31,6 @@ layout(push_constant) uniform Push {
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
-#include "rarely.glsl"
 #include "volume.glsl"
 
 const uint SURFACE_MOTION = 3u;
@@ -252,7 +251,7 @@ void main() {
         }
         bool lost = sum.weight == 0.0;
         reason = REASON_NONE;
-        RARELY(lost) reason = refusal(ivec2(floor(position + 0.5)), expected, 0.0);
+        if (lost) reason = refusal(ivec2(floor(position + 0.5)), expected, 0.0);
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, push.max_history_length) : 1.0;

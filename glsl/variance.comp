@@ -60,18 +60,16 @@ struct Window {
     float weight;
 };
 
-void add_row(inout Window window, ivec2 p, Geometry geometry, int y) {
-    [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
-        ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
-        uvec4 packed_q = guide_at(tap);
-        float weight = x == 0 && y == 0 ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(x, y))));
-        weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
-        window.weight += weight;
-        add_moments(window.sums[0], imageLoad(moments_0, tap), weight);
+void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
+    ivec2 q = p + offset, tap = nearest_inside(q);
+    uvec4 packed_q = guide_at(tap);
+    float weight = offset == ivec2(0) ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
+    weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
+    window.weight += weight;
+    add_moments(window.sums[0], imageLoad(moments_0, tap), weight);
 #if SIGNALS == 2
-        add_moments(window.sums[1], imageLoad(moments_1, tap), weight);
+    add_moments(window.sums[1], imageLoad(moments_1, tap), weight);
 #endif
-    }
 }
 
 // Mean and second moment of each signal over the neighbourhood.
@@ -79,10 +77,12 @@ void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
     Window window = Window(vec2[](vec2(0.0), vec2(0.0)), 0.0);
     if (FADE) {
-        [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y) add_row(window, p, geometry, y);
+        [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
+            [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) add_tap(window, p, geometry, ivec2(x, y));
     } else {
-        // Few pixels come here, and where branches are masked only a loop ends when none is left.
-        [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y) add_row(window, p, geometry, y);
+        // Rare, and where branches are masked instead of skipped every unrolled tap costs.
+        [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
+            [[dont_unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) add_tap(window, p, geometry, ivec2(x, y));
     }
     sums[0] = window.sums[0] / window.weight;
     sums[1] = window.sums[1] / window.weight;

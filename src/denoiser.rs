@@ -42,7 +42,6 @@ impl Denoiser {
             Requirements::new(&declaration).check_device(host)?;
             instance.get_physical_device_properties(physical_device)
         };
-        let declaration = declaration.specialised(properties.device_type);
         // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };

@@ -33,7 +33,6 @@ pub mod presets;
 pub mod reference;
 mod requirements;
 mod shaders;
-mod specialise;
 
 /// The examples in docs/integrate.md.
 #[cfg(doctest)]

@@ -14,8 +14,9 @@ float firefly_limit_of(utexture2D block_percentiles, ivec2 block) {
 // The largest limit of the 3x3 blocks around; 0: none.
 float firefly_limit(utexture2D block_percentiles, ivec2 block) {
     float limit = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x)
+    // Few pixels come here, and where branches are masked instead of skipped only a loop ends.
+    [[dont_unroll]] for (int y = -1; y <= 1; ++y)
+        [[dont_unroll]] for (int x = -1; x <= 1; ++x)
             if (is_block(block + ivec2(x, y))) limit = max(limit, firefly_limit_of(block_percentiles, block + ivec2(x, y)));
     return limit;
 }

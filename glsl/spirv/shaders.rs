@@ -110,7 +110,6 @@ pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
         PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 0, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
@@ -128,7 +127,6 @@ pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD_EVEN"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static CHANGE_TEST: Shader = Shader {
@@ -196,7 +194,6 @@ pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
@@ -217,7 +214,6 @@ pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static EAW_SIGNALS_1: Shader = Shader {
@@ -280,7 +276,6 @@ pub(crate) static FIREFLY: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0: Shader = Shader {
@@ -477,7 +472,6 @@ pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
@@ -503,7 +497,6 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static MODULATE: Shader = Shader {
@@ -523,7 +516,6 @@ pub(crate) static MODULATE: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static PERCENTILE_RULE: Shader = Shader {
@@ -597,7 +589,6 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
@@ -633,7 +624,6 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("MASKED_BRANCHES"), id: 31, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static TONE_MAP: Shader = Shader {

@@ -70,6 +70,15 @@ impl PassDecl {
         }
     }
 
+    /// Sets a specialisation constant by name, where the shader has it.
+    pub(crate) fn set_constant(&mut self, name: &str, bits: u32) {
+        let Work::Dispatch(dispatch) = &mut self.work else { return };
+        let Some(id) = dispatch.shader.constant(name).map(|constant| constant.id) else { return };
+        dispatch.constants.retain(|constant| constant.0 != id);
+        dispatch.constants.push((id, bits));
+        dispatch.constants.sort_unstable();
+    }
+
     pub(crate) fn shader(&self) -> Option<&Shader> {
         self.dispatch().map(|d| &*d.shader)
     }

@@ -31,8 +31,7 @@ pub struct PipelineConstant<'a> {
 }
 
 impl PassDecl {
-    /// The pipeline of a dispatch; `None` for a pass that is no dispatch. Constants for the class of the device are set in the
-    /// declaration of a [`crate::Denoiser`], and by [`crate::Declaration::specialised`].
+    /// The pipeline of a dispatch; `None` for a pass that is no dispatch.
     pub fn pipeline(&self) -> Option<PipelineDecl<'_>> {
         let dispatch = self.dispatch()?;
         let shader = &dispatch.shader;

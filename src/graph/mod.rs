@@ -48,6 +48,8 @@ pub(crate) use resources::{CONFIDENCE, HDR, HOST_COLOUR, HOST_ID, HOST_SCALAR, P
 use crate::config::{Config, Conventions};
 use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId, Setup};
 use crate::error::Error;
+use crate::frame_constants::Flags;
+use crate::shaders::CONVENTIONS;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -156,7 +158,9 @@ impl Graph {
         if self.errors.is_empty() {
             self.check();
         }
-        let Self { setup, config, resources, passes, errors, .. } = self;
+        let Self { setup, config, resources, mut passes, errors, .. } = self;
+        let conventions = Flags::of(&setup.conventions, false);
+        passes.iter_mut().for_each(|pass| pass.set_constant(CONVENTIONS, conventions));
         errors.into_iter().next().map_or(Ok(Declaration { setup, config, resources, passes }), Err)
     }
 

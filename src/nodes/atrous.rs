@@ -65,6 +65,8 @@ impl Graph {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
                 .constant("SMOOTH", u32::from(atrous.smooth_deviation))
+                // Of no other kernel, so that its levels share their pipelines.
+                .constant("ODD", if atrous.kernel == Kernel::Hexagon { level % 2 } else { 0 })
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)
@@ -124,7 +126,7 @@ impl Graph {
 }
 
 fn level_pass(node: &str, name: String, module: &'static Shader, level: u32) -> Pass {
-    Pass::new(node, module).named(name).level(level).constant("FIRST", u32::from(level == 0)).constant("ODD", level % 2)
+    Pass::new(node, module).named(name).level(level).constant("FIRST", u32::from(level == 0))
 }
 
 /// The two images of every signal that the levels write in turn.

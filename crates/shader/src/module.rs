@@ -12,10 +12,8 @@ pub const MAX_PUSH_BYTES: u32 = 128;
 pub const WIRED: &str = "WIRED";
 /// The specialisation constant with the host's conventions, in the bits of the uniform block's flags.
 pub const CONVENTIONS: &str = "CONVENTIONS";
-/// The specialisation constant that is true where the device masks a branch instead of skipping it.
-pub const MASKED_BRANCHES: &str = "MASKED_BRANCHES";
 /// Specialisation constants that are set for every shader that has them, and not by nodes.
-pub const SET_FOR_ALL: [&str; 3] = [WIRED, CONVENTIONS, MASKED_BRANCHES];
+pub const SET_FOR_ALL: [&str; 2] = [WIRED, CONVENTIONS];
 /// The push constant whose bit i says that the host bound binding i.
 pub const PRESENT: &str = "present";
 /// The push constant for the number of a level, or of a view.

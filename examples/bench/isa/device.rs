@@ -10,7 +10,6 @@ pub struct StatisticsDevice {
     _entry: ash::Entry,
     pub device: ash::Device,
     pub executables: executables::Device,
-    pub device_type: vk::PhysicalDeviceType,
     /// Name of the device.
     pub name: String,
     /// Driver with its version.
@@ -34,7 +33,6 @@ impl<E: Into<Box<dyn Error>>> From<E> for OpenError {
 /// A physical device that may be taken.
 struct Candidate {
     physical: vk::PhysicalDevice,
-    device_type: vk::PhysicalDeviceType,
     name: String,
     driver: String,
     offers: bool,
@@ -61,9 +59,9 @@ impl StatisticsDevice {
             };
             let device = create_device(&instance, found.physical)?;
             let executables = executables::Device::new(&instance, &device);
-            let Candidate { device_type, name, driver, .. } = found;
+            let Candidate { name, driver, .. } = found;
             let (name, driver) = (name.clone(), driver.clone());
-            Ok(Self { _entry: entry, device, executables, device_type: *device_type, name, driver })
+            Ok(Self { _entry: entry, device, executables, name, driver })
         }
     }
 }
@@ -75,9 +73,9 @@ unsafe fn candidate(instance: &ash::Instance, physical: vk::PhysicalDevice) -> C
     // SAFETY: instance and device are live, and what is asked for is in Vulkan 1.2, which the device has where it is asked.
     unsafe {
         let properties = instance.get_physical_device_properties(physical);
-        let (name, device_type) = (text(properties.device_name_as_c_str()), properties.device_type);
+        let name = text(properties.device_name_as_c_str());
         if properties.api_version < vk::API_VERSION_1_2 {
-            return Candidate { physical, device_type, name, driver: String::new(), offers: false };
+            return Candidate { physical, name, driver: String::new(), offers: false };
         }
         let mut driver = vk::PhysicalDeviceDriverProperties::default();
         let mut all = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
@@ -89,7 +87,7 @@ unsafe fn candidate(instance: &ash::Instance, physical: vk::PhysicalDevice) -> C
         if has_extension {
             instance.get_physical_device_features2(physical, &mut vk::PhysicalDeviceFeatures2::default().push_next(&mut feature));
         }
-        Candidate { physical, device_type, name, driver, offers: feature.pipeline_executable_info == vk::TRUE }
+        Candidate { physical, name, driver, offers: feature.pipeline_executable_info == vk::TRUE }
     }
 }
 

@@ -31,8 +31,6 @@ pub fn run(options: &Options) -> Result<ExitCode, Box<dyn Error>> {
         }
         Err(OpenError::Other(error)) => return Err(error),
     };
-    // Passes take the variant of the device's class.
-    let declarations: Vec<_> = declarations.into_iter().map(|d| d.specialised(device.device_type)).collect();
     let mut report = IsaReport { device: device.name.clone(), driver: device.driver.clone(), shaders: Vec::new() };
     for (name, pipeline) in &shaders::pipelines(&declarations) {
         let shader = pipeline::statistics(&device, name, pipeline).map_err(|e| format!("{name}: {e}"))?;

@@ -31,8 +31,8 @@ fn configurations() -> Vec<Config> {
     all
 }
 
-/// Constants that the library sets alike for every pass.
-const SET_FOR_ALL: [&str; 2] = ["CONVENTIONS", "MASKED_BRANCHES"];
+/// The constant that the library sets alike for every pass.
+const SET_FOR_ALL: &str = "CONVENTIONS";
 
 /// Every pipeline of the declarations by its name: the module, and the constants that a node sets.
 pub fn pipelines(declarations: &[Declaration]) -> BTreeMap<String, PipelineDecl<'_>> {
@@ -42,7 +42,7 @@ pub fn pipelines(declarations: &[Declaration]) -> BTreeMap<String, PipelineDecl<
 
 fn name(pipeline: &PipelineDecl<'_>) -> String {
     let mut name = pipeline.module.to_owned();
-    for constant in pipeline.constants.iter().filter(|constant| !SET_FOR_ALL.contains(&constant.name)) {
+    for constant in pipeline.constants.iter().filter(|constant| constant.name != SET_FOR_ALL) {
         // A mask of bindings is read by its digits.
         let bits = if constant.name == "WIRED" { format!("{:#x}", constant.bits) } else { constant.bits.to_string() };
         name += &format!(" {}={bits}", constant.name);
