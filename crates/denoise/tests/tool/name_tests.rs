@@ -42,6 +42,6 @@ fn filters_are_chosen_by_the_names_of_the_library() {
     assert_eq!((options.preset, options.best), (None, true));
     for wrong in ["volume", "svfg"] {
         let message = parsed(wrong).expect_err("no such preset").to_string();
-        assert!(message.contains(wrong) && message.contains("svgf, asvgf, stabilize, percentile, eaw, best"), "{message}");
+        assert!(message.contains(wrong) && message.contains("svgf, asvgf, stabilize, percentile, eaw, fast, best"), "{message}");
     }
 }
