@@ -4,7 +4,7 @@
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
 // SMOOTH: the luminance weight takes the deviation of 3x3 pixels. VOLUME: steered by the depth of the surface behind alone, and
-// less strictly [PSVGF]; the background takes part. FIRST: level 0.
+// less strictly [PSVGF]; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -14,9 +14,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const uint KERNEL = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
-layout(constant_id = 3) const bool FIRST = false;
-layout(constant_id = 4) const bool ODD = false;
-layout(constant_id = 5) const bool SMOOTH = true;
+layout(constant_id = 3) const bool ODD = false;
+layout(constant_id = 4) const bool SMOOTH = true;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -30,16 +29,10 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "centre_geometry.glsl"
 #include "luminance.glsl"
+#include "packed_image.glsl"
 
-// Storage images are read, not sampled ones: software Vulkan takes two thirds of the time for them, GPUs the same. Vulkan guarantees four
-// of them, so that with two signals the guide is sampled.
-#if SIGNALS == 1
-layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
-uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
-#else
-layout(set = 0, binding = 1) uniform utexture2D guide;
-uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
-#endif
+// Storage images are read, not sampled ones, for the reasons that packed_image.glsl has.
+PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D input_0;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
@@ -125,7 +118,7 @@ void main() {
 #if SIGNALS == 2
     vec4 value_1 = imageLoad(input_1, p);
 #endif
-    uvec4 packed = guide_at(p);
+    uvec4 packed = packed_at(guide, p);
     if (!is_filtered(packed)) {
         imageStore(output_0, p, value_0);
 #if SIGNALS == 2
@@ -135,8 +128,7 @@ void main() {
     }
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
     vec2 deviations = tolerated_deviations(p);
-    // Known when the pipeline is made, so that the taps of the first level are those of the smoothing.
-    int step_size = FIRST ? 1 : 1 << push.level;
+    int step_size = 1 << push.level;
     Centre centre_0 = centre_of(value_0, deviations.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
@@ -151,7 +143,7 @@ void main() {
             // The tap on the other side has the same kernel and the same tolerance of depth.
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
                 ivec2 q = p + side * offset, tap = nearest_inside(q);
-                uvec4 packed_q = guide_at(tap);
+                uvec4 packed_q = packed_at(guide, tap);
                 float kernel = q == tap && is_filtered(packed_q) ? kernel_at(ivec2(x, y)) : 0.0;
                 float weight = log2_weight(geometry, packed_q, sharpness);
                 add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);

@@ -69,11 +69,10 @@ void main() {
     sums[i] = sums_of(ivec2(gl_GlobalInvocationID.xy));
     barrier();
     // Rows, then the column of their sums: the order is fixed, and two barriers do.
-    bool sums_a_row = i < 8u, sums_the_rows = i == 0u;
-    if (sums_a_row) reduce(i * 8u, 1u, 8u);
+    if (i < 8u) reduce(i * 8u, 1u, 8u);
     barrier();
-    if (sums_the_rows) reduce(0u, 8u, 8u);
-    if (!sums_the_rows) return;
+    if (i != 0u) return;
+    reduce(0u, 8u, 8u);
     Sums sum = sums[0];
     float inverse = 1.0 / max(sum.count, 1.0);
     float mean = (sum.now - sum.before) * inverse;

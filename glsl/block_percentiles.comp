@@ -68,10 +68,9 @@ void main() {
     barrier();
     if (ODD_EVEN) sort_odd_even(i);
     else sort_by_counting(i);
-    bool writes = i == 0u;
+    if (i != 0u) return;
     uint count = 0u;
-    if (writes) for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
-    if (!writes) return;
+    for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
     float low = min(push.percentile_low, push.percentile_up);
     vec2 percentiles = vec2(percentile(low, count), percentile(push.percentile_up, count));
     imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(packHalf2x16(min(percentiles, 65504.0))));

@@ -37,8 +37,7 @@ layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
 vec3 divisor_at(ivec2 p) {
     if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, p, 0).rgb;
-    bool bad = !is_finite(a);
-    if (bad) count_bad(BAD_ALBEDO);
+    if (!is_finite(a)) count_bad(BAD_ALBEDO);
     for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
     return a;
 }
@@ -47,10 +46,12 @@ vec3 divisor_at(ivec2 p) {
 const float HOLE = -1.0;
 
 vec4 demodulated(vec3 radiance, vec3 divisor) {
-    bool hole = !is_finite(radiance);
-    bool counted = hole && PAINTING == 0u;
-    if (counted) count_bad(BAD_RADIANCE);
-    return hole ? vec4(vec3(0.0), PAINTING > 0u ? HOLE : 0.0) : vec4(storable(radiance / divisor), 0.0);
+    if (!is_finite(radiance)) {
+        if (PAINTING > 0u) return vec4(vec3(0.0), HOLE);
+        count_bad(BAD_RADIANCE);
+        return vec4(0.0);
+    }
+    return vec4(storable(radiance / divisor), 0.0);
 }
 
 void main() {

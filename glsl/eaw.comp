@@ -12,6 +12,7 @@
 #include "frame.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
+#include "packed_image.glsl"
 #include "view_position.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -28,14 +29,7 @@ layout(push_constant) uniform Push {
     float sigma_rt_x;
 } push;
 
-// Storage images are read, not sampled ones, as in atrous.comp.
-#if SIGNALS == 1
-layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
-uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
-#else
-layout(set = 0, binding = 1) uniform utexture2D guide;
-uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
-#endif
+PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2, rgba16f) uniform restrict readonly image2D input_0;
 layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
@@ -98,7 +92,7 @@ void main() {
     vec4 centre_1 = imageLoad(input_1, p);
     hole = hole || centre_1.a < 0.0;
 #endif
-    uvec4 packed = guide_at(p);
+    uvec4 packed = packed_at(guide, p);
     float z = unpack_depth(packed);
     bool background = z == 0.0;
     if (background && !hole) {
@@ -115,7 +109,7 @@ void main() {
     [[unroll]] for (int j = -2; j <= 2; ++j)
         [[unroll]] for (int i = -2; i <= 2; ++i) {
             ivec2 q = p + ivec2(i, j) * step_size, tap = nearest_inside(q);
-            uvec4 packed_q = guide_at(tap);
+            uvec4 packed_q = packed_at(guide, tap);
             float z_q = unpack_depth(packed_q);
             float exponent = squared(n - unpack_normal(packed_q)) * level.inverse_sigma_n;
             exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_x);

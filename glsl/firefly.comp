@@ -33,9 +33,8 @@ void main() {
     vec4 value = imageLoad(irradiance, p);
     float l = luminance(value.rgb);
     ivec2 block = p / BLOCK_SIZE;
-    bool bright = l > firefly_limit_of(block_percentiles, block);
-    if (bright) {
-        float limit = firefly_limit(block_percentiles, block);
-        if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
-    }
+    // Most pixels end here.
+    if (l <= firefly_limit_of(block_percentiles, block)) return;
+    float limit = firefly_limit(block_percentiles, block);
+    if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
 }

@@ -20,6 +20,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "surface_motion.glsl"
+#include "view_position.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -61,20 +62,6 @@ uint id_at(ivec2 p) {
 #endif
 }
 
-// The line of sight of a pixel in view space: `origin + direction * z` is its point at linear depth z.
-struct Ray {
-    vec2 origin;  // z is 0
-    vec3 direction;
-};
-
-Ray ray_of(ivec2 p) {
-    vec2 ndc = (vec2(p) + 0.5 + frame.jitter) / vec2(frame.render_extent) * 2.0 - 1.0;
-    mat4 clip = frame.clip_from_view;
-    vec2 scale = 1.0 / vec2(clip[0][0], clip[1][1]);
-    float z = forward_sign();
-    return Ray((ndc * clip[3][3] - clip[3].xy) * scale, vec3((ndc * clip[2][3] - clip[2].xy) * (scale * z), z));
-}
-
 bool is_orthographic() { return frame.clip_from_view[2][3] == 0.0; }
 
 // Linear depth of a host's value, 0 for the background.
@@ -85,7 +72,7 @@ float depth_of(float d, uint id, ivec2 p) {
         float denominator = clip[2][2] - d * clip[2][3];
         z = denominator == 0.0 ? 0.0 : abs((d * clip[3][3] - clip[3][2]) / denominator);
     }
-    if (convention(DEPTH_SHIFT) == DEPTH_RAY_LENGTH) z = d / length(ray_of(p).direction);
+    if (convention(DEPTH_SHIFT) == DEPTH_RAY_LENGTH) z = is_orthographic() ? d : d / length(view_position(p, 1.0));
     bool background = !is_finite(z) || z <= 0.0 || z >= frame.background_depth || id == 0u;
     return background ? 0.0 : z;
 }
@@ -101,8 +88,7 @@ vec3 world_normal(ivec2 p, bool background) {
     vec3 towards_camera = normalize(mat3(frame.world_from_view) * vec3(0.0, 0.0, -forward_sign()));
     vec3 v = texelFetch(normal, p, 0).xyz;
     bool bad = !is_finite(v);
-    bool counted = bad && !background;
-    if (counted) count_bad(BAD_NORMAL);
+    if (bad && !background) count_bad(BAD_NORMAL);
     vec3 n = decode_normal(v);
     if (has_convention(NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
     float squared = dot(n, n);
@@ -111,26 +97,25 @@ vec3 world_normal(ivec2 p, bool background) {
 
 // The surface point of a pixel in world space, homogeneous. The background lies at infinity; orthographic lines of sight show the same
 // at all depths.
-vec4 world_point(Ray ray, float z) {
-    bool direction_alone = z == 0.0 && !is_orthographic();
-    return frame.world_from_view * vec4(vec3(ray.origin, 0.0) + ray.direction * (z == 0.0 ? 1.0 : z), direction_alone ? 0.0 : 1.0);
+vec4 world_point(ivec2 p, float z) {
+    bool at_infinity = z == 0.0 && !is_orthographic();
+    return frame.world_from_view * vec4(view_position(p, z == 0.0 ? 1.0 : z), at_infinity ? 0.0 : 1.0);
 }
 
 vec4 carry(vec4 world, uint id, inout vec3 n) {
 #if SURFACE_ID
-    bool carried = is_present(INSTANCE_TRANSFORMS) && world.w != 0.0 && id < uint(instance_transforms.rows.length()) / 3u;
-    if (carried) {
-        vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
-        if (is_finite(x) && is_finite(y) && is_finite(z)) {
-            vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
-            float squared = dot(turned, turned);
-            if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
-            vec4 moved = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
-            if (is_finite(moved.xyz)) world = moved;
-        }
-    }
-#endif
+    uint count = uint(instance_transforms.rows.length()) / 3u;
+    if (!is_present(INSTANCE_TRANSFORMS) || world.w == 0.0 || id >= count) return world;
+    vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
+    if (!is_finite(x) || !is_finite(y) || !is_finite(z)) return world;
+    vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
+    float squared = dot(turned, turned);
+    if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
+    vec4 carried = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
+    return is_finite(carried.xyz) ? carried : world;
+#else
     return world;
+#endif
 }
 
 // Motion in pixels of the previous frame, from the host's image. False: there is none that can be used.
@@ -169,12 +154,10 @@ float previous_depth(vec4 previous_world, float z, bool from_host, float host_z)
 
 SurfaceMotion motion_of(ivec2 p, float z, uint id, vec3 n) {
     SurfaceMotion result = SurfaceMotion(vec2(0.0), 0.0, n);
-    vec4 previous_world = carry(world_point(ray_of(p), z), id, result.previous_normal);
+    vec4 previous_world = carry(world_point(p, z), id, result.previous_normal);
     vec3 m;
     bool from_host = host_motion(p, m);
-    bool from_matrices = !from_host;
-    if (from_matrices) m.xy = matrix_motion(p, previous_world);
-    result.motion = clamp(m.xy, -16384.0, 16384.0);
+    result.motion = clamp(from_host ? m.xy : matrix_motion(p, previous_world), -16384.0, 16384.0);
     if (z != 0.0) result.depth_ratio = previous_depth(previous_world, z, from_host, m.z) / z - 1.0;
     return result;
 }
@@ -200,14 +183,11 @@ void main() {
     if (!is_inside(p)) return;
     uint id = id_at(p);
     float d = texelFetch(depth, p, 0).x;
-    bool bad_depth = is_nan(d);
-    if (bad_depth) count_bad(BAD_DEPTH);
+    if (is_nan(d)) count_bad(BAD_DEPTH);
     float z = depth_of(d, id, p);
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
-    float rough = 1.0;
-    bool has_roughness = is_present(ROUGHNESS);
-    if (has_roughness) rough = texelFetch(roughness, p, 0).x;
+    float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
     rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
     imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, rough, fold_id(id))));
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));

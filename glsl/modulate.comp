@@ -40,9 +40,9 @@ vec3 factor_at(ivec2 p) {
 vec3 emission_at(ivec2 p) {
     if (!is_present(EMISSION)) return vec3(0.0);
     vec3 e = texelFetch(emission, p, 0).rgb;
-    bool bad = !is_finite(e);
-    if (bad) count_bad(BAD_EMISSION);
-    return bad ? vec3(0.0) : e;
+    if (is_finite(e)) return e;
+    count_bad(BAD_EMISSION);
+    return vec3(0.0);
 }
 
 void main() {

@@ -31,6 +31,7 @@ layout(push_constant) uniform Push {
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
+#include "packed_image.glsl"
 #include "volume.glsl"
 
 const uint SURFACE_MOTION = 3u;
@@ -41,13 +42,7 @@ const uint PREVIOUS_OBJECT_NORMAL = 7u;
 const uint HISTORY_CONFIDENCE = 8u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
-#if SIGNALS == 1
-layout(set = 0, binding = 2, rgba16ui) uniform restrict readonly uimage2D previous_guide;
-uvec4 previous_guide_at(ivec2 tap) { return imageLoad(previous_guide, tap); }
-#else
-layout(set = 0, binding = 2) uniform utexture2D previous_guide;
-uvec4 previous_guide_at(ivec2 tap) { return texelFetch(previous_guide, tap, 0); }
-#endif
+PACKED_IMAGE(2, previous_guide);
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
 layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = VOLUME_MOTION) uniform utexture2D volume_motion;
@@ -55,25 +50,14 @@ layout(set = 0, binding = OBJECT_NORMAL) uniform utexture2D object_normal;
 layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_object_normal;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
 layout(set = 0, binding = 9) uniform texture2D history_0;
-// Storage images are read where Vulkan guarantees as many, not sampled ones, as in atrous.comp.
-#if SIGNALS == 1
-layout(set = 0, binding = 10, rgba16ui) uniform restrict readonly uimage2D previous_moments_0;
-vec3 history_at(ivec2 tap, int signal) { return texelFetch(history_0, tap, 0).rgb; }
-uvec4 moments_at(ivec2 tap, int signal) { return imageLoad(previous_moments_0, tap); }
-#else
-layout(set = 0, binding = 10) uniform utexture2D previous_moments_0;
-#endif
+PACKED_IMAGE(10, previous_moments_0);
 layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_0;
 layout(set = 0, binding = 12, rgba16ui) uniform writeonly uimage2D moments_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 13) uniform texture2D history_1;
-layout(set = 0, binding = 14) uniform utexture2D previous_moments_1;
+PACKED_IMAGE(14, previous_moments_1);
 layout(set = 0, binding = 15, rgba16f) uniform image2D irradiance_1;
 layout(set = 0, binding = 16, rgba16ui) uniform writeonly uimage2D moments_1;
-vec3 history_at(ivec2 tap, int signal) { return signal == 0 ? texelFetch(history_0, tap, 0).rgb : texelFetch(history_1, tap, 0).rgb; }
-uvec4 moments_at(ivec2 tap, int signal) {
-    return signal == 0 ? texelFetch(previous_moments_0, tap, 0) : texelFetch(previous_moments_1, tap, 0);
-}
 #endif
 
 // Below this sum of bilinear weights a reprojection rests on next to nothing.
@@ -106,7 +90,7 @@ vec3 unpack_object_normal(uvec4 packed) { return unpack_octahedral(packed.x, 511
 // `slack`: depth that the surface may have gained on the way to a tap that lies aside.
 uint refusal(ivec2 tap, Expected expected, float slack) {
     if (!is_inside_previous(tap)) return REASON_OFF_SCREEN;
-    uvec4 packed = previous_guide_at(tap);
+    uvec4 packed = packed_at(previous_guide, tap);
     if (VOLUME) {
         float difference = relative_difference(volume_depth(packed), expected.depth);
         return difference <= expected.depth_tolerance ? REASON_NONE : REASON_DEPTH;
@@ -118,15 +102,20 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
     return dot(n, expected.normal) < push.normal_tolerance ? REASON_NORMAL : REASON_NONE;
 }
 
+void add_signal(inout History sum, vec3 irradiance, Moments m, float weight) {
+    sum.irradiance += weight * irradiance;
+    sum.mean += weight * m.mean;
+    sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
+}
+
 void add_tap(inout Gathered sum, ivec2 tap, float weight) {
+    Moments m = unpack_moments(packed_at(previous_moments_0, tap));
     sum.weight += weight;
-    [[unroll]] for (int i = 0; i < SIGNALS; ++i) {
-        Moments m = unpack_moments(moments_at(tap, i));
-        if (i == 0) sum.history_length += weight * m.history_length;
-        sum.signals[i].irradiance += weight * history_at(tap, i);
-        sum.signals[i].mean += weight * m.mean;
-        sum.signals[i].second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
-    }
+    sum.history_length += weight * m.history_length;
+    add_signal(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, weight);
+#if SIGNALS == 2
+    add_signal(sum.signals[1], texelFetch(history_1, tap, 0).rgb, unpack_moments(packed_at(previous_moments_1, tap)), weight);
+#endif
 }
 
 Gathered nothing() {
@@ -249,9 +238,7 @@ void main() {
             vec2 start = previous_position(p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
             sum = repair(start, position, expected);
         }
-        bool lost = sum.weight == 0.0;
-        reason = REASON_NONE;
-        if (lost) reason = refusal(ivec2(floor(position + 0.5)), expected, 0.0);
+        reason = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected, 0.0);
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, push.max_history_length) : 1.0;

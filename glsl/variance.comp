@@ -26,15 +26,9 @@ layout(push_constant) uniform Push {
 #include "centre_geometry.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
+#include "packed_image.glsl"
 
-// Storage images are read, not sampled ones, as in atrous.comp.
-#if SIGNALS == 1
-layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
-uvec4 guide_at(ivec2 q) { return imageLoad(guide, q); }
-#else
-layout(set = 0, binding = 1) uniform utexture2D guide;
-uvec4 guide_at(ivec2 q) { return texelFetch(guide, q, 0); }
-#endif
+PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 3) uniform texture2D accumulated_0;
 layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D moments_0;
@@ -62,7 +56,7 @@ struct Window {
 
 void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
     ivec2 q = p + offset, tap = nearest_inside(q);
-    uvec4 packed_q = guide_at(tap);
+    uvec4 packed_q = packed_at(guide, tap);
     float weight = offset == ivec2(0) ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
     weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
     window.weight += weight;
@@ -106,7 +100,7 @@ bool needs_neighbours(float history_length) { return FADE || history_length < pu
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = guide_at(p);
+    uvec4 packed = packed_at(guide, p);
     bool background = !is_filtered(packed);
     Moments m = unpack_moments(imageLoad(moments_0, p));
     vec2 deviations = vec2(m.deviation);

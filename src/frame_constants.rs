@@ -9,7 +9,6 @@ use crate::config::{Conventions, MotionDirection, NormalSpace, ViewForward};
 #[allow(missing_docs)] // the GLSL block documents every member
 pub struct FrameConstants {
     pub clip_from_view: [[f32; 4]; 4],
-    pub world_from_clip: [[f32; 4]; 4],
     pub world_from_view: [[f32; 4]; 4],
     pub previous_clip_from_world: [[f32; 4]; 4],
     pub previous_view_from_world: [[f32; 4]; 4],

@@ -1,18 +1,21 @@
 //! The kernels of the wavelet levels: which pixels of the grid of a level are taps, and how much each counts.
 
-/// The kernel of a level.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-#[repr(u32)]
-pub enum Kernel {
-    /// 5×5 B3 spline \[SVGF\]: 25 taps.
-    #[default]
-    Spline = 0,
-    /// 3×3 box \[ASVGF\]: 9 taps.
-    Box = 1,
-    /// The pixel and six around it: 7 taps. They are those of the box without the two beside it on even levels, without the two above
-    /// and below it on odd ones, so that two levels together look the same way in both directions.
-    Hexagon = 2,
+use crate::choice::choices;
+
+choices! {
+    /// The kernel of a level.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum Kernel {
+        /// 5×5 B3 spline \[SVGF\]: 25 taps.
+        #[default]
+        Spline = 0 => "spline",
+        /// 3×3 box \[ASVGF\]: 9 taps.
+        Box = 1 => "box",
+        /// The pixel and six around it: 7 taps. They are those of the box without the two beside it on even levels, without the two
+        /// above and below it on odd ones, so that two levels together look the same way in both directions.
+        Hexagon = 2 => "hexagon",
+    }
 }
 
 /// One axis of the B3 spline, from the centre outwards \[EAW\].
@@ -39,11 +42,6 @@ impl Kernel {
             }
         }
     }
-
-    /// The kernel of this number.
-    pub(crate) fn of_number(number: u32) -> Option<Self> {
-        [Self::Spline, Self::Box, Self::Hexagon].into_iter().find(|kernel| *kernel as u32 == number)
-    }
 }
 
 #[cfg(test)]
@@ -59,9 +57,7 @@ mod tests {
                 assert_eq!(weights.len(), taps, "{kernel:?}");
                 assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{kernel:?}");
             }
-            assert_eq!(Kernel::of_number(kernel as u32), Some(kernel));
         }
-        assert_eq!(Kernel::of_number(3), None);
     }
 
     #[test]

@@ -66,7 +66,7 @@ impl FromStr for Subject {
 
     fn from_str(name: &str) -> Result<Self, String> {
         let own = GRAPHS.iter().find(|graph| graph.name == name).map(Self::Own);
-        let preset = Preset::ALL.into_iter().find(|preset| preset.name() == name).map(Self::Preset);
+        let preset = name.parse().ok().map(Self::Preset);
         own.or(preset).ok_or_else(|| {
             let names = Preset::ALL.iter().map(|preset| preset.name()).chain(GRAPHS.iter().map(|graph| graph.name));
             format!("\"{name}\" is no preset and no graph; there are: {}", names.collect::<Vec<_>>().join(", "))

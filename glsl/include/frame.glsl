@@ -5,7 +5,6 @@
 
 layout(set = 0, binding = 0, std140) uniform FrameConstants {
     mat4 clip_from_view;            // unjittered
-    mat4 world_from_clip;           // unjittered
     mat4 world_from_view;
     mat4 previous_clip_from_world;  // unjittered
     mat4 previous_view_from_world;

@@ -1,20 +1,19 @@
-const _: () = assert!(std::mem::offset_of!(FrameConstants, background_depth) == 492);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, background_depth) == 428);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, clip_from_view) == 0);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure_ratio) == 488);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 484);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 480);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 464);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 192);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 500);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 496);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 472);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 456);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 256);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 448);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 384);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_clip) == 64);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 320);
-const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 128);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, exposure_ratio) == 424);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 420);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 416);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 432);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 408);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 392);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 192);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 384);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 320);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 256);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 64);
 pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader {
     stage: Cow::Borrowed("adaptive_alpha"), name: Cow::Borrowed("adaptive_alpha_source_0"), spirv: Cow::Borrowed(include_bytes!("adaptive_alpha_source_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -61,9 +60,8 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 4, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 5, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -88,9 +86,8 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 4, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 5, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
     ]),
 };
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {

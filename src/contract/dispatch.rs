@@ -74,7 +74,6 @@ impl PassDecl {
     pub(crate) fn set_constant(&mut self, name: &str, bits: u32) {
         let Work::Dispatch(dispatch) = &mut self.work else { return };
         let Some(id) = dispatch.shader.constant(name).map(|constant| constant.id) else { return };
-        dispatch.constants.retain(|constant| constant.0 != id);
         dispatch.constants.push((id, bits));
         dispatch.constants.sort_unstable();
     }

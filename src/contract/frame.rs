@@ -188,13 +188,12 @@ impl FrameState {
 
 fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64, reset: bool) -> FrameConstants {
     let mat = |m: &[[f32; 4]; 4]| Mat4::from_cols_array_2d(m);
-    let (view, clip) = (mat(&now.view_from_world), mat(&now.clip_from_view));
+    let view = mat(&now.view_from_world);
     let (previous_view, previous_clip) = (mat(&before.view_from_world), mat(&before.clip_from_view));
     let columns = |m: Mat4| m.to_cols_array_2d();
     let forward = forward::ForwardProjection::new(&setup.conventions, now, before);
     FrameConstants {
         clip_from_view: now.clip_from_view,
-        world_from_clip: columns(view.inverse() * clip.inverse()),
         world_from_view: columns(view.inverse()),
         previous_clip_from_world: columns(previous_clip * previous_view),
         previous_view_from_world: columns(previous_view),

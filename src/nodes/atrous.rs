@@ -126,7 +126,7 @@ impl Graph {
 }
 
 fn level_pass(node: &str, name: String, module: &'static Shader, level: u32) -> Pass {
-    Pass::new(node, module).named(name).level(level).constant("FIRST", u32::from(level == 0))
+    Pass::new(node, module).named(name).level(level)
 }
 
 /// The two images of every signal that the levels write in turn.

@@ -159,7 +159,7 @@ pub(super) fn twin(b: &mut Bindings) -> Result<(), Error> {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
         false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
     };
-    let kernel = Kernel::of_number(b.constant("KERNEL")?).unwrap_or_default();
+    let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
     let level = AtrousLevel { number: b.level, kernel, smooth_deviation: b.is_on("SMOOTH")? };
     let filtered = filter(b.frame, &geometry, level, &b.colours("input")?);
     b.write_signals("output", filtered)

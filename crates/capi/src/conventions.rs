@@ -4,8 +4,8 @@ use crate::pointers::{read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousConfig, AtrousFrameParams};
 use atrous::reference::Image;
-use atrous::{Config, Error, FrameParams};
-use atrous_conventions::{check, Finding, Guides, Report};
+use atrous::{Config, Error};
+use atrous_conventions::{check, Finding, OwnedGuides, Report};
 use std::ffi::c_char;
 
 /// Bytes of the text of a report, with its null.
@@ -70,55 +70,34 @@ pub unsafe extern "C" fn atrous_check_conventions(
         unsafe {
             write("report", report, || {
                 let conventions = read("config", config)?.to_config()?.conventions;
-                let frames = [Frame::read("previous", previous)?, Frame::read("current", current)?];
-                Ok(flat(&check(&conventions, &frames[0].guides(), &frames[1].guides())?))
+                let frames = [read_guides("previous", previous)?, read_guides("current", current)?];
+                Ok(flat(&check(&conventions, &frames[0].borrow(), &frames[1].borrow())?))
             })
         }
     })
 }
 
-/// The images of a frame.
-struct Frame {
-    params: FrameParams,
-    depth: Image<[f32; 4]>,
-    normal: Option<Image<[f32; 4]>>,
-    motion: Option<Image<[f32; 4]>>,
-    surface_id: Option<Image<u32>>,
-}
-
-impl Frame {
-    /// # Safety
-    /// Obligations of [`atrous_check_conventions`].
-    unsafe fn read(what: &str, pointer: *const AtrousGuides) -> Result<Self, Failure> {
-        // SAFETY: `pointer` is null or points to a struct that begins with its size, and its images are null or have as many texels
-        // as the extent says.
-        unsafe {
-            let given = read(what, pointer)?;
-            let extent = [given.width, given.height];
-            if extent.iter().any(|side| !(1..=Config::MAX_SIDE).contains(side)) {
-                return Err(Error::Extent { what: "width and height of AtrousGuides", given: extent, max: Config::MAX_SIDE }.into());
-            }
-            if given.depth.is_null() {
-                return Err(Failure::argument(format!("{what}->depth is NULL; give the depth of the frame")));
-            }
-            Ok(Self {
-                params: read(&format!("{what}->params"), given.params)?.to_params()?,
-                depth: image(given.depth.cast(), extent)?.unwrap_or_else(|| Image::new(extent, [0.0; 4])),
-                normal: image(given.normal.cast(), extent)?,
-                motion: image(given.motion.cast(), extent)?,
-                surface_id: image(given.surface_id, extent)?,
-            })
+/// # Safety
+/// Obligations of [`atrous_check_conventions`].
+unsafe fn read_guides(what: &str, pointer: *const AtrousGuides) -> Result<OwnedGuides, Failure> {
+    // SAFETY: `pointer` is null or points to a struct that begins with its size, and its images are null or have as many texels
+    // as the extent says.
+    unsafe {
+        let given = read(what, pointer)?;
+        let extent = [given.width, given.height];
+        if extent.iter().any(|side| !(1..=Config::MAX_SIDE).contains(side)) {
+            return Err(Error::Extent { what: "width and height of AtrousGuides", given: extent, max: Config::MAX_SIDE }.into());
         }
-    }
-
-    fn guides(&self) -> Guides<'_> {
-        Guides {
-            params: self.params,
-            depth: &self.depth,
-            normal: self.normal.as_ref(),
-            motion: self.motion.as_ref(),
-            surface_id: self.surface_id.as_ref(),
+        if given.depth.is_null() {
+            return Err(Failure::argument(format!("{what}->depth is NULL; give the depth of the frame")));
         }
+        Ok(OwnedGuides {
+            params: read(&format!("{what}->params"), given.params)?.to_params()?,
+            depth: image(given.depth.cast(), extent)?.unwrap_or_else(|| Image::new(extent, [0.0; 4])),
+            normal: image(given.normal.cast(), extent)?,
+            motion: image(given.motion.cast(), extent)?,
+            surface_id: image(given.surface_id, extent)?,
+        })
     }
 }
 

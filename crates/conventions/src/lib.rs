@@ -84,6 +84,26 @@ pub struct Guides<'a> {
     pub surface_id: Option<&'a Image<u32>>,
 }
 
+/// Guides with images of their own, for hosts that load or copy them. Fields as in [`Guides`].
+#[derive(Clone, Debug)]
+#[allow(missing_docs)]
+pub struct OwnedGuides {
+    pub params: FrameParams,
+    pub depth: Image<[f32; 4]>,
+    pub normal: Option<Image<[f32; 4]>>,
+    pub motion: Option<Image<[f32; 4]>>,
+    pub surface_id: Option<Image<u32>>,
+}
+
+impl OwnedGuides {
+    /// The guides as [`check`] takes them.
+    pub fn borrow(&self) -> Guides<'_> {
+        let Self { params, depth, normal, motion, surface_id } = self;
+        let (normal, motion, surface_id) = (normal.as_ref(), motion.as_ref(), surface_id.as_ref());
+        Guides { params: *params, depth, normal, motion, surface_id }
+    }
+}
+
 /// The texel of a pixel; zero outside the image.
 fn at<T: Copy + Default>(image: &Image<T>, p: IVec2) -> T {
     image.get(p.x, p.y).copied().unwrap_or_default()

@@ -5,13 +5,12 @@
 //! The gaps uncover what is behind them in every frame. Noise stays with its surface, as that of a re-shaded sample does: temporal
 //! gradients are those of steady light.
 
-use crate::scene::random;
+use crate::scene::{camera, random, FOCAL};
 use atrous::FrameParams;
 
 /// Frames before the first one comes again.
 pub const FRAMES: u32 = 2;
 
-const FOCAL: f32 = 1.2;
 /// Eye of each frame.
 const EYE: [[f32; 3]; 2] = [[-0.05, 0.0, 0.0], [0.05, 0.02, -0.04]];
 const FLOOR: f32 = -1.2;
@@ -68,18 +67,7 @@ impl MovingScene {
 
     /// The camera of frame `index`.
     pub fn params(&self, index: u32) -> FrameParams {
-        let (near, far) = (0.1, 100.0);
-        let eye = EYE[(index % FRAMES) as usize].map(|c| -c);
-        FrameParams {
-            view_from_world: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [eye[0], eye[1], eye[2], 1.0]],
-            clip_from_view: [
-                [FOCAL / self.aspect(), 0.0, 0.0, 0.0],
-                [0.0, -FOCAL, 0.0, 0.0],
-                [0.0, 0.0, far / (near - far), -1.0],
-                [0.0, 0.0, near * far / (near - far), 0.0],
-            ],
-            ..FrameParams::new(self.extent)
-        }
+        camera(self.extent, EYE[(index % FRAMES) as usize])
     }
 
     /// The inputs of a pixel in frame `index`.

@@ -77,7 +77,8 @@ pub struct Scene {
     pub light: f32,
 }
 
-const FOCAL: f32 = 1.2;
+/// Focal length of every camera, in halves of the image's height.
+pub(crate) const FOCAL: f32 = 1.2;
 const WALL: f32 = 6.0;
 const BALL: [f32; 4] = [0.3, -0.2, 4.0, 1.0];
 
@@ -87,6 +88,22 @@ const FOG: f32 = 2.0;
 /// Radiance that the fog scatters towards the camera: stripes.
 fn fog(x: f32, y: f32) -> f32 {
     0.5 + 0.45 * (4.0 * x + 1.5 * y).sin()
+}
+
+/// The camera at a point of world space, which looks along −z.
+pub(crate) fn camera(extent: [u32; 2], eye: [f32; 3]) -> FrameParams {
+    let aspect = extent[0] as f32 / extent[1] as f32;
+    let (near, far) = (0.1, 100.0);
+    FrameParams {
+        view_from_world: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [-eye[0], -eye[1], -eye[2], 1.0]],
+        clip_from_view: [
+            [FOCAL / aspect, 0.0, 0.0, 0.0],
+            [0.0, -FOCAL, 0.0, 0.0],
+            [0.0, 0.0, far / (near - far), -1.0],
+            [0.0, 0.0, near * far / (near - far), 0.0],
+        ],
+        ..FrameParams::new(extent)
+    }
 }
 
 struct Hit {
@@ -105,23 +122,7 @@ impl Scene {
 
     /// The camera of frame `index`.
     pub fn params(&self, index: u32) -> FrameParams {
-        let aspect = self.extent[0] as f32 / self.extent[1] as f32;
-        let (near, far) = (0.1, 100.0);
-        FrameParams {
-            view_from_world: [
-                [1.0, 0.0, 0.0, 0.0],
-                [0.0, 1.0, 0.0, 0.0],
-                [0.0, 0.0, 1.0, 0.0],
-                [-self.camera(index), 0.0, 0.0, 1.0],
-            ],
-            clip_from_view: [
-                [FOCAL / aspect, 0.0, 0.0, 0.0],
-                [0.0, -FOCAL, 0.0, 0.0],
-                [0.0, 0.0, far / (near - far), -1.0],
-                [0.0, 0.0, near * far / (near - far), 0.0],
-            ],
-            ..FrameParams::new(self.extent)
-        }
+        camera(self.extent, [self.camera(index), 0.0, 0.0])
     }
 
     fn camera(&self, index: u32) -> f32 {
