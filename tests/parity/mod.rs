@@ -34,6 +34,8 @@ pub const TESTS: &[DeviceTest] = &[
     }),
     ("percentile_object_normals", || sequence(&Config { object_normal: true, signals: Signals::Apart, ..percentile([40, 23]) })),
     ("percentile_in_a_larger_image", || sequence_of(&percentile([64, 40]), [37, 21])),
+    ("fast", || sequence(&Config { preset: Preset::Fast, ..Config::new([61, 35]) })),
+    ("fast_two_signals", || sequence(&Config { preset: Preset::Fast, signals: Signals::Apart, ..Config::new([40, 23]) })),
     ("eaw", || sequence(&Config { preset: Preset::Eaw, ..Config::new([61, 35]) })),
     ("eaw_two_signals", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Apart, levels: 10, ..Config::new([40, 23]) })),
     ("eaw_one_of_2x2", || sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf2x2, ..Config::new([61, 35]) })),
