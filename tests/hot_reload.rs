@@ -89,7 +89,12 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
         ("modulate.comp", "local_size_y = 8", "local_size_y = 4", "LocalSize is `8 x 4 x 1`"),
         ("modulate.comp", "uint present;", "uint other; uint present;", "push constants byte 0 is `other: u32`"),
         ("include/optional.glsl", "constant_id = 0", "constant_id = 5", "specialization constant 5 is new"),
-        ("include/frame.glsl", "uvec2 render_extent", "ivec2 render_extent", "byte 448 is `render_extent: vec2<i32>`"),
+        (
+            "include/frame.glsl",
+            "uvec2 render_extent",
+            "ivec2 render_extent",
+            "is `render_extent: vec2<i32>`, and was `render_extent: vec2<u32>`",
+        ),
         (
             "modulate.comp",
             "void main() {",
