@@ -1,5 +1,7 @@
 //! Turns temporal gradients into confidence in the history of each pixel. \[ASVGF\] 3.5, eq. 14.
 
+pub(crate) mod twin;
+
 use crate::contract::Lifetime;
 use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, CONFIDENCE, HOST_SCALAR};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
 
+pub(crate) mod twin;
+
 use super::by_signals;
 use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};

@@ -1,5 +1,7 @@
 //! Measures the departure of a frame from its own history, block by block.
 
+pub(crate) mod twin;
+
 use super::BLOCK_SIZE;
 use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! Two percentiles of luminance in every 8×8 pixels. [PSVGF], block percentiles.
 
+pub(crate) mod twin;
+
 use crate::config::BlockSort;
 use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance, PACKED_32};
 use crate::shaders;

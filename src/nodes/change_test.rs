@@ -1,5 +1,7 @@
 //! Turns the departure of blocks into confidence in the history of each pixel: a test in both directions.
 
+pub(crate) mod twin;
+
 use crate::contract::Lifetime;
 use crate::graph::{Confidence, Difference, Graph, Pass, Port, CONFIDENCE};
 use crate::shaders;

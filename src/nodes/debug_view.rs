@@ -1,5 +1,7 @@
 //! Shows the denoiser's knowledge of each pixel as a picture. Not a stage of a filter: nothing reads it.
 
+pub(crate) mod twin;
+
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, HDR, HOST_COLOUR};
 use crate::shaders;

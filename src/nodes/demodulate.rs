@@ -1,5 +1,7 @@
 //! Divides the noisy radiance by the albedo, and stops what is not finite.
 
+pub(crate) mod twin;
+
 use super::by_signals;
 use crate::config::Sampling;
 use crate::graph::{Graph, Guides, Irradiance, Pass, Radiance, HDR, HOST_COLOUR};

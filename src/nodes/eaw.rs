@@ -1,5 +1,7 @@
 //! The edge-avoiding à-trous wavelet transform by radiance, normal and position. \[EAW\].
 
+pub(crate) mod twin;
+
 use super::atrous::Levels;
 use super::by_signals;
 use crate::config::{EawWeights, Sampling};

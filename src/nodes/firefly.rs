@@ -1,5 +1,7 @@
 //! Scales outliers down before they reach the history. [PSVGF], firefly filter.
 
+pub(crate) mod twin;
+
 use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance};
 use crate::shaders;
 

@@ -1,5 +1,7 @@
 //! Picks a pixel in every stratum of the previous frame and finds it in this one, for the host to shade again. \[ASVGF\] 3.1, 3.3.
 
+pub(crate) mod twin;
+
 use super::gradient::check_stratum_size;
 use crate::contract::{Grid, Lifetime, Phase};
 use crate::graph::{GradientSamples, Graph, Guides, Pass, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};

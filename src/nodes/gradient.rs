@@ -1,5 +1,7 @@
 //! Measures the change in luminance of the same samples from the previous frame to this one, per stratum. \[ASVGF\] eq. 2, 3, 13.
 
+pub(crate) mod twin;
+
 use crate::contract::{Grid, Lifetime};
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Pass, Radiance, HDR, HOST_COLOUR, PACKED_32, PACKED_64};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! Spreads the gradients over strata without a sample, and takes their noise. \[ASVGF\] 3.4, eq. 7 to 12.
 
+pub(crate) mod twin;
+
 use crate::contract::{Grid, Lifetime};
 use crate::graph::{Gradient, Graph, Guides, Pass, HDR};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! Turns the host's guides into ours. The only stage that knows the host's encodings.
 
+pub(crate) mod twin;
+
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{Graph, Guides, Pass, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
 use crate::shaders;

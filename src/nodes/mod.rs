@@ -1,29 +1,29 @@
 //! The stages as nodes of a [`Graph`]: which shader, which images, how each is touched.
 //!
 //! A node is a method of [`Graph`] in the file of its stage, with its parameters in a struct that has defaults. It adds passes and
-//! allocates nothing.
+//! allocates nothing. Beside it, in `twin.rs`, stands the stage on the CPU; [`STAGES`] lists them all.
 
-mod adaptive_alpha;
-mod atrous;
-mod block_difference;
-mod block_percentiles;
-mod change_test;
-mod debug_view;
-mod demodulate;
-mod eaw;
-mod firefly;
-mod forward_project;
-mod gradient;
-mod gradient_atrous;
-mod import;
-mod modulate;
-mod percentile_rule;
-mod taa;
-mod temporal_accumulation;
-mod tone_map;
-mod variance;
-mod volume_motion;
-mod volume_points;
+pub(crate) mod adaptive_alpha;
+pub(crate) mod atrous;
+pub(crate) mod block_difference;
+pub(crate) mod block_percentiles;
+pub(crate) mod change_test;
+pub(crate) mod debug_view;
+pub(crate) mod demodulate;
+pub(crate) mod eaw;
+pub(crate) mod firefly;
+pub(crate) mod forward_project;
+pub(crate) mod gradient;
+pub(crate) mod gradient_atrous;
+pub(crate) mod import;
+pub(crate) mod modulate;
+pub(crate) mod percentile_rule;
+pub(crate) mod taa;
+pub(crate) mod temporal_accumulation;
+pub(crate) mod tone_map;
+pub(crate) mod variance;
+pub(crate) mod volume_motion;
+pub(crate) mod volume_points;
 
 pub use atrous::{Atrous, Kernel, VolumeAtrous};
 pub use block_percentiles::BLOCK_SIZE;
@@ -39,7 +39,49 @@ pub use variance::{Estimator, Variance};
 pub use volume_points::Volume;
 
 use crate::graph::{Graph, Image, Port};
+use crate::reference::rules::*;
+use crate::reference::{Per, Stage, Values};
 use crate::shaders::Shader;
+
+/// Every stage that has a twin.
+pub static STAGES: &[Stage] = &[
+    Stage::new("import", import::twin::twin, IMPORT),
+    Stage::new("forward_project", forward_project::twin::twin, FORWARD_PROJECT),
+    Stage::new("gradient", gradient::twin::twin, GRADIENT),
+    Stage::new("gradient_atrous", gradient_atrous::twin::twin, &[strata("gradient_out", WEIGHTED)]),
+    Stage::new("adaptive_alpha", adaptive_alpha::twin::twin, &[pixels("history_confidence", HALF)]),
+    Stage::new("demodulate", demodulate::twin::twin, &[STATISTICS, pixels("irradiance_0", HALF), pixels("irradiance_1", HALF)]),
+    Stage::new(
+        "block_percentiles",
+        block_percentiles::twin::twin,
+        &[rule("block_percentiles", Per::Block, Values::Percentiles, HALF)],
+    ),
+    Stage::new("firefly", firefly::twin::twin, &[pixels("irradiance", HALF)]),
+    Stage::new("block_difference", block_difference::twin::twin, BLOCK_DIFFERENCE),
+    Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),
+    Stage::new("change_test", change_test::twin::twin, &[pixels("history_confidence", STEEP)]),
+    Stage::new("temporal_accumulation", temporal_accumulation::twin::twin, TEMPORAL_ACCUMULATION),
+    Stage::new("variance", variance::twin::twin, &[pixels("estimated_0", ESTIMATED), pixels("estimated_1", ESTIMATED)]),
+    Stage::new("atrous", atrous::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
+    Stage::new("eaw", eaw::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
+    Stage::new("modulate", modulate::twin::twin, &[STATISTICS, pixels("denoised_radiance", HALF)]),
+    Stage::new(
+        "volume_motion",
+        volume_motion::twin::twin,
+        &[pixels("claims", EXACT), rule("volume_motion", Per::Pixel, Values::Halves, EXACT)],
+    ),
+    Stage::new("volume_points", volume_points::twin::twin, &[STATISTICS, pixels("radiance", HALF), pixels("volume_points", EXACT)]),
+    Stage::new("tone_map", tone_map::twin::twin, &[pixels("tone_mapped", HALF)]),
+    Stage::new("taa", taa::twin::twin, &[pixels("taa_history", CLIPPED), pixels("display", CLIPPED)]),
+    Stage::new("debug_view", debug_view::twin::twin, &[pixels("debug_view", PICTURE)]),
+];
+
+impl Stage {
+    /// The stage of this name.
+    pub fn find(name: &str) -> Option<&'static Self> {
+        STAGES.iter().find(|stage| stage.name == name)
+    }
+}
 
 /// The module of a shader for one or two signals.
 fn by_signals<K>(port: &Port<K>, one: &'static Shader, two: &'static Shader) -> &'static Shader {

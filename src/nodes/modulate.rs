@@ -1,5 +1,7 @@
 //! Multiplies the albedo back, adds the signals and the emission.
 
+pub(crate) mod twin;
+
 use crate::contract::Lifetime;
 use crate::graph::{Graph, Guides, Irradiance, Pass, Port, Radiance, HDR, HOST_COLOUR};
 use crate::shaders;

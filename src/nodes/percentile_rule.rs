@@ -1,5 +1,7 @@
 //! Turns percentiles into confidence in the history of each pixel, by the published rule. \[PSVGF\], adaptive accumulation.
 
+pub(crate) mod twin;
+
 use crate::contract::Lifetime;
 use crate::graph::{Confidence, Graph, Guides, History, Pass, Percentiles, Port, CONFIDENCE};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! Temporal anti-aliasing. \[Karis 2014\]
 
+pub(crate) mod twin;
+
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{Display, Graph, Guides, Pass, Port, HDR};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! Blends each pixel with its own past, found by motion and tested tap by tap. \[SVGF\] 4.1.
 
+pub(crate) mod twin;
+
 use super::by_signals;
 use crate::graph::{Confidence, Graph, Guides, History, Irradiance, Pass, Value, VolumeMotion, VolumeRadiance};
 use crate::shaders;

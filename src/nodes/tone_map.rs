@@ -1,5 +1,7 @@
 //! HDR radiance to display-referred linear values.
 
+pub(crate) mod twin;
+
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{Display, Graph, Pass, Port, Radiance, HDR};
 use crate::shaders;

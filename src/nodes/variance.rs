@@ -1,6 +1,8 @@
 //! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings.
 //! \[SVGF\] 4.2.
 
+pub(crate) mod twin;
+
 use super::by_signals;
 use crate::graph::{Estimate, Graph, Guides, History, Irradiance, Pass, Value, VolumeEstimate, VolumeRadiance, HDR};
 use crate::shaders;

@@ -1,5 +1,7 @@
 //! Carries the points of a volume forward from the previous frame, for motion vectors of its own. [PSVGF], volumes.
 
+pub(crate) mod twin;
+
 use super::Volume;
 use crate::contract::{Grid, Lifetime, Phase};
 use crate::graph::{Graph, Guides, Pass, Port, VolumeMotion, PACKED_32};

@@ -1,5 +1,7 @@
 //! Takes in the light that a volume scatters towards the camera, and where. [PSVGF], volumes.
 
+pub(crate) mod twin;
+
 use crate::contract::Lifetime;
 use crate::graph::{Graph, Image, Pass, Port, Radiance, VolumeRadiance, HDR, HOST_SCALAR, PACKED_64};
 use crate::shaders;

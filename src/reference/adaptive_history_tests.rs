@@ -1,9 +1,9 @@
 //! `percentile_rule` and `change_test`: which changes each sees, on blocks of one luminance distribution before and another one
 //! now.
 
-use super::percentile_rule::weight_of_history;
 use super::test_scene::*;
 use super::*;
+use crate::nodes::percentile_rule::twin::weight_of_history;
 use crate::Tuning;
 
 const EXTENT: [u32; 2] = [44, 35];

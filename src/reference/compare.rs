@@ -1,14 +1,14 @@
 //! Rules by which the output of the GPU counts as equal to that of the twin.
 
 use super::binary16::from_half_bits;
-use super::block_difference::unpack_difference;
-use super::block_percentiles::unpack_percentiles;
 use super::guide::unpack_guide;
 use super::moments::unpack_moments;
 use super::octahedral::octahedral10_to_normal;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
 use super::BLOCK_SIZE;
+use crate::nodes::block_difference::twin::unpack_difference;
+use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use glam::IVec2;
 
 /// The difference that two values may have, and the share of texels that may differ by more, since a test against a threshold fell

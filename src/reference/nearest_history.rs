@@ -25,7 +25,7 @@ pub struct HistoryGuides<'a> {
 
 impl<'a> HistoryGuides<'a> {
     /// The guides that a pass has bound.
-    pub(super) fn of(b: &Bindings<'a>) -> Result<Self, Error> {
+    pub(crate) fn of(b: &Bindings<'a>) -> Result<Self, Error> {
         Ok(Self {
             guide: b.packed("guide")?,
             surface_motion: b.packed("surface_motion")?,

@@ -112,7 +112,7 @@ impl Declaration {
     }
 
     /// Texels of the allocated extent that a use has; a buffer has its bytes in one row.
-    pub(super) fn texel_extent(&self, u: &Use) -> [u32; 2] {
+    pub(crate) fn texel_extent(&self, u: &Use) -> [u32; 2] {
         let resource = self.resource(u.resource);
         match resource.shape {
             Shape::Image { .. } => resource.extent(self.allocated_extent()).unwrap_or([1, 1]),
@@ -121,7 +121,7 @@ impl Declaration {
     }
 
     /// The first dispatch whose stage has no twin.
-    pub(super) fn stage_without_twin(&self) -> Option<Error> {
+    pub(crate) fn stage_without_twin(&self) -> Option<Error> {
         let lacks = |pass: &PassDecl| pass.dispatch().filter(|d| d.twin().is_none()).map(|d| without_twin(&d.shader.stage));
         self.passes().iter().find_map(lacks)
     }

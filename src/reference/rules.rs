@@ -2,46 +2,46 @@
 
 use super::compare::{Per, Rule, Tolerance, Values, When};
 
-pub(super) const EXACT: Tolerance = Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.0 };
+pub(crate) const EXACT: Tolerance = Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.0 };
 
 /// Half floats have 11 bits and devices round them either way: two steps, and next to nothing near zero.
-pub(super) const HALF: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-5, outliers: 0.0 };
+pub(crate) const HALF: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-5, outliers: 0.0 };
 
 /// A tap's test may fall the other way where a value lies on its threshold.
-pub(super) const TESTED: Tolerance = Tolerance { outliers: 2e-3, ..HALF };
+pub(crate) const TESTED: Tolerance = Tolerance { outliers: 2e-3, ..HALF };
 
 /// 25 weights, each an exponential with the device's own precision.
-pub(super) const WEIGHTED: Tolerance = Tolerance { relative: 3e-3, absolute: 5e-4, ..HALF };
+pub(crate) const WEIGHTED: Tolerance = Tolerance { relative: 3e-3, absolute: 5e-4, ..HALF };
 
 /// Normals are rounded to a grid of 1/511, and either side of a step is right.
-pub(super) const STEP: Tolerance = Tolerance { relative: 1e-5, absolute: 5e-3, outliers: 0.0 };
+pub(crate) const STEP: Tolerance = Tolerance { relative: 1e-5, absolute: 5e-3, outliers: 0.0 };
 
-pub(super) const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
+pub(crate) const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
 
 /// A half of the luminance may be rounded either way, and a gradient is the difference of two.
-pub(super) const CHANGE: Tolerance = Tolerance { relative: 3e-3, absolute: 3e-3, outliers: 0.0 };
+pub(crate) const CHANGE: Tolerance = Tolerance { relative: 3e-3, absolute: 3e-3, outliers: 0.0 };
 
 /// Slopes are steep: a step of a half float in a percentile or a deviation moves the result by more than one.
-pub(super) const STEEP: Tolerance = Tolerance { absolute: 5e-3, outliers: 2e-3, ..HALF };
+pub(crate) const STEEP: Tolerance = Tolerance { absolute: 5e-3, outliers: 2e-3, ..HALF };
 
 /// The clip divides by a deviation that is the root of a difference.
-pub(super) const CLIPPED: Tolerance = Tolerance { absolute: 1e-3, ..HALF };
+pub(crate) const CLIPPED: Tolerance = Tolerance { absolute: 1e-3, ..HALF };
 
-pub(super) const fn rule(binding: &'static str, per: Per, values: Values, tolerance: Tolerance) -> Rule {
+pub(crate) const fn rule(binding: &'static str, per: Per, values: Values, tolerance: Tolerance) -> Rule {
     Rule { binding, per, values, tolerance, when: When::Always }
 }
 
-pub(super) const fn pixels(binding: &'static str, tolerance: Tolerance) -> Rule {
+pub(crate) const fn pixels(binding: &'static str, tolerance: Tolerance) -> Rule {
     rule(binding, Per::Pixel, Values::Plain, tolerance)
 }
 
-pub(super) const fn strata(binding: &'static str, tolerance: Tolerance) -> Rule {
+pub(crate) const fn strata(binding: &'static str, tolerance: Tolerance) -> Rule {
     rule(binding, Per::Stratum, Values::Plain, tolerance)
 }
 
-pub(super) const STATISTICS: Rule = rule("statistics", Per::Buffer, Values::Plain, EXACT);
+pub(crate) const STATISTICS: Rule = rule("statistics", Per::Buffer, Values::Plain, EXACT);
 
-pub(super) const IMPORT: &[Rule] = &[
+pub(crate) const IMPORT: &[Rule] = &[
     STATISTICS,
     rule("guide", Per::Pixel, Values::Guide, STEP),
     rule("surface_motion", Per::Pixel, Values::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
@@ -51,11 +51,11 @@ pub(super) const IMPORT: &[Rule] = &[
 ];
 
 /// Equal to the bit; claims lie a texel a stratum.
-pub(super) const FORWARD_PROJECT: &[Rule] =
+pub(crate) const FORWARD_PROJECT: &[Rule] =
     &[STATISTICS, strata("claims", EXACT), strata("gradient_samples", EXACT), strata("candidates", EXACT)];
 
 /// The stage looks for a surface in re-shaded images, as a tap is looked for.
-pub(super) const GRADIENT: &[Rule] = &[
+pub(crate) const GRADIENT: &[Rule] = &[
     Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
     Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
     strata("gradient_guide", EXACT),
@@ -63,13 +63,13 @@ pub(super) const GRADIENT: &[Rule] = &[
 ];
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.
-pub(super) const BLOCK_DIFFERENCE: &[Rule] =
+pub(crate) const BLOCK_DIFFERENCE: &[Rule] =
     &[rule("block_difference", Per::Block, Values::Difference, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
 
 /// A deviation near 0 is the root of a difference that rounding decides.
-pub(super) const ACCUMULATED_MOMENTS: Tolerance = Tolerance { absolute: 2e-3, ..TESTED };
+pub(crate) const ACCUMULATED_MOMENTS: Tolerance = Tolerance { absolute: 2e-3, ..TESTED };
 
-pub(super) const TEMPORAL_ACCUMULATION: &[Rule] = &[
+pub(crate) const TEMPORAL_ACCUMULATION: &[Rule] = &[
     pixels("irradiance_0", TESTED),
     pixels("irradiance_1", TESTED),
     rule("moments_0", Per::Pixel, Values::Moments, ACCUMULATED_MOMENTS),
@@ -77,7 +77,7 @@ pub(super) const TEMPORAL_ACCUMULATION: &[Rule] = &[
 ];
 
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
-pub(super) const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
+pub(crate) const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
 /// Colours go through a power, which devices round each in its own way.
-pub(super) const PICTURE: Tolerance = Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF };
+pub(crate) const PICTURE: Tolerance = Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF };

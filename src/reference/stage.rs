@@ -4,7 +4,6 @@ use super::bindings::Twin;
 use super::compare::Rule;
 use super::rules::{strata, WEIGHTED};
 use super::texels::Texels;
-use super::STAGES;
 
 /// A stage on the CPU.
 #[derive(Clone, Copy, Debug)]
@@ -18,13 +17,8 @@ pub struct Stage {
 }
 
 impl Stage {
-    pub(super) const fn new(name: &'static str, twin: Twin, rules: &'static [Rule]) -> Self {
+    pub(crate) const fn new(name: &'static str, twin: Twin, rules: &'static [Rule]) -> Self {
         Self { name, twin, rules }
-    }
-
-    /// The stage of this name.
-    pub fn find(name: &str) -> Option<&'static Self> {
-        STAGES.iter().find(|stage| stage.name == name)
     }
 
     /// Compares what the GPU and the twin wrote to one binding of a pass, in a frame of `render_extent` pixels. `constants` are the
@@ -54,7 +48,7 @@ impl Stage {
 
 /// Compares the output of a host's stage, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the
 /// device's own precision.
-pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+pub(crate) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
     strata("its output", WEIGHTED).compare(divisor, render_extent, gpu, twin)
 }
 
@@ -62,6 +56,7 @@ pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Te
 mod tests {
     use super::super::{test_scene, Image};
     use super::*;
+    use crate::nodes::STAGES;
     use std::collections::BTreeSet;
 
     #[test]

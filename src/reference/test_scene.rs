@@ -5,24 +5,24 @@ use crate::{Config, Flags, FrameConstants, FrameParams, FrameState, Tuning};
 use glam::{Mat4, Vec3};
 
 /// A frame with history behind it, default tuning and conventions, identity matrices.
-pub(super) fn frame(extent: [u32; 2]) -> FrameConstants {
+pub(crate) fn frame(extent: [u32; 2]) -> FrameConstants {
     frame_with(&Config::new(extent), &FrameParams::new(extent), &FrameParams::new(extent))
 }
 
 /// The second of two frames.
-pub(super) fn frame_with(config: &Config, before: &FrameParams, now: &FrameParams) -> FrameConstants {
+pub(crate) fn frame_with(config: &Config, before: &FrameParams, now: &FrameParams) -> FrameConstants {
     let mut state = FrameState::default();
     state.begin(&config.setup(), before, &Tuning::default()).expect("first frame");
     state.begin(&config.setup(), now, &Tuning::default()).expect("second frame").constants
 }
 
 /// The frame as one that drops all history.
-pub(super) fn reset(frame: FrameConstants) -> FrameConstants {
+pub(crate) fn reset(frame: FrameConstants) -> FrameConstants {
     FrameConstants { flags: frame.flags | Flags::RESET, ..frame }
 }
 
 /// A perspective camera at a position, looking along −z; 90 degrees from top to bottom, near plane 0.1, far plane 100.
-pub(super) fn camera(extent: [u32; 2], position: Vec3) -> FrameParams {
+pub(crate) fn camera(extent: [u32; 2], position: Vec3) -> FrameParams {
     FrameParams {
         view_from_world: Mat4::from_translation(-position).to_cols_array_2d(),
         clip_from_view: perspective(extent).to_cols_array_2d(),
@@ -31,7 +31,7 @@ pub(super) fn camera(extent: [u32; 2], position: Vec3) -> FrameParams {
 }
 
 /// Looks along −z; depth 0..1, y down.
-pub(super) fn perspective(extent: [u32; 2]) -> Mat4 {
+pub(crate) fn perspective(extent: [u32; 2]) -> Mat4 {
     let (near, far) = (0.1, 100.0);
     Mat4::from_cols_array_2d(&[
         [extent[1] as f32 / extent[0] as f32, 0.0, 0.0, 0.0],
@@ -43,18 +43,18 @@ pub(super) fn perspective(extent: [u32; 2]) -> Mat4 {
 
 /// Packed guides of surfaces that do not move.
 #[derive(Clone)]
-pub(super) struct Guides {
+pub(crate) struct Guides {
     pub guide: Image<[u16; 4]>,
     pub surface_motion: Image<[u16; 4]>,
     pub depth_gradient: Image<u32>,
 }
 
-pub(super) fn surface(linear_depth: f32) -> Surface {
+pub(crate) fn surface(linear_depth: f32) -> Surface {
     Surface { linear_depth, normal: [0.0, 0.0, 1.0], roughness: 1.0, id: 1 }
 }
 
 /// `surfaces(x, y)` without motion and with a gradient of 0.
-pub(super) fn guides(extent: [u32; 2], surfaces: impl Fn(i32, i32) -> Surface) -> Guides {
+pub(crate) fn guides(extent: [u32; 2], surfaces: impl Fn(i32, i32) -> Surface) -> Guides {
     let surfaces = paint(extent, surfaces);
     Guides {
         guide: surfaces.map(pack_guide),
@@ -63,13 +63,13 @@ pub(super) fn guides(extent: [u32; 2], surfaces: impl Fn(i32, i32) -> Surface) -
     }
 }
 
-pub(super) fn paint<T: Clone>(extent: [u32; 2], f: impl Fn(i32, i32) -> T) -> Image<T> {
+pub(crate) fn paint<T: Clone>(extent: [u32; 2], f: impl Fn(i32, i32) -> T) -> Image<T> {
     let positions = (0..extent[1] as i32).flat_map(|y| (0..extent[0] as i32).map(move |x| (x, y)));
     Image::from_texels(extent, positions.map(|(x, y)| f(x, y)).collect()).expect("as many texels as pixels")
 }
 
 /// Uniform in 0..1, grey, independent between pixels and seeds.
-pub(super) fn noise(extent: [u32; 2], seed: u32) -> Image<[f32; 4]> {
+pub(crate) fn noise(extent: [u32; 2], seed: u32) -> Image<[f32; 4]> {
     paint(extent, |x, y| {
         let mut v = (x as u32) ^ (y as u32).rotate_left(16) ^ seed.wrapping_mul(0x9e37_79b9);
         for _ in 0..3 {
@@ -82,15 +82,15 @@ pub(super) fn noise(extent: [u32; 2], seed: u32) -> Image<[f32; 4]> {
 }
 
 /// An image inside a larger one, with `fill` around it.
-pub(super) fn embed<T: Clone>(image: &Image<T>, extent: [u32; 2], fill: T) -> Image<T> {
+pub(crate) fn embed<T: Clone>(image: &Image<T>, extent: [u32; 2], fill: T) -> Image<T> {
     paint(extent, |x, y| image.get(x, y).unwrap_or(&fill).clone())
 }
 
 /// The top left of an image.
-pub(super) fn crop<T: Clone>(image: &Image<T>, extent: [u32; 2]) -> Image<T> {
+pub(crate) fn crop<T: Clone>(image: &Image<T>, extent: [u32; 2]) -> Image<T> {
     paint(extent, |x, y| image.get(x, y).expect("inside").clone())
 }
 
-pub(super) fn all_finite(image: &Image<[f32; 4]>) -> bool {
+pub(crate) fn all_finite(image: &Image<[f32; 4]>) -> bool {
     image.texels().iter().flatten().all(|x| x.is_finite())
 }

@@ -1,0 +1,166 @@
+//! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
+
+use crate::kernel::Kernel;
+use crate::reference::binary16::store;
+use crate::reference::bindings::Bindings;
+use crate::reference::geometry_weights::Geometry;
+use crate::reference::luminance::texel_luminance;
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Error, FrameConstants, Tuning};
+use glam::IVec2;
+
+#[cfg(test)]
+mod edge_tests;
+#[cfg(test)]
+mod tests;
+
+/// Tolerated difference of luminance where the variance is 0.
+pub const LUMINANCE_EPSILON: f32 = 1e-4;
+
+/// Inputs of [`atrous`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct AtrousInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// Irradiance of every signal in rgb, standard deviation of its luminance in alpha.
+    pub irradiance: &'a [&'a Image<[f32; 4]>],
+}
+
+/// One level of the filter.
+#[derive(Clone, Copy, Debug)]
+pub struct AtrousLevel {
+    /// Number of the level: taps are `2^number` pixels apart.
+    pub number: u32,
+    /// Kernel.
+    pub kernel: Kernel,
+    /// Whether luminance is compared by the deviation of 3×3 pixels.
+    pub smooth_deviation: bool,
+}
+
+impl AtrousLevel {
+    /// A level of \[SVGF\].
+    pub fn new(number: u32) -> Self {
+        Self { number, kernel: Kernel::Spline, smooth_deviation: true }
+    }
+}
+
+/// Filters every signal with the taps of a level; they share the geometry weights. Texels of the result are as those of the input.
+pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: AtrousLevel, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), level, inputs.irradiance)
+}
+
+/// [`atrous`] for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background
+/// \[PSVGF\].
+pub fn volume_atrous(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    level: AtrousLevel,
+    guide: &Image<[u16; 4]>,
+    radiance: &Image<[f32; 4]>,
+) -> Image<[f32; 4]> {
+    let mut filtered = filter(frame, &Geometry::of_volume(frame, tuning, guide), level, &[radiance]);
+    filtered.pop().unwrap_or_else(|| radiance.clone())
+}
+
+fn filter(
+    frame: &FrameConstants,
+    geometry: &Geometry,
+    level: AtrousLevel,
+    irradiance: &[&Image<[f32; 4]>],
+) -> Vec<Image<[f32; 4]>> {
+    let rect = RenderRect::new(frame.render_extent);
+    let step = 1_i32.checked_shl(level.number).unwrap_or(i32::MAX / 4);
+    // Geometry weights cost the most: they are computed once for the two signals that there can be.
+    let mut filtered = Vec::with_capacity(irradiance.len());
+    for pair in irradiance.chunks(2) {
+        let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
+            let mut sums: [Sum; 2] =
+                std::array::from_fn(|i| Sum::new(geometry, rect, level.smooth_deviation, pair.get(i).copied(), p));
+            if geometry.is_background(p) {
+                return sums.map(|sum| sum.centre);
+            }
+            for (offset, q) in rect.window(p, level.kernel.radius(), step) {
+                let Some(h) = level.kernel.weight(level.number, offset.x, offset.y) else { continue };
+                let weight = h * geometry.weight(p, q);
+                if weight > 0.0 {
+                    sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
+                }
+            }
+            sums.map(|sum| sum.mean())
+        });
+        filtered.extend((0..pair.len()).map(|i| texels.map(|t| t[i])));
+    }
+    filtered
+}
+
+/// The sums of eq. 1 for one signal of one pixel.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    centre: [f32; 4],
+    luminance: f32,
+    tolerance: f32,
+    weight: f32,
+    irradiance: [f32; 3],
+    variance: f32,
+}
+
+impl Sum {
+    fn new(geometry: &Geometry, rect: RenderRect, smooth: bool, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
+        let Some(image) = image else { return Self::default() };
+        let centre = image.at(p);
+        if geometry.is_background(p) {
+            return Self { centre, ..Self::default() };
+        }
+        let deviation = if smooth { blurred_deviation(rect, image, p) } else { centre[3] };
+        Self {
+            centre,
+            luminance: texel_luminance(centre),
+            tolerance: geometry.sigma_l * deviation + LUMINANCE_EPSILON,
+            ..Self::default()
+        }
+    }
+
+    fn add(&mut self, geometry_weight: f32, is_centre: bool, texel: [f32; 4]) {
+        // [SVGF eq. 5]
+        let weight_l = if is_centre { 1.0 } else { (-(self.luminance - texel_luminance(texel)).abs() / self.tolerance).exp() };
+        let weight = geometry_weight * weight_l;
+        self.weight += weight;
+        (0..3).for_each(|i| self.irradiance[i] += weight * texel[i]);
+        self.variance += weight * weight * texel[3] * texel[3];
+    }
+
+    fn mean(&self) -> [f32; 4] {
+        if self.weight == 0.0 {
+            return [0.0; 4];
+        }
+        let [r, g, b] = self.irradiance.map(|c| store(c / self.weight));
+        [r, g, b, store(self.variance.sqrt() / self.weight)]
+    }
+}
+
+/// `sqrt(g3x3(σ²))` without the background, whose deviation is negative: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
+fn blurred_deviation(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
+    let (mut sum, mut variance) = (0.0, 0.0);
+    for (offset, q) in rect.window(p, 1, 1).filter(|(_, q)| image.at(*q)[3] >= 0.0) {
+        let weight = 0.25 / (1 << offset.abs().element_sum()) as f32;
+        let deviation = image.at(q)[3];
+        sum += weight;
+        variance += weight * deviation * deviation;
+    }
+    (variance / f32::max(sum, 0.25)).sqrt()
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = b.packed("guide")?;
+    let geometry = match b.is_on("VOLUME")? {
+        true => Geometry::of_volume(b.frame, b.tuning, guide),
+        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+    };
+    let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
+    let level = AtrousLevel { number: b.level, kernel, smooth_deviation: b.is_on("SMOOTH")? };
+    let filtered = filter(b.frame, &geometry, level, &b.colours("input")?);
+    b.write_signals("output", filtered)
+}

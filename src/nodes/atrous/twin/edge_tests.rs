@@ -1,0 +1,105 @@
+//! Edges that the filter does not blur across.
+
+use super::*;
+use crate::reference::test_scene::*;
+use crate::reference::{pack_depth_gradient, Surface};
+
+const EXTENT: [u32; 2] = [24, 9];
+
+/// A step of radiance at column 12 on a scene that `right` changes from there on, filtered over five levels; the columns of the
+/// middle row.
+fn filtered(tuning: &Tuning, gradient: f32, left: impl Fn(i32, &mut Surface), right: impl Fn(i32, &mut Surface)) -> Vec<f32> {
+    let scene = guides(EXTENT, |x, _| {
+        let mut s = surface(10.0);
+        if x < 12 {
+            left(x, &mut s);
+        } else {
+            right(x, &mut s);
+        }
+        s
+    });
+    let depth_gradient = Image::new(EXTENT, pack_depth_gradient([gradient, 0.0]));
+    // A large deviation: luminance alone would not stop.
+    let mut image = paint(EXTENT, |x, _| if x < 12 { [1.0, 1.0, 1.0, 100.0] } else { [8.0, 8.0, 8.0, 100.0] });
+    for level in 0..5 {
+        let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &depth_gradient, irradiance: &[&image] };
+        image = atrous(&frame(EXTENT), tuning, AtrousLevel::new(level), &inputs).remove(0);
+    }
+    (0..24).map(|x| image.get(x, 4).expect("inside")[0]).collect()
+}
+
+fn is_kept(row: &[f32]) -> bool {
+    row.iter().enumerate().all(|(x, l)| (l - if x < 12 { 1.0 } else { 8.0 }).abs() < 0.02)
+}
+
+#[test]
+fn without_an_edge_the_step_blurs() {
+    let row = filtered(&Tuning::default(), 0.0, |_, _| (), |_, _| ());
+    assert!(row[11] > 2.0 && row[12] < 7.0, "{row:?}");
+}
+
+#[test]
+fn a_depth_step_stops() {
+    let row = filtered(&Tuning::default(), 0.0, |_, _| (), |_, s| s.linear_depth = 10.5);
+    assert!(is_kept(&row), "{row:?}");
+}
+
+#[test]
+fn a_normal_step_stops_and_sigma_zero_lets_it_pass() {
+    let step = |_: i32, s: &mut Surface| s.normal = [0.6, 0.0, 0.8];
+    let row = filtered(&Tuning::default(), 0.0, |_, _| (), step);
+    assert!(is_kept(&row), "{row:?}");
+    let row = filtered(&Tuning { sigma_n: 0.0, ..Tuning::default() }, 0.0, |_, _| (), step);
+    assert!(row[11] > 2.0, "{row:?}");
+}
+
+#[test]
+fn a_slope_does_not_stop_where_the_gradient_explains_it() {
+    let slope = |x: i32, s: &mut Surface| s.linear_depth = 4.0 + 0.5 * x as f32;
+    let row = filtered(&Tuning::default(), 0.5, slope, slope);
+    assert!(row[11] > 1.7, "{row:?}");
+    let row = filtered(&Tuning::default(), 0.0, slope, slope);
+    assert!(is_kept(&row), "without the gradient a slope is a row of steps: {row:?}");
+    let row = filtered(&Tuning { sigma_z: 0.0, ..Tuning::default() }, 0.5, slope, slope);
+    assert!(is_kept(&row), "sigma_z 0 ignores the gradient: {row:?}");
+}
+
+#[test]
+fn the_background_is_neither_filtered_nor_used() {
+    let row = filtered(&Tuning::default(), 0.0, |_, _| (), |_, s| s.linear_depth = 0.0);
+    assert!(row[12..].iter().all(|l| *l == 8.0), "{row:?}");
+    assert!(row[..12].iter().all(|l| *l == 1.0), "{row:?}");
+}
+
+#[test]
+fn luminance_stops_where_the_deviation_is_small() {
+    let scene = guides(EXTENT, |_, _| surface(10.0));
+    let contrast = |deviation: f32| {
+        let image = paint(EXTENT, |x, _| {
+            let l = if x < 12 { 1.0 } else { 2.0 };
+            [l, l, l, deviation]
+        });
+        let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
+        let output = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0);
+        output.get(12, 4).expect("inside")[0] - output.get(11, 4).expect("inside")[0]
+    };
+    assert!(contrast(0.0) > 0.999);
+    assert!(contrast(0.01) > 0.999);
+    assert!(contrast(0.25) < 0.8 && contrast(10.0) < 0.5, "{} {}", contrast(0.25), contrast(10.0));
+    // exp(−1/(4·0.25 + ε)) against 1, over the kernel's columns 5/16 and 11/16.
+    let w = (-1.0_f32 / 1.0001).exp();
+    let expected = 1.0 - 2.0 * (5.0 / 16.0 * w) / (11.0 / 16.0 + 5.0 / 16.0 * w);
+    assert!((contrast(0.25) - expected).abs() < 2e-3, "{} for {expected}", contrast(0.25));
+}
+
+#[test]
+fn the_deviation_in_the_weight_is_blurred_over_three_by_three() {
+    // The centre is certain, its neighbours are not: without the blur nothing would pass.
+    let scene = guides([5, 5], |_, _| surface(10.0));
+    let image = paint([5, 5], |x, y| if (x, y) == (2, 2) { [1.0, 1.0, 1.0, 0.0] } else { [2.0, 2.0, 2.0, 1.0] });
+    let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
+    let [l, ..] = atrous(&frame([5, 5]), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0).at(IVec2::new(2, 2));
+    let (centre, w) = (9.0 / 64.0, (-1.0_f32 / (4.0 * 0.75_f32.sqrt() + 1e-4)).exp());
+    let expected = (centre + (1.0 - centre) * w * 2.0) / (centre + (1.0 - centre) * w);
+    assert!((l - expected).abs() < 2e-3, "{l} for {expected}");
+}

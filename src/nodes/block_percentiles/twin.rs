@@ -1,0 +1,101 @@
+//! The stage `block_percentiles` \[PSVGF\]: two percentiles of luminance in every 8×8 pixels.
+
+use crate::reference::binary16::{from_half_bits, half_bits, store};
+use crate::reference::bindings::Bindings;
+use crate::reference::blocks::{allocated_blocks, Blocks};
+use crate::reference::guide::unpack_guide;
+use crate::reference::luminance::texel_luminance;
+use crate::reference::Image;
+use crate::{Error, FrameConstants, Tuning};
+use glam::IVec2;
+
+/// Percentiles of the luminance of the irradiance of a block's surface pixels; 0, 0 without any.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Percentiles {
+    /// The lower one.
+    pub low: f32,
+    /// The upper one.
+    pub up: f32,
+}
+
+impl Percentiles {
+    /// Distance by which a luminance may leave the percentiles and still be usual: IPR.
+    pub(crate) fn range(&self, tuning: &Tuning) -> f32 {
+        (self.up - self.low) * tuning.percentile_range
+    }
+}
+
+/// A texel of `block_percentiles*`.
+pub fn pack_percentiles(percentiles: &Percentiles) -> u32 {
+    u32::from(half_bits(store(percentiles.low))) | u32::from(half_bits(store(percentiles.up))) << 16
+}
+
+/// The content of a texel of `block_percentiles*`.
+pub fn unpack_percentiles(texel: u32) -> Percentiles {
+    Percentiles { low: from_half_bits(texel as u16), up: from_half_bits((texel >> 16) as u16) }
+}
+
+/// Inputs of [`block_percentiles`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct BlockPercentilesInputs<'a> {
+    /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
+    pub guide: Option<&'a Image<[u16; 4]>>,
+    /// rgb: irradiance of one signal, as written by `demodulate`.
+    pub irradiance: &'a Image<[f32; 4]>,
+}
+
+/// One texel a block; see [`unpack_percentiles`].
+pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockPercentilesInputs) -> Image<u32> {
+    let blocks = Blocks::new(frame.render_extent);
+    Image::compute(allocated_blocks(inputs.irradiance), blocks.extent(), |block| {
+        let takes_part = |p: &IVec2| !inputs.guide.is_some_and(|guide| unpack_guide(guide.at(*p)).is_background());
+        let pixels = Blocks::pixels(block, frame.render_extent).filter(takes_part);
+        let mut luminances: Vec<f32> = pixels.map(|p| texel_luminance(inputs.irradiance.at(p))).collect();
+        luminances.sort_by(f32::total_cmp);
+        let at = |share: f32| match luminances.len() {
+            0 => 0.0,
+            n => luminances[((share * (n - 1) as f32 + 0.5) as usize).min(n - 1)],
+        };
+        let low = tuning.percentile_low.min(tuning.percentile_up);
+        pack_percentiles(&Percentiles { low: at(low), up: at(tuning.percentile_up) })
+    })
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) };
+    let percentiles = block_percentiles(b.frame, b.tuning, &BlockPercentilesInputs { guide, irradiance: b.colour("irradiance")? });
+    b.write("block_percentiles", percentiles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::test_scene::*;
+
+    #[test]
+    fn only_real_surface_pixels_count() {
+        let extent = [11, 8];
+        let guides = guides(extent, |x, y| if x == 9 && y == 0 { Surface::default() } else { surface(2.0) });
+        use crate::reference::Surface;
+        // The right block has 3 columns: luminances 8 to 10, of which one pixel is background.
+        let irradiance = paint(extent, |x, y| if x == 9 && y == 0 { [1000.0; 4] } else { [x as f32; 4] });
+        let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
+        let tuning = Tuning { percentile_low: 0.0, percentile_up: 1.0, ..Tuning::default() };
+        let blocks = block_percentiles(&frame(extent), &tuning, &inputs);
+        assert_eq!(blocks.extent(), [2, 1]);
+        let of = |x| unpack_percentiles(*blocks.get(x, 0).expect("inside"));
+        assert_eq!((of(0).low, of(0).up.round()), (0.0, 7.0));
+        assert_eq!((of(1).low.round(), of(1).up.round()), (8.0, 10.0));
+    }
+
+    #[test]
+    fn a_block_of_sky_has_none() {
+        let extent = [8, 8];
+        let guides = guides(extent, |_, _| crate::reference::Surface::default());
+        let irradiance = noise(extent, 1);
+        let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
+        let blocks = block_percentiles(&frame(extent), &Tuning::default(), &inputs);
+        assert_eq!(unpack_percentiles(blocks.texels()[0]), Percentiles::default());
+    }
+}

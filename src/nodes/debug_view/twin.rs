@@ -1,0 +1,217 @@
+//! The stage `debug_view`: what the denoiser knows of a pixel, as a picture.
+
+use crate::nodes::block_percentiles::twin::unpack_percentiles;
+use crate::nodes::demodulate::twin::divisor;
+use crate::nodes::firefly::twin::limit_around;
+use crate::reference::binary16::round_image_to_half;
+use crate::reference::blocks::block_of;
+use crate::reference::guide::{pcg, unpack_guide};
+use crate::reference::luminance::texel_luminance;
+use crate::reference::moments::unpack_moments;
+use crate::reference::surface_motion::unpack_surface_motion;
+use crate::reference::{Image, Moments, Statistics, LARGEST_HALF};
+use crate::{DebugView, FrameConstants, Tuning};
+use glam::{IVec2, Vec2};
+
+mod adapter;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use adapter::twin;
+
+/// History lengths from here on look alike, frames.
+const LONG_HISTORY: f32 = 32.0;
+/// sRGB colours of the disocclusion reasons: history, off screen, background or id, depth, normal, reset. Okabe and Ito's.
+const REASON_COLOURS: [[u8; 3]; 6] = [[60, 60, 60], [230, 159, 0], [86, 180, 233], [0, 158, 115], [240, 228, 66], [213, 94, 0]];
+
+/// Motions from here on look alike, pixels.
+const LARGE_MOTION: f32 = 64.0;
+/// The deviation in the middle of the colours.
+const MIDDLE_DEVIATION: f32 = 0.25;
+/// Kinds of input that are counted.
+const BAD_KINDS: u32 = 8;
+/// Viridis (van der Walt, Smith 2015) at nine places, sRGB.
+const VIRIDIS: [[u8; 3]; 9] = [
+    [68, 1, 84],
+    [71, 45, 123],
+    [59, 82, 139],
+    [44, 114, 142],
+    [33, 145, 140],
+    [40, 174, 128],
+    [94, 201, 98],
+    [173, 220, 48],
+    [253, 231, 37],
+];
+
+/// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks
+/// and strata.
+#[derive(Clone, Copy, Debug)]
+pub struct DebugViewInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `surface_motion`, from the stage `import`.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// Counters of bad input.
+    pub statistics: &'a Statistics,
+    /// `moments*` of every signal.
+    pub moments: &'a [&'a Image<[u16; 4]>],
+    /// `irradiance_history*` of every signal; alpha: standard deviation.
+    pub irradiance_history: &'a [&'a Image<[f32; 4]>],
+    /// Share of the history that is kept.
+    pub history_confidence: Option<&'a Image<f32>>,
+    /// x: δ, y: Δ, one texel a stratum.
+    pub gradient: Option<&'a Image<[f32; 4]>>,
+    /// Pixels a side of a stratum.
+    pub stratum_size: u32,
+    /// `block_percentiles*` of every signal, one texel a block.
+    pub block_percentiles: &'a [&'a Image<u32>],
+    /// Noisy radiance of every signal.
+    pub noisy: &'a [&'a Image<[f32; 4]>],
+    /// Albedo of the host.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
+}
+
+/// rgb: display-referred, linear 0 to 1; alpha: the number behind the colour. Half precision.
+pub fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &DebugViewInputs, view: DebugView) -> Image<[f32; 4]> {
+    let extent = inputs.guide.extent();
+    let image = Image::compute(extent, frame.render_extent, |p| {
+        let (rgb, value) = if !inputs.has(view) {
+            ([if (p.x / 8 + p.y / 8) % 2 == 0 { 0.02 } else { 0.05 }; 3], 0.0)
+        } else if view == DebugView::BadValues {
+            bad_values(frame, inputs.statistics, p)
+        } else if unpack_guide(inputs.guide.at(p)).is_background() {
+            ([0.0; 3], 0.0)
+        } else {
+            inputs.shown(frame, tuning, view, p)
+        };
+        let [r, g, b] = rgb.map(|c| c.clamp(0.0, 1.0));
+        [r, g, b, value.clamp(-LARGEST_HALF, LARGEST_HALF)]
+    });
+    round_image_to_half(&image)
+}
+
+impl DebugViewInputs<'_> {
+    fn has(&self, view: DebugView) -> bool {
+        match view {
+            DebugView::HistoryLength | DebugView::Moments | DebugView::Alpha | DebugView::Disocclusion => !self.moments.is_empty(),
+            DebugView::Variance => !self.irradiance_history.is_empty(),
+            DebugView::Gradient => self.gradient.is_some(),
+            DebugView::Lambda => self.history_confidence.is_some(),
+            DebugView::Percentiles | DebugView::Fireflies => !self.block_percentiles.is_empty(),
+            DebugView::Motion | DebugView::Normal | DebugView::Depth | DebugView::SurfaceId | DebugView::BadValues => true,
+        }
+    }
+
+    fn shown(&self, frame: &FrameConstants, tuning: &Tuning, view: DebugView, p: IVec2) -> ([f32; 3], f32) {
+        let coloured = |t: f32, value: f32| (false_colour(t), value);
+        let surface = unpack_guide(self.guide.at(p));
+        let change = self.history_confidence.map_or(0.0, |c| 1.0 - c.at(p));
+        match view {
+            DebugView::HistoryLength => {
+                let frames = self.moments_at(0, p).history_length;
+                coloured(frames / LONG_HISTORY, frames)
+            }
+            DebugView::Variance => {
+                let deviation = root_of_squares(self.irradiance_history.iter().map(|image| image.at(p)[3].max(0.0)));
+                coloured(deviation / (MIDDLE_DEVIATION + deviation), deviation)
+            }
+            DebugView::Moments => {
+                let each = || (0..self.moments.len()).map(|i| self.moments_at(i, p));
+                let (mean, deviation) = (each().map(|m| m.mean).sum(), root_of_squares(each().map(|m| m.deviation)));
+                ([compressed(mean), compressed(deviation), 0.0], mean)
+            }
+            DebugView::Gradient => self.gradient_at(p),
+            DebugView::Lambda => coloured(change, change),
+            DebugView::Alpha => {
+                let alpha = (tuning.alpha + change * (1.0 - tuning.alpha)).max(1.0 / self.moments_at(0, p).history_length);
+                coloured(alpha, alpha)
+            }
+            DebugView::Percentiles => {
+                let at =
+                    |i: usize| self.block_percentiles.get(i).map(|b| unpack_percentiles(b.at(block_of(p)))).unwrap_or_default();
+                (([at(0).low, at(0).up, at(1).up]).map(compressed), at(0).up)
+            }
+            DebugView::Fireflies => {
+                let share = (0..self.block_percentiles.len()).map(|i| self.excess(frame, tuning, i, p)).fold(0.0, f32::max);
+                coloured(share, share)
+            }
+            DebugView::Disocclusion => {
+                let reason = self.moments_at(0, p).reason.min(5);
+                (from_srgb(REASON_COLOURS[usize::from(reason)].map(f32::from)), f32::from(reason))
+            }
+            DebugView::Motion => motion(unpack_surface_motion(self.surface_motion.at(p)).motion),
+            DebugView::Normal => (surface.normal.map(|c| c * 0.5 + 0.5), 0.0),
+            DebugView::Depth => coloured(compressed(surface.linear_depth), surface.linear_depth),
+            DebugView::SurfaceId | DebugView::BadValues => {
+                let [r, g, b, _] = pcg(surface.id.into()).to_le_bytes();
+                ([r, g, b].map(|c| f32::from(c) / 255.0), surface.id.into())
+            }
+        }
+    }
+
+    fn moments_at(&self, signal: usize, p: IVec2) -> Moments {
+        unpack_moments(self.moments[signal].at(p))
+    }
+
+    fn gradient_at(&self, p: IVec2) -> ([f32; 3], f32) {
+        let [change, brightest, ..] = self.gradient.map_or([0.0; 4], |g| g.at(p / self.stratum_size as i32));
+        let t = if brightest > 0.0 { (change / brightest).clamp(-1.0, 1.0) } else { 0.0 };
+        ([t.max(0.0), 0.15 * t.abs(), (-t).max(0.0)], change)
+    }
+
+    /// The share of a signal's luminance that is above the firefly filter's limit.
+    fn excess(&self, frame: &FrameConstants, tuning: &Tuning, signal: usize, p: IVec2) -> f32 {
+        let Some(texel) = self.noisy.get(signal).map(|noisy| noisy.at(p)) else { return 0.0 };
+        if texel[..3].iter().any(|c| !c.is_finite()) {
+            return 0.0;
+        }
+        let (divisor, _) = divisor(self.albedo.map(|a| a.at(p)));
+        let l = texel_luminance([0, 1, 2, 3].map(|i| (texel[i] / divisor.get(i).unwrap_or(&1.0)).clamp(0.0, LARGEST_HALF)));
+        let limit = limit_around(frame, tuning, self.block_percentiles[signal], p);
+        if limit > 0.0 && l > limit {
+            1.0 - limit / l
+        } else {
+            0.0
+        }
+    }
+}
+
+fn bad_values(frame: &FrameConstants, statistics: &Statistics, p: IVec2) -> ([f32; 3], f32) {
+    let [width, height] = frame.render_extent;
+    let kind = (p.y as u32 * BAD_KINDS / height).min(BAD_KINDS - 1);
+    let count = statistics[kind as usize] as f32;
+    let length = (1.0 + count).log2() / (1.0 + width as f32 * height as f32).log2();
+    if (p.x as f32 + 0.5) / (width as f32) < length {
+        (from_srgb(REASON_COLOURS[5].map(f32::from)), count)
+    } else {
+        ([if kind.is_multiple_of(2) { 0.02 } else { 0.04 }; 3], count)
+    }
+}
+
+fn motion(motion: [f32; 2]) -> ([f32; 3], f32) {
+    let motion = Vec2::from(motion);
+    let pixels = motion.length();
+    let t = ((1.0 + pixels).log2() / (1.0 + LARGE_MOTION).log2()).min(1.0);
+    let direction = motion.normalize_or_zero();
+    ([0.5 + 0.5 * t * direction.x, 0.5 + 0.5 * t * direction.y, 0.5 - 0.5 * t], pixels)
+}
+
+fn compressed(x: f32) -> f32 {
+    x / (1.0 + x)
+}
+
+fn root_of_squares(values: impl Iterator<Item = f32>) -> f32 {
+    values.map(|v| v * v).sum::<f32>().sqrt()
+}
+
+/// Linear values of a colour in sRGB, 0 to 255. No component lies in the linear part of the curve but black, where this is 0.0009.
+fn from_srgb(colour: [f32; 3]) -> [f32; 3] {
+    colour.map(|c| ((c / 255.0 + 0.055) / 1.055).powf(2.4))
+}
+
+fn false_colour(t: f32) -> [f32; 3] {
+    let x = t.clamp(0.0, 1.0) * 8.0;
+    let i = (x as usize).min(7);
+    let f = x - i as f32;
+    from_srgb([0, 1, 2].map(|c| f32::from(VIRIDIS[i][c]) * (1.0 - f) + f32::from(VIRIDIS[i + 1][c]) * f))
+}

@@ -1,0 +1,27 @@
+//! The stage on the bindings of a pass.
+
+use super::*;
+use crate::reference::bindings::Bindings;
+use crate::Error;
+
+/// The level of the pass is the number of the view.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let all = DebugView::ALL;
+    let last = all.len() as u32 - 1;
+    let view = *all.get(b.level as usize).ok_or(Error::Config { name: "debug_view", given: b.level, min: 0, max: last })?;
+    let inputs = DebugViewInputs {
+        guide: b.packed("guide")?,
+        surface_motion: b.packed("surface_motion")?,
+        statistics: &b.statistics()?,
+        moments: &if b.has("moments_0") { b.packed_signals("moments")? } else { Vec::new() },
+        irradiance_history: &if b.has("history_0") { b.colours("history")? } else { Vec::new() },
+        history_confidence: b.optional_scalar("history_confidence")?,
+        gradient: b.optional_colour("gradient")?,
+        stratum_size: b.stratum_size()?,
+        block_percentiles: &if b.has("block_percentiles_0") { b.uints("block_percentiles")? } else { Vec::new() },
+        noisy: &b.colours("noisy")?,
+        albedo: b.optional_colour("albedo")?,
+    };
+    let picture = debug_view(b.frame, b.tuning, &inputs, view);
+    b.write("debug_view", picture)
+}

@@ -1,0 +1,82 @@
+//! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures \[SVGF 3\].
+
+use crate::reference::binary16::store;
+use crate::reference::bindings::Bindings;
+use crate::reference::guide::unpack_guide;
+use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::{Image, HOLE};
+use crate::{Error, FrameConstants};
+
+#[cfg(test)]
+mod tests;
+
+/// Smallest divisor: below it, noise of a nearly black surface would be amplified without bound.
+pub const ALBEDO_EPSILON: f32 = 0.01;
+
+/// Inputs of [`demodulate`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct DemodulateInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: noisy radiance of every signal, linear, scene units.
+    pub noisy: &'a [&'a Image<[f32; 4]>],
+    /// rgb: albedo at the primary hit.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// Whether the input is sub-sampled: what is not finite is a pixel without a sample then, and no bad value.
+    pub has_holes: bool,
+}
+
+/// Outputs of [`demodulate`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct DemodulateOutputs {
+    /// rgb: irradiance of every signal, half precision; alpha 0, or [`HOLE`] where the input is sub-sampled and not finite.
+    pub irradiance: Vec<Image<[f32; 4]>>,
+    /// Bad radiances (once a signal) and albedos (once a pixel).
+    pub statistics: Statistics,
+}
+
+/// The divisor of radiance, with which `modulate` multiplies again: per component 1 where the albedo is not finite. Also whether a
+/// component was not.
+pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
+    let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
+    let rgb = [r, g, b];
+    (rgb.map(|a| if a.is_finite() { a.max(ALBEDO_EPSILON) } else { 1.0 }), rgb.iter().any(|a| !a.is_finite()))
+}
+
+/// Divides the radiance of every signal by the albedo. The background passes.
+pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> DemodulateOutputs {
+    let extent = inputs.guide.extent();
+    let is_background = |p| unpack_guide(inputs.guide.at(p)).is_background();
+    let divisors = Image::compute(extent, frame.render_extent, |p| {
+        divisor(inputs.albedo.filter(|_| !is_background(p)).map(|albedo| albedo.at(p)))
+    });
+    let mut statistics = Statistics::default();
+    statistics[Counter::Albedo as usize] = count(divisors.texels().iter().map(|d| d.1));
+    let mut irradiance = Vec::with_capacity(inputs.noisy.len());
+    for noisy in inputs.noisy {
+        let texels = Image::compute(extent, frame.render_extent, |p| {
+            let ([r, g, b, _], [dr, dg, db]) = (noisy.at(p), divisors.at(p).0);
+            if [r, g, b].iter().all(|c| c.is_finite()) {
+                ([store(r / dr), store(g / dg), store(b / db), 0.0], false)
+            } else {
+                ([0.0, 0.0, 0.0, if inputs.has_holes { HOLE } else { 0.0 }], !inputs.has_holes)
+            }
+        });
+        statistics[Counter::Radiance as usize] += count(texels.texels().iter().map(|t| t.1));
+        irradiance.push(texels.map(|t| t.0));
+    }
+    DemodulateOutputs { irradiance, statistics }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = DemodulateInputs {
+        guide: b.packed("guide")?,
+        noisy: &b.colours("noisy")?,
+        albedo: b.optional_colour("albedo")?,
+        has_holes: b.is_on("PAINTING")?,
+    };
+    let outputs = demodulate(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write_signals("irradiance", outputs.irradiance)
+}

@@ -1,0 +1,88 @@
+//! Division, bad values, background.
+
+use super::*;
+use crate::reference::test_scene::*;
+use crate::reference::{modulate, ModulateInputs, LARGEST_HALF};
+
+const EXTENT: [u32; 2] = [6, 4];
+
+fn run(guides: &Guides, noisy: &[&Image<[f32; 4]>], albedo: Option<&Image<[f32; 4]>>) -> DemodulateOutputs {
+    demodulate(&frame(EXTENT), &DemodulateInputs { guide: &guides.guide, noisy, albedo, has_holes: false })
+}
+
+fn flat() -> Guides {
+    guides(EXTENT, |_, _| surface(4.0))
+}
+
+#[test]
+fn radiance_is_divided_by_albedo_and_by_epsilon_at_least() {
+    let noisy = Image::new(EXTENT, [1.0, 0.5, 0.25, 7.0]);
+    let albedo = Image::new(EXTENT, [0.5, 0.0, -1.0, 7.0]);
+    let output = run(&flat(), &[&noisy], Some(&albedo));
+    assert!(output.irradiance[0].texels().iter().all(|t| *t == [2.0, 50.0, 25.0, 0.0]), "{:?}", output.irradiance[0].texels()[0]);
+    assert_eq!(run(&flat(), &[&noisy], None).irradiance[0].texels()[0], [1.0, 0.5, 0.25, 0.0]);
+}
+
+#[test]
+fn modulation_brings_the_radiance_back() {
+    let noisy = noise(EXTENT, 1).map(|t| [t[0], 2.0 * t[0], 0.5, 0.0]);
+    let albedo = noise(EXTENT, 2).map(|t| [t[0], 0.0, 1e-4, 0.0]);
+    let guides = guides(EXTENT, |x, _| surface(if x == 2 { 0.0 } else { 4.0 }));
+    let c = run(&guides, &[&noisy], Some(&albedo)).irradiance.remove(0);
+    let inputs = ModulateInputs { guide: &guides.guide, irradiance: &[&c], albedo: Some(&albedo), emission: None };
+    let back = modulate(&frame(EXTENT), &inputs).denoised_radiance;
+    for (given, back) in noisy.texels().iter().zip(back.texels()) {
+        assert!((0..3).all(|i| (given[i] - back[i]).abs() <= 1.1e-3 * given[i]), "{given:?} {back:?}");
+    }
+}
+
+#[test]
+fn bad_radiance_is_counted_and_zero() {
+    let bad = [
+        [f32::NAN, 1.0, 1.0, 0.0],
+        [1.0, f32::INFINITY, 1.0, 0.0],
+        [1.0, 1.0, f32::NEG_INFINITY, 0.0],
+        [-1.0, 2.0, 3e38, f32::NAN],
+    ];
+    let first = paint(EXTENT, |x, _| if x < 4 { bad[x as usize] } else { [1.0; 4] });
+    let second = paint(EXTENT, |x, _| if x == 5 { bad[0] } else { [1.0; 4] });
+    let output = run(&flat(), &[&first, &second], None);
+    assert_eq!(output.statistics, [0, 0, 0, 3 * 4 + 4, 0, 0, 0, 0]);
+    let row = &output.irradiance[0].texels()[..6];
+    assert_eq!(row[..3], [[0.0; 4]; 3]);
+    assert_eq!(row[3], [0.0, 2.0, LARGEST_HALF, 0.0]);
+    assert_eq!(row[4], [1.0, 1.0, 1.0, 0.0]);
+}
+
+#[test]
+fn bad_albedo_is_counted_once_and_divides_nothing() {
+    let noisy = Image::new(EXTENT, [1.0; 4]);
+    let albedo =
+        paint(EXTENT, |x, _| [if x == 1 { f32::NAN } else { 0.5 }, 0.5, if x == 1 { f32::INFINITY } else { 0.5 }, f32::NAN]);
+    let output = run(&flat(), &[&noisy, &noisy], Some(&albedo));
+    assert_eq!(output.statistics, [0, 0, 0, 0, 4, 0, 0, 0]);
+    assert_eq!(output.irradiance[1].texels()[..2], [[2.0, 2.0, 2.0, 0.0], [1.0, 2.0, 1.0, 0.0]]);
+}
+
+#[test]
+fn the_background_keeps_its_radiance_but_no_bad_value() {
+    let sky = guides(EXTENT, |_, _| surface(0.0));
+    let noisy = paint(EXTENT, |x, _| [if x == 0 { f32::NAN } else { 3.0 }, -1.0, 1e6, 0.0]);
+    let output = run(&sky, &[&noisy], Some(&Image::new(EXTENT, [f32::NAN; 4])));
+    assert_eq!(output.statistics, [0, 0, 0, 4, 0, 0, 0, 0], "albedo is not looked at");
+    assert_eq!(output.irradiance[0].texels()[..2], [[0.0; 4], [3.0, 0.0, LARGEST_HALF, 0.0]]);
+}
+
+#[test]
+fn outside_the_render_extent_nothing_is_read() {
+    let large = [9, 9];
+    let in_large = FrameConstants { render_extent: EXTENT, ..frame(large) };
+    let noisy = noise(EXTENT, 1);
+    let expected = run(&flat(), &[&noisy], Some(&noisy));
+    let loose = embed(&noisy, large, [f32::NAN; 4]);
+    let guides = guides(large, |_, _| surface(4.0));
+    let inputs = DemodulateInputs { guide: &guides.guide, noisy: &[&loose], albedo: Some(&loose), has_holes: false };
+    let output = demodulate(&in_large, &inputs);
+    assert_eq!(output.irradiance[0], embed(&expected.irradiance[0], large, [0.0; 4]));
+    assert_eq!(output.statistics, [0; 8]);
+}

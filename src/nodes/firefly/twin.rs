@@ -1,0 +1,111 @@
+//! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them.
+
+use crate::nodes::block_percentiles::twin::unpack_percentiles;
+use crate::reference::binary16::store;
+use crate::reference::bindings::Bindings;
+use crate::reference::blocks::{block_of, Blocks};
+use crate::reference::guide::unpack_guide;
+use crate::reference::luminance::texel_luminance;
+use crate::reference::Image;
+use crate::{Error, FrameConstants, Tuning};
+use glam::IVec2;
+
+/// Inputs of [`firefly`].
+#[derive(Clone, Copy, Debug)]
+pub struct FireflyInputs<'a> {
+    /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
+    pub guide: Option<&'a Image<[u16; 4]>>,
+    /// The image `block_percentiles` of this signal, from the stage of that name.
+    pub block_percentiles: &'a Image<u32>,
+    /// rgb: irradiance of one signal, as written by `demodulate`.
+    pub irradiance: &'a Image<[f32; 4]>,
+}
+
+/// rgb: irradiance without outliers, half precision; alpha as it came.
+pub fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyInputs) -> Image<[f32; 4]> {
+    Image::compute(inputs.irradiance.extent(), frame.render_extent, |p| {
+        let texel = inputs.irradiance.at(p);
+        if inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background()) {
+            return texel;
+        }
+        let limit = limit_around(frame, tuning, inputs.block_percentiles, p);
+        let l = texel_luminance(texel);
+        if limit == 0.0 || l <= limit {
+            return texel;
+        }
+        let [r, g, b] = [0, 1, 2].map(|i| store(texel[i] * (limit / l)));
+        [r, g, b, texel[3]]
+    })
+}
+
+/// The largest limit of the 3×3 blocks around a pixel; 0: next to all samples are black, which does not say what is bright.
+pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percentiles: &Image<u32>, p: IVec2) -> f32 {
+    let limit_of = |block| {
+        let percentiles = unpack_percentiles(block_percentiles.at(block));
+        if percentiles.up > 0.0 {
+            tuning.firefly_bias + percentiles.up + percentiles.range(tuning)
+        } else {
+            0.0
+        }
+    };
+    Blocks::new(frame.render_extent).rect().window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = FireflyInputs {
+        guide: if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) },
+        block_percentiles: b.uint("block_percentiles")?,
+        irradiance: b.colour("irradiance")?,
+    };
+    let filtered = firefly(b.frame, b.tuning, &inputs);
+    b.write("irradiance", filtered)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::test_scene::*;
+    use crate::reference::{block_percentiles, BlockPercentilesInputs};
+
+    const EXTENT: [u32; 2] = [45, 30];
+
+    fn filtered(irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+        let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
+        let percentiles = block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
+        firefly(&frame, &tuning, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
+    }
+
+    fn mean(image: &Image<[f32; 4]>) -> f64 {
+        image.texels().iter().map(|t| f64::from(texel_luminance(*t))).sum::<f64>() / image.texels().len() as f64
+    }
+
+    #[test]
+    fn energy_stays_where_there_are_no_outliers() {
+        // Uniform; exponential, as heavy a tail as diffuse light at one sample has; black and white.
+        let shapes: [fn(f32) -> f32; 3] = [|u| u, |u| -(1.0 - u).max(1e-7).ln(), |u| f32::from(u > 0.8)];
+        for (i, shape) in shapes.into_iter().enumerate() {
+            let input = noise(EXTENT, 5).map(|t| t.map(shape));
+            let change = mean(&filtered(&input)) / mean(&input) - 1.0;
+            assert!(change.abs() < 0.005, "shape {i}: {change}");
+        }
+    }
+
+    #[test]
+    fn an_outlier_is_scaled_down_and_keeps_its_hue() {
+        let mut input = noise(EXTENT, 3);
+        *input.get_mut(20, 12).expect("inside") = [5000.0, 2500.0, 0.0, 0.0];
+        let output = filtered(&input);
+        let [r, g, b, _] = *output.get(20, 12).expect("inside");
+        assert!(r < 5.0 && (r / g - 2.0).abs() < 0.01 && b == 0.0, "{r} {g} {b}");
+        assert_eq!(output.get(2, 2), input.get(2, 2));
+    }
+
+    #[test]
+    fn a_lit_corner_of_a_dark_block_and_a_rare_sample_among_black_ones_stay() {
+        let lit = paint(EXTENT, |x, y| if x >= 15 && y >= 15 { [1.0; 4] } else { [0.01; 4] });
+        assert_eq!(filtered(&lit), lit);
+        let rare = paint(EXTENT, |x, y| if (x * 7 + y * 13) % 61 == 0 { [3.0; 4] } else { [0.0; 4] });
+        assert_eq!(filtered(&rare), rare);
+    }
+}

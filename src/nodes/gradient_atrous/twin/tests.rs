@@ -1,0 +1,51 @@
+//! Gradients spread over their surface and no other.
+
+use super::*;
+use crate::reference::test_scene::*;
+use crate::reference::{pack_guide, Surface};
+
+const STRATA: [u32; 2] = [24, 20];
+const EXTENT: [u32; 2] = [72, 60];
+
+/// Runs all iterations on strata whose guides are `surfaces`, at their first pixels.
+fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surface) -> Image<[f32; 4]> {
+    let gradient_guide = paint(STRATA, surfaces).map(pack_guide).map(|t| [t[0], t[1], t[2], t[3] & !0xf0]);
+    let depth_gradient = Image::new(EXTENT, 0);
+    (0..GRADIENT_ITERATIONS).fold(gradient.clone(), |gradient, level| {
+        let inputs = GradientAtrousInputs { gradient_guide: &gradient_guide, depth_gradient: &depth_gradient, gradient: &gradient };
+        gradient_atrous(&frame(EXTENT), &Tuning::default(), 3, level, &inputs)
+    })
+}
+
+#[test]
+fn a_constant_is_kept_and_nothing_stays_nothing() {
+    for texel in [[0.25, 0.5, 2.0, 0.125], [-0.25, 0.5, 0.0, 0.0], [0.0; 4]] {
+        let output = reconstructed(&Image::new(STRATA, texel), |_, _| surface(4.0));
+        for t in output.texels() {
+            assert!((0..3).all(|i| (t[i] - texel[i]).abs() <= 1e-3 * texel[i].abs()), "{t:?}");
+            assert!(t[3] >= 0.0 && t[3] <= texel[3]);
+        }
+    }
+}
+
+#[test]
+fn a_sample_fills_the_surface_around_it_and_no_other() {
+    let sample = paint(STRATA, |x, y| [0.0, 0.0, 1.0, 0.1].map(|v: f32| if (x, y) == (6, 10) && v == 0.0 { 1.0 } else { v }));
+    let output = reconstructed(&sample, |x, _| surface(if x < 12 { 4.0 } else { 8.0 }));
+    for y in 0..20 {
+        for x in 0..24 {
+            let [change, brightest, ..] = output.at(IVec2::new(x, y));
+            if x < 12 {
+                assert!(brightest > 0.0 && (change / brightest - 1.0).abs() < 0.01, "{x},{y}: {change} of {brightest}");
+            } else {
+                assert!(change.abs() < 1e-6, "{x},{y}: {change}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_background_stratum_is_left_alone() {
+    let input = paint(STRATA, |x, y| [x as f32, y as f32, 1.0, 0.0]);
+    assert_eq!(reconstructed(&input, |_, _| surface(0.0)), input);
+}

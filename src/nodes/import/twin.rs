@@ -1,0 +1,220 @@
+//! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's
+//! conventions.
+
+use crate::config::NormalEncoding;
+use crate::reference::bindings::Bindings;
+use crate::reference::conventions::{normal_encoding, normals_are_in_view_space};
+use crate::reference::guide::{fold_id, pack_guide, Surface};
+use crate::reference::octahedral::{from_square, octahedral10};
+use crate::reference::projection::Projections;
+use crate::reference::reprojection::{previous_normal, reproject, HostMotion, InstanceTransform};
+use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::surface_motion::{pack_depth_gradient, pack_surface_motion};
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Error, FrameConstants};
+use glam::{IVec2, Vec2, Vec3};
+
+#[cfg(test)]
+mod motion_tests;
+#[cfg(test)]
+mod tests;
+
+/// Normals that are shorter have no direction.
+const SMALLEST_LENGTH_SQUARED: f32 = 1e-8;
+
+/// Guides of the host; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct ImportInputs<'a> {
+    /// x: depth, in the encoding of [`crate::config::Conventions`].
+    pub depth: &'a Image<[f32; 4]>,
+    /// xyz or octahedral xy, in the encoding and space of the conventions.
+    pub normal: &'a Image<[f32; 4]>,
+    /// xy: motion, z: depth of 2.5D motion; in the unit and sign of the conventions. Without it motion follows from the matrices.
+    pub motion: Option<&'a Image<[f32; 4]>>,
+    /// xyz in object space: the history test's normals for a turning object.
+    pub object_normal: Option<&'a Image<[f32; 4]>>,
+    /// Stable per instance, 0 is the background.
+    pub surface_id: Option<&'a Image<u32>>,
+    /// x: roughness, 0 to 1.
+    pub roughness: Option<&'a Image<[f32; 4]>>,
+    /// Transforms of the host's instances by surface id; instances beyond the end, and those with an entry that is not finite, did
+    /// not move.
+    pub instance_transforms: Option<&'a [InstanceTransform]>,
+}
+
+impl<'a> ImportInputs<'a> {
+    /// Inputs that every host gives, without anything optional.
+    pub const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
+        Self { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
+    }
+}
+
+impl ImportInputs<'_> {
+    fn id(&self, p: IVec2) -> Option<u32> {
+        self.surface_id.map(|ids| ids.at(p))
+    }
+
+    fn transform(&self, id: Option<u32>) -> Option<&InstanceTransform> {
+        let transform = self.instance_transforms?.get(id? as usize)?;
+        transform.iter().flatten().all(|x| x.is_finite()).then_some(transform)
+    }
+}
+
+/// Guides as the filters read them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImportOutputs {
+    /// Depth, normal, roughness and id, see [`crate::reference::unpack_guide`].
+    pub guide: Image<[u16; 4]>,
+    /// Motion and expected previous depth and normal, see [`crate::reference::unpack_surface_motion`].
+    pub surface_motion: Image<[u16; 4]>,
+    /// See [`crate::reference::unpack_depth_gradient`].
+    pub depth_gradient: Image<u32>,
+    /// Object-space normals, see [`crate::reference::octahedral10`]; where the host gives them.
+    pub object_normal_guide: Option<Image<u32>>,
+    /// Bad depths, normals and motions.
+    pub statistics: Statistics,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Texel {
+    guide: [u16; 4],
+    surface_motion: [u16; 4],
+    depth_gradient: u32,
+    is_normal_bad: bool,
+    is_motion_bad: bool,
+}
+
+/// Imports the host's guides of one frame.
+pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
+    let (extent, render_extent) = (inputs.depth.extent(), frame.render_extent);
+    let projections = Projections::new(frame);
+    let depths = Image::compute(extent, render_extent, |p| {
+        let (z, is_bad) = projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth);
+        (if inputs.id(p) == Some(0) { 0.0 } else { z }, is_bad)
+    });
+    let texels = Image::compute(extent, render_extent, |p| texel(frame, inputs, &projections, &depths, p));
+    let mut statistics = Statistics::default();
+    statistics[Counter::Depth as usize] = count(depths.texels().iter().map(|d| d.1));
+    statistics[Counter::Normal as usize] = count(texels.texels().iter().map(|t| t.is_normal_bad));
+    statistics[Counter::Motion as usize] = count(texels.texels().iter().map(|t| t.is_motion_bad));
+    ImportOutputs {
+        guide: texels.map(|t| t.guide),
+        surface_motion: texels.map(|t| t.surface_motion),
+        depth_gradient: texels.map(|t| t.depth_gradient),
+        object_normal_guide: inputs
+            .object_normal
+            .map(|normals| Image::compute(extent, render_extent, |p| octahedral10(object_normal(normals.at(p)).to_array()))),
+        statistics,
+    }
+}
+
+fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projections, depths: &Image<(f32, bool)>, p: IVec2) -> Texel {
+    let (linear_depth, id) = (depths.at(p).0, inputs.id(p));
+    let is_background = linear_depth == 0.0;
+    let transform = if is_background { None } else { inputs.transform(id) };
+    let host = HostMotion { texel: inputs.motion.map(|m| m.at(p)), transform };
+    let reprojection = reproject(frame, projections, p, linear_depth, host);
+    let motion = reprojection.motion.to_array();
+    if is_background {
+        // Motion matters in the background as well: temporal anti-aliasing follows the sky.
+        return Texel { surface_motion: pack_surface_motion(motion, None), is_motion_bad: reprojection.is_bad, ..Texel::default() };
+    }
+    let (normal, is_normal_bad) = world_normal(frame, projections, inputs.normal.at(p));
+    let surface = Surface {
+        linear_depth,
+        normal: normal.to_array(),
+        roughness: inputs.roughness.map(|r| r.at(p)[0]).filter(|r| r.is_finite()).unwrap_or(1.0),
+        // Id 0 is the background's, so that a host without ids has one surface.
+        id: id.map_or(1, fold_id),
+    };
+    let expected = previous_normal(normal, transform).to_array();
+    Texel {
+        guide: pack_guide(&surface),
+        surface_motion: pack_surface_motion(motion, Some((reprojection.depth_ratio, expected))),
+        depth_gradient: pack_depth_gradient([IVec2::X, IVec2::Y].map(|axis| depth_difference(frame, inputs, depths, p, axis))),
+        is_normal_bad,
+        is_motion_bad: reprojection.is_bad,
+    }
+}
+
+/// The vector that a texel encodes, of any length, in the space that it is in.
+pub fn decode_normal(encoding: NormalEncoding, v: [f32; 4]) -> [f32; 3] {
+    let (xy, xyz) = (Vec2::new(v[0], v[1]), Vec3::new(v[0], v[1], v[2]));
+    let normal = match encoding {
+        NormalEncoding::Xyz => xyz,
+        NormalEncoding::XyzUnorm => xyz * 2.0 - 1.0,
+        NormalEncoding::Octahedral => from_square(xy),
+        NormalEncoding::OctahedralUnorm => from_square(xy * 2.0 - 1.0),
+    };
+    normal.into()
+}
+
+/// The world-space unit normal of a texel, with whether it was not finite.
+fn world_normal(frame: &FrameConstants, projections: &Projections, v: [f32; 4]) -> (Vec3, bool) {
+    let n = decode_normal(normal_encoding(frame), v);
+    let n = Vec3::from(if normals_are_in_view_space(frame) { projections.world_direction(n) } else { n });
+    // The squared length also is not finite where a component is, or is too large to be squared.
+    let length_squared = n.length_squared();
+    if length_squared.is_finite() && length_squared >= SMALLEST_LENGTH_SQUARED {
+        (n / length_squared.sqrt(), false)
+    } else {
+        (projections.towards_camera().into(), !length_squared.is_finite())
+    }
+}
+
+/// The object-space unit normal of a texel; +z where there is none, so that the test compares equal values.
+fn object_normal([x, y, z, _]: [f32; 4]) -> Vec3 {
+    let n = Vec3::new(x, y, z);
+    let length_squared = n.length_squared();
+    if length_squared.is_finite() && length_squared >= SMALLEST_LENGTH_SQUARED {
+        n / length_squared.sqrt()
+    } else {
+        Vec3::Z
+    }
+}
+
+/// ∂z along an axis: of the two one-sided differences to neighbours on the same surface the smaller one, since it does not look
+/// across an edge. The forward one where both are equal.
+fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Image<(f32, bool)>, p: IVec2, axis: IVec2) -> f32 {
+    let rect = RenderRect::new(frame.render_extent);
+    let z = depths.at(p).0;
+    let neighbour = |q: IVec2| {
+        let is_same = rect.contains(q) && depths.at(q).0 > 0.0 && inputs.id(q) == inputs.id(p);
+        is_same.then(|| depths.at(q).0)
+    };
+    let forward = neighbour(p + axis).map(|next| next - z);
+    let backward = neighbour(p - axis).map(|before| z - before);
+    match (forward, backward) {
+        (Some(f), Some(b)) => {
+            if f.abs() <= b.abs() {
+                f
+            } else {
+                b
+            }
+        }
+        (Some(difference), None) | (None, Some(difference)) => difference,
+        (None, None) => 0.0,
+    }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
+    let inputs = ImportInputs {
+        motion: b.optional_colour("motion")?,
+        object_normal: b.optional_colour("object_normal")?,
+        surface_id: b.optional_uint("surface_id")?,
+        roughness: b.optional_colour("roughness")?,
+        instance_transforms: transforms.as_deref(),
+        ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)
+    };
+    let outputs = import(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write("guide", outputs.guide)?;
+    b.write("surface_motion", outputs.surface_motion)?;
+    b.write("depth_gradient", outputs.depth_gradient)?;
+    match outputs.object_normal_guide {
+        Some(normals) if b.has("object_normal_guide") => b.write("object_normal_guide", normals),
+        _ => Ok(()),
+    }
+}

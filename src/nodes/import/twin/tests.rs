@@ -1,0 +1,244 @@
+//! Depth, normals, gradients, background and bad values.
+
+use super::*;
+use crate::config::{Conventions, DepthEncoding, NormalSpace, ViewForward};
+use crate::reference::test_scene::*;
+use crate::reference::{unpack_depth_gradient, unpack_guide, unpack_surface_motion, Image};
+use crate::{Config, FrameParams};
+use glam::{Mat4, Quat, Vec4};
+
+const EXTENT: [u32; 2] = [8, 6];
+
+fn with_conventions(conventions: Conventions, params: FrameParams) -> FrameConstants {
+    let config = Config { conventions, ..Config::new(params.render_extent) };
+    frame_with(&config, &params, &params)
+}
+
+fn up(extent: [u32; 2]) -> Image<[f32; 4]> {
+    Image::new(extent, [0.0, 1.0, 0.0, 0.0])
+}
+
+/// Every kind of projection, looking along −z, with the depth row as (P22, P23, P32, P33).
+fn projections() -> [(&'static str, Mat4); 4] {
+    let (near, far) = (0.1, 100.0);
+    let with = |p22: f32, p23: f32, p32: f32, p33: f32| {
+        let columns = [Vec4::new(0.75, 0.0, 0.0, 0.0), Vec4::new(0.0, -1.0, 0.0, 0.0), Vec4::new(0.1, 0.05, p22, p32)];
+        Mat4::from_cols(columns[0], columns[1], columns[2], Vec4::new(0.0, 0.0, p23, p33))
+    };
+    [
+        ("standard", with(far / (near - far), near * far / (near - far), -1.0, 0.0)),
+        ("reversed", with(near / (far - near), near * far / (far - near), -1.0, 0.0)),
+        ("infinite reversed", with(0.0, near, -1.0, 0.0)),
+        ("orthographic", with(1.0 / (near - far), near / (near - far), 0.0, 1.0)),
+    ]
+}
+
+#[test]
+fn every_depth_encoding_gives_the_linear_depth() {
+    let z = 7.5;
+    for (name, looking_back) in projections() {
+        for (view_forward, sign) in [(ViewForward::NegativeZ, -1.0), (ViewForward::PositiveZ, 1.0)] {
+            let projection = looking_back * Mat4::from_scale(Vec3::new(1.0, 1.0, -sign));
+            for depth in [DepthEncoding::Linear, DepthEncoding::Device, DepthEncoding::RayLength] {
+                let params =
+                    FrameParams { clip_from_view: projection.to_cols_array_2d(), jitter: [0.3, -0.2], ..FrameParams::new(EXTENT) };
+                let frame = with_conventions(Conventions { depth, view_forward, ..Conventions::default() }, params);
+                let device = projection.project_point3(Vec3::new(0.0, 0.0, sign * z)).z;
+                let depths = paint(EXTENT, |x, y| {
+                    let sample = Vec2::new(x as f32 + 0.8, y as f32 + 0.3) / Vec2::new(8.0, 6.0) * 2.0 - 1.0;
+                    let on_ray = |device: f32| projection.inverse().project_point3(sample.extend(device));
+                    let d = match depth {
+                        DepthEncoding::Linear => z,
+                        DepthEncoding::Device => device,
+                        // An orthographic line of sight starts beside the view axis.
+                        DepthEncoding::RayLength if name == "orthographic" => {
+                            let (near, here) = (on_ray(0.0), on_ray(device));
+                            near.distance(here) * z / (near.z - here.z).abs()
+                        }
+                        DepthEncoding::RayLength => on_ray(device).length(),
+                    };
+                    [d, 9.0, 9.0, 9.0]
+                });
+                let imported = import(&frame, &ImportInputs::new(&depths, &up(EXTENT)));
+                for texel in imported.guide.texels() {
+                    let given = unpack_guide(*texel).linear_depth;
+                    assert!((given - z).abs() < 2e-3, "{name}, {depth:?}, {view_forward:?}: {given}");
+                }
+                assert_eq!(imported.statistics, [0; 8]);
+            }
+        }
+    }
+}
+
+#[test]
+fn background_is_recognised_and_packed_as_zeros() {
+    let extent = [8, 1];
+    let depths = [0.0, -1.0, f32::INFINITY, 50.0, 49.0, f32::NAN, 3.0, f32::NEG_INFINITY];
+    let depth = paint(extent, |x, _| [depths[x as usize], 0.0, 0.0, 0.0]);
+    let ids = paint(extent, |x, _| u32::from(x != 6));
+    let frame = with_conventions(Conventions { background_depth: 50.0, ..Conventions::default() }, FrameParams::new(extent));
+    let normal = Image::new(extent, [f32::NAN; 4]);
+    let imported = import(&frame, &ImportInputs { surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) });
+    for (x, texel) in imported.guide.texels().iter().enumerate() {
+        assert_eq!(*texel == [0; 4], x != 4, "{}", depths[x]);
+        assert_eq!(unpack_guide(*texel).is_background(), x != 4);
+    }
+    assert_eq!(unpack_guide(imported.guide.texels()[4]).id, 1);
+    assert_eq!(imported.depth_gradient.texels(), &[0; 8]);
+    assert_eq!(imported.statistics, [1, 1, 0, 0, 0, 0, 0, 0], "one depth; the normal of the one surface");
+}
+
+#[test]
+fn a_device_depth_of_infinity_is_background() {
+    let [_, _, (_, projection), _] = projections();
+    let params = FrameParams { clip_from_view: projection.to_cols_array_2d(), ..FrameParams::new([2, 1]) };
+    let frame = with_conventions(Conventions { depth: DepthEncoding::Device, ..Conventions::default() }, params);
+    let depth = paint([2, 1], |x, _| [if x == 0 { 0.0 } else { f32::INFINITY }, 0.0, 0.0, 0.0]);
+    let imported = import(&frame, &ImportInputs::new(&depth, &up([2, 1])));
+    assert_eq!(imported.guide.texels(), &[[0; 4]; 2]);
+    assert_eq!(imported.statistics, [0; 8]);
+}
+
+#[test]
+fn every_normal_encoding_gives_the_world_normal() {
+    let turn = Quat::from_euler(glam::EulerRot::XYZ, 0.4, -1.1, 0.3);
+    let params = FrameParams { view_from_world: Mat4::from_quat(turn).to_cols_array_2d(), ..FrameParams::new([1, 1]) };
+    let world = [Vec3::X, Vec3::NEG_Z, Vec3::new(0.6, -0.64, 0.48), Vec3::new(-0.48, 0.6, -0.64)];
+    for normal_space in [NormalSpace::World, NormalSpace::View] {
+        for normal in [NormalEncoding::Xyz, NormalEncoding::XyzUnorm, NormalEncoding::Octahedral, NormalEncoding::OctahedralUnorm] {
+            let frame = with_conventions(Conventions { normal, normal_space, ..Conventions::default() }, params);
+            for n in world {
+                let given = if normal_space == NormalSpace::View { turn * n } else { n };
+                let square = crate::reference::octahedral::to_square(given);
+                let [x, y, z] = match normal {
+                    NormalEncoding::Xyz => (given * 0.01).to_array(),
+                    NormalEncoding::XyzUnorm => (given * 0.5 + 0.5).to_array(),
+                    NormalEncoding::Octahedral => [square.x, square.y, 7.0],
+                    NormalEncoding::OctahedralUnorm => [square.x * 0.5 + 0.5, square.y * 0.5 + 0.5, 7.0],
+                };
+                let (depth, image) = (Image::new([1, 1], [2.0; 4]), Image::new([1, 1], [x, y, z, 0.0]));
+                let imported = import(&frame, &ImportInputs::new(&depth, &image));
+                let read = Vec3::from(unpack_guide(imported.guide.texels()[0]).normal);
+                assert!(read.distance(n) < 0.0045, "{normal:?} {normal_space:?}: {read} for {n}");
+                assert_eq!(imported.statistics, [0; 8]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_normal_without_direction_faces_the_camera() {
+    let bad = [[0.0; 4], [1e-5, 0.0, 0.0, 0.0], [f32::NAN, 0.0, 0.0, 0.0], [0.0, f32::INFINITY, 0.0, 0.0], [1e30; 4]];
+    for (view_forward, expected) in [(ViewForward::NegativeZ, Vec3::X), (ViewForward::PositiveZ, Vec3::NEG_X)] {
+        // +z of view space is +x of the world.
+        let view_from_world = Mat4::from_rotation_y(-std::f32::consts::FRAC_PI_2).to_cols_array_2d();
+        let params = FrameParams { view_from_world, ..FrameParams::new([5, 1]) };
+        let frame = with_conventions(Conventions { view_forward, ..Conventions::default() }, params);
+        let normal = paint([5, 1], |x, _| bad[x as usize]);
+        let imported = import(&frame, &ImportInputs::new(&Image::new([5, 1], [1.0; 4]), &normal));
+        for texel in imported.guide.texels() {
+            assert!(Vec3::from(unpack_guide(*texel).normal).distance(expected) < 1e-3, "{:?}", unpack_guide(*texel));
+        }
+        assert_eq!(imported.statistics[Counter::Normal as usize], 3);
+    }
+}
+
+#[test]
+fn the_gradient_of_a_plane_is_its_slope_up_to_the_border() {
+    let depth = paint(EXTENT, |x, y| [5.0 + 0.5 * x as f32 - 0.25 * y as f32, 0.0, 0.0, 0.0]);
+    let imported = import(&frame(EXTENT), &ImportInputs::new(&depth, &up(EXTENT)));
+    assert!(imported.depth_gradient.texels().iter().all(|g| unpack_depth_gradient(*g) == [0.5, -0.25]));
+}
+
+#[test]
+fn the_gradient_does_not_look_across_a_step_an_id_or_the_background() {
+    let extent = [6, 1];
+    let depths = [1.0, 1.5, 9.0, 9.25, 0.0, 4.0];
+    let depth = paint(extent, |x, _| [depths[x as usize]; 4]);
+    let normal = up(extent);
+    let plain = import(&frame(extent), &ImportInputs::new(&depth, &normal));
+    let along =
+        |image: &ImportOutputs| image.depth_gradient.texels().iter().map(|g| unpack_depth_gradient(*g)[0]).collect::<Vec<_>>();
+    assert_eq!(along(&plain), [0.5, 0.5, 0.25, 0.25, 0.0, 0.0]);
+    let ids = paint(extent, |x, _| if x == 0 { 300 } else { 301 });
+    let apart = import(&frame(extent), &ImportInputs { surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) });
+    assert_eq!(along(&apart), [0.0, 7.5, 0.25, 0.25, 0.0, 0.0]);
+}
+
+#[test]
+fn equal_differences_of_opposite_sign_take_the_forward_one() {
+    let depth = paint([3, 1], |x, _| [if x == 1 { 3.0 } else { 2.0 }; 4]);
+    let imported = import(&frame([3, 1]), &ImportInputs::new(&depth, &up([3, 1])));
+    assert_eq!(unpack_depth_gradient(imported.depth_gradient.texels()[1]), [-1.0, 0.0]);
+}
+
+#[test]
+fn roughness_and_ids_reach_the_guide() {
+    let (depth, normal) = (Image::new([4, 1], [1.0; 4]), up([4, 1]));
+    let given = [0.2, -3.0, 7.0, f32::NAN];
+    let roughness = paint([4, 1], |x, _| [given[x as usize]; 4]);
+    let ids = paint([4, 1], |x, _| 254 + x as u32);
+    let full = ImportInputs { roughness: Some(&roughness), surface_id: Some(&ids), ..ImportInputs::new(&depth, &normal) };
+    let read = import(&frame([4, 1]), &full).guide.map(|t| unpack_guide(*t));
+    let expected = [0.2, 0.0, 1.0, 1.0];
+    for (i, surface) in read.texels().iter().enumerate() {
+        assert!((surface.roughness - expected[i]).abs() < 1e-6);
+        assert_eq!(surface.id, fold_id(254 + i as u32));
+    }
+    let bare = import(&frame([4, 1]), &ImportInputs::new(&depth, &normal)).guide.map(|t| unpack_guide(*t));
+    assert!(bare.texels().iter().all(|s| s.roughness == 1.0 && s.id == 1));
+}
+
+#[test]
+fn no_bad_value_reaches_an_output() {
+    let values = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 3e38, -3e38, 1e-40, 0.0, 1.0];
+    let extent = [64, 8];
+    let pick = |shift: u32| {
+        paint(extent, move |x, y| [0, 3, 6, 9].map(|k| values[((x as u32 >> shift) + y as u32 * (k + 1)) as usize % 8]))
+    };
+    let (depth, normal, motion, roughness) = (pick(0), pick(3), pick(1), pick(2));
+    let ids = paint(extent, |x, y| [0, 1, 2, 77, u32::MAX][(x + y) as usize % 5]);
+    let transforms = [[[1.0; 4]; 3], [[f32::NAN; 4]; 3], [[3e38, f32::INFINITY, 0.0, 1.0]; 3]];
+    let optional = ImportInputs {
+        motion: Some(&motion),
+        surface_id: Some(&ids),
+        roughness: Some(&roughness),
+        instance_transforms: Some(&transforms),
+        ..ImportInputs::new(&depth, &normal)
+    };
+    for flags in 0..1 << 14 {
+        if flags % 37 != 0 {
+            continue;
+        }
+        let frame = FrameConstants { flags, clip_from_view: camera(extent, Vec3::ZERO).clip_from_view, ..frame(extent) };
+        for inputs in [optional, ImportInputs::new(&depth, &normal)] {
+            let imported = import(&frame, &inputs);
+            for texel in imported.guide.texels() {
+                let surface = unpack_guide(*texel);
+                assert!(surface.linear_depth.is_finite() && surface.normal.iter().all(|n| n.is_finite()), "{surface:?}");
+            }
+            for texel in imported.surface_motion.texels() {
+                let motion = unpack_surface_motion(*texel);
+                assert!(motion.motion.iter().chain([&motion.depth_ratio]).all(|m| m.is_finite()), "{motion:?}");
+            }
+            assert!(imported.depth_gradient.texels().iter().all(|g| unpack_depth_gradient(*g).iter().all(|d| d.is_finite())));
+            let has_motion = inputs.motion.is_some();
+            assert_eq!(imported.statistics[Counter::Motion as usize] > 0, has_motion);
+            assert!(imported.statistics[Counter::Depth as usize] > 0 && imported.statistics[Counter::Normal as usize] > 0);
+        }
+    }
+}
+
+#[test]
+fn a_render_rect_gives_the_bits_of_a_tight_image() {
+    let large = [19, 11];
+    let depth = noise(EXTENT, 1).map(|t| t.map(|v| v + 1.0));
+    let (normal, motion) = (noise(EXTENT, 2).map(|t| [t[0] - 0.5, t[1], 0.4, 0.0]), noise(EXTENT, 3));
+    let tight = import(&frame(EXTENT), &ImportInputs { motion: Some(&motion), ..ImportInputs::new(&depth, &normal) });
+    let [depth, normal, motion] = [depth, normal, motion].map(|image| embed(&image, large, [f32::NAN; 4]));
+    let loose = import(&frame(EXTENT), &ImportInputs { motion: Some(&motion), ..ImportInputs::new(&depth, &normal) });
+    assert_eq!(embed(&tight.guide, large, [0; 4]), loose.guide);
+    assert_eq!(embed(&tight.surface_motion, large, [0; 4]), loose.surface_motion);
+    assert_eq!(embed(&tight.depth_gradient, large, 0), loose.depth_gradient);
+    assert_eq!(tight.statistics, loose.statistics);
+}

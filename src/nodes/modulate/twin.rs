@@ -1,0 +1,66 @@
+//! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
+
+use crate::nodes::demodulate::twin::divisor;
+use crate::reference::binary16::store;
+use crate::reference::bindings::Bindings;
+use crate::reference::guide::unpack_guide;
+use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::Image;
+use crate::{Error, FrameConstants};
+
+#[cfg(test)]
+mod tests;
+
+/// Inputs of [`modulate`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct ModulateInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: denoised irradiance of every signal.
+    pub irradiance: &'a [&'a Image<[f32; 4]>],
+    /// rgb: albedo, the one that `demodulate` was given.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// rgb: radiance that is added as it is.
+    pub emission: Option<&'a Image<[f32; 4]>>,
+}
+
+/// Outputs of [`modulate`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModulateOutputs {
+    /// rgb: linear radiance, half precision, 0 to 65504; alpha 1.
+    pub denoised_radiance: Image<[f32; 4]>,
+    /// Bad emissions. Bad albedos were counted by `demodulate`.
+    pub statistics: Statistics,
+}
+
+/// `Σ_signals c·max(albedo, ε) + emission`.
+pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutputs {
+    let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+        let is_background = unpack_guide(inputs.guide.at(p)).is_background();
+        let (albedo, _) = divisor(inputs.albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
+        let [r, g, b, _] = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));
+        let is_bad = [r, g, b].iter().any(|e| !e.is_finite());
+        let emission = if is_bad { [0.0; 3] } else { [r, g, b] };
+        let radiance = [0, 1, 2].map(|i| {
+            let reflected: f32 = inputs.irradiance.iter().map(|signal| signal.at(p)[i] * albedo[i]).sum();
+            store(reflected + emission[i])
+        });
+        ([radiance[0], radiance[1], radiance[2], 1.0], is_bad)
+    });
+    let mut statistics = Statistics::default();
+    statistics[Counter::Emission as usize] = count(texels.texels().iter().map(|t| t.1));
+    ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = ModulateInputs {
+        guide: b.packed("guide")?,
+        irradiance: &b.colours("filtered")?,
+        albedo: b.optional_colour("albedo")?,
+        emission: b.optional_colour("emission")?,
+    };
+    let outputs = modulate(b.frame, &inputs);
+    b.count(&outputs.statistics)?;
+    b.write("denoised_radiance", outputs.denoised_radiance)
+}

@@ -1,0 +1,303 @@
+//! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
+
+use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::conventions::is_reset;
+use crate::reference::guide::{unpack_guide, Surface};
+use crate::reference::luminance::texel_luminance;
+use crate::reference::moments::{pack_moments, unpack_moments, Moments, Reason};
+use crate::reference::octahedral::octahedral10_to_normal;
+use crate::reference::projection::extent_ratio;
+use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{FrameConstants, Tuning};
+use glam::{IVec2, Vec2, Vec3};
+
+mod adapter;
+#[cfg(test)]
+mod history_tests;
+mod taps;
+#[cfg(test)]
+mod tests;
+mod volume;
+
+pub(crate) use adapter::twin;
+pub use volume::{volume_accumulation, VolumeAccumulationInputs};
+
+/// History of a signal.
+#[derive(Clone, Copy, Debug)]
+pub struct SignalHistory<'a> {
+    /// rgb: irradiance, as written by level 0 of `atrous`.
+    pub irradiance: &'a Image<[f32; 4]>,
+    /// The image `moments` of this stage.
+    pub moments: &'a Image<[u16; 4]>,
+}
+
+/// Guide and histories that the previous frame left.
+#[derive(Clone, Copy, Debug)]
+pub struct PreviousFrame<'a> {
+    /// The guide of the previous frame.
+    pub guide: &'a Image<[u16; 4]>,
+    /// One for every signal.
+    pub signals: &'a [SignalHistory<'a>],
+}
+
+/// Object-space normals of both frames, packed by [`crate::reference::octahedral10`]: they replace the world normals in the history test.
+#[derive(Clone, Copy, Debug)]
+pub struct ObjectNormals<'a> {
+    /// Object normals of this frame, packed by the stage `import`.
+    pub current: &'a Image<u32>,
+    /// Object normals of the previous frame, packed by the stage `import`.
+    pub previous: &'a Image<u32>,
+}
+
+/// Inputs of [`temporal_accumulation`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct TemporalAccumulationInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `surface_motion`, from the stage `import`.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// rgb: irradiance of every signal, as written by `demodulate`.
+    pub irradiance: &'a [&'a Image<[f32; 4]>],
+    /// Object normals, where the host gives them.
+    pub object_normals: Option<ObjectNormals<'a>>,
+    /// Confidence from `adaptive_alpha`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    pub history_confidence: Option<&'a Image<f32>>,
+    /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
+    pub repair: bool,
+    /// The previous frame, which is not read in a reset frame; `None` is treated as one.
+    pub previous: Option<PreviousFrame<'a>>,
+}
+
+/// Outputs of [`temporal_accumulation`], one of each for every signal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TemporalAccumulationOutputs {
+    /// rgb: accumulated irradiance, half precision; alpha 0.
+    pub irradiance: Vec<Image<[f32; 4]>>,
+    /// See [`unpack_moments`].
+    pub moments: Vec<Image<[u16; 4]>>,
+}
+
+/// The history of a pixel, shared by all signals.
+#[derive(Clone, Copy, Default)]
+enum History {
+    #[default]
+    Background,
+    Disoccluded(Reason),
+    /// Pixels with weights that sum to 1; those beyond the valid ones have weight 0.
+    Taps([(IVec2, f32); 9]),
+    /// Pixels that may show the same surface, with such weights \[PSVGF\].
+    Repaired([(IVec2, f32); 9]),
+}
+
+/// Frames that the history of a neighbour is worth: it soon gives way to what the pixel sees itself.
+const REPAIRED_HISTORY_LENGTH: f32 = 4.0;
+
+/// Accumulates every signal; they share taps and history length.
+pub fn temporal_accumulation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &TemporalAccumulationInputs,
+) -> TemporalAccumulationOutputs {
+    let extent = inputs.guide.extent();
+    let previous = inputs.previous.filter(|_| !is_reset(frame));
+    let surfaces = previous.map(|previous| {
+        Image::compute(previous.guide.extent(), frame.previous_render_extent, |p| {
+            let surface = unpack_guide(previous.guide.at(p));
+            inputs.object_normals.map_or(surface, |n| Surface { normal: octahedral10_to_normal(n.previous.at(p)), ..surface })
+        })
+    });
+    let histories = Image::compute(extent, frame.render_extent, |p| {
+        let surface = unpack_guide(inputs.guide.at(p));
+        match &surfaces {
+            _ if surface.is_background() => History::Background,
+            Some(surfaces) => Reprojected::new(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair),
+            None => History::Disoccluded(Reason::Reset),
+        }
+    });
+    let mut outputs = TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new() };
+    for (i, irradiance) in inputs.irradiance.iter().enumerate() {
+        let signal = previous.and_then(|previous| previous.signals.get(i));
+        let texels = Image::compute(extent, frame.render_extent, |p| {
+            let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+            let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
+            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal);
+            (c, pack_moments(&moments))
+        });
+        outputs.irradiance.push(texels.map(|t| t.0));
+        outputs.moments.push(texels.map(|t| t.1));
+    }
+    outputs
+}
+
+/// A surface with what is expected of it in the previous frame.
+struct Reprojected {
+    /// Position in the previous image; pixel centres are whole numbers.
+    s: Vec2,
+    /// Position that it would have without motion.
+    start: Vec2,
+    linear_depth: f32,
+    depth_tolerance: f32,
+    /// Scene units per pixel.
+    depth_gradient: Vec2,
+    normal: Vec3,
+    normal_tolerance: f32,
+    id: u8,
+    rect: RenderRect,
+}
+
+impl Reprojected {
+    fn new(frame: &FrameConstants, tuning: &Tuning, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
+        let motion = unpack_surface_motion(inputs.surface_motion.at(p));
+        let [dx, dy] = unpack_depth_gradient(inputs.depth_gradient.at(p));
+        let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
+        let start = (p.as_vec2() + 0.5) * extent_ratio(frame) - 0.5;
+        Self {
+            s: (p.as_vec2() + 0.5) * extent_ratio(frame) + Vec2::from(motion.motion) - 0.5,
+            start,
+            linear_depth,
+            depth_tolerance: tuning.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
+            depth_gradient: Vec2::new(dx, dy),
+            normal: inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p))).into(),
+            normal_tolerance: tuning.normal_tolerance,
+            id: surface.id,
+            rect: RenderRect::new(frame.previous_render_extent),
+        }
+    }
+
+    /// The reason why the pixel `q` of the previous frame is not this surface.
+    fn refusal(&self, surfaces: &Image<Surface>, q: IVec2) -> Reason {
+        self.refusal_aside(surfaces, q, 0.0)
+    }
+
+    /// The reason why a pixel that lies aside is not this surface; the depth may have changed by `slack`.
+    fn refusal_aside(&self, surfaces: &Image<Surface>, q: IVec2, slack: f32) -> Reason {
+        let Some(tap) = surfaces.get(q.x, q.y).filter(|_| self.rect.contains(q)) else { return Reason::OffScreen };
+        if tap.is_background() || tap.id != self.id {
+            Reason::Id
+        } else if (tap.linear_depth - self.linear_depth).abs() > self.depth_tolerance + slack {
+            Reason::Depth
+        } else if Vec3::from(tap.normal).dot(self.normal) < self.normal_tolerance {
+            Reason::Normal
+        } else {
+            Reason::None
+        }
+    }
+
+    fn history(&self, surfaces: &Image<Surface>, repair: bool) -> History {
+        taps::find(self.s, |q| self.refusal(surfaces, q))
+            .or_else(|| if repair { self.repaired(surfaces) } else { None })
+            .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, taps::nearest(self.s))))
+    }
+
+    /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one
+    /// has a pixel that may be the same surface.
+    fn repaired(&self, surfaces: &Image<Surface>) -> Option<History> {
+        let nearest = (self.cut_at_border() + 0.5).floor().as_ivec2();
+        [1, 2, 4].into_iter().find_map(|ring| {
+            let mut taps = [(IVec2::ZERO, 0.0); 9];
+            for (i, tap) in taps.iter_mut().enumerate().filter(|(i, _)| ring == 1 || *i != 4) {
+                let q = nearest + IVec2::new(i as i32 % 3 - 1, i as i32 / 3 - 1) * ring;
+                let slack = self.depth_gradient.abs().dot((q.as_vec2() - self.s).abs());
+                *tap = (q, f32::from(self.refusal_aside(surfaces, q, slack) == Reason::None));
+            }
+            let sum: f32 = taps.iter().map(|tap| tap.1).sum();
+            taps.iter_mut().for_each(|tap| tap.1 /= sum);
+            (sum > 0.0).then_some(History::Repaired(taps))
+        })
+    }
+
+    /// The point where the way from `start` to `s` leaves the image; `s` itself where it does not.
+    fn cut_at_border(&self) -> Vec2 {
+        let last = self.rect.last().as_vec2();
+        let (start, way) = (self.start.clamp(Vec2::ZERO, last), self.s - self.start);
+        let border = self.s.clamp(Vec2::ZERO, last);
+        let part = |i: usize| match way[i] {
+            _ if border[i] == self.s[i] => 1.0,
+            0.0 => 0.0,
+            way => (border[i] - start[i]) / way,
+        };
+        start + part(0).min(part(1)).clamp(0.0, 1.0) * way
+    }
+}
+
+/// Smallest weights of the new sample, and the longest history that goes with them.
+#[derive(Clone, Copy)]
+struct AlphaBounds {
+    alpha: f32,
+    alpha_moments: f32,
+    history_length: f32,
+}
+
+impl AlphaBounds {
+    /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
+    fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
+        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
+        let alpha = adapted(tuning.alpha);
+        // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
+        let longest = match (is_adaptive, repair) {
+            (_, true) => 1.0 / change.max(1e-6),
+            (true, false) => 1.0 / alpha.max(1e-6),
+            (false, false) => f32::INFINITY,
+        };
+        Self { alpha, alpha_moments: adapted(tuning.alpha_moments), history_length: longest.min(tuning.max_history_length) }
+    }
+}
+
+/// Blends one signal of one pixel with its history \[SVGF 4.1\].
+fn accumulate(
+    frame: &FrameConstants,
+    c: [f32; 4],
+    history: History,
+    bounds: AlphaBounds,
+    signal: Option<&SignalHistory>,
+) -> ([f32; 4], Moments) {
+    let l = texel_luminance(c);
+    let fresh = |reason: Reason| {
+        let moments = Moments { mean: l, deviation: 0.0, history_length: 1.0, reason: reason as u16 };
+        ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
+    };
+    let (taps, longest, signal) = match (history, signal) {
+        (History::Background, _) => return fresh(Reason::None),
+        (History::Disoccluded(reason), _) => return fresh(reason),
+        (_, None) => return fresh(Reason::Reset),
+        (History::Taps(taps), Some(signal)) => (taps, f32::INFINITY, signal),
+        (History::Repaired(taps), Some(signal)) => (taps, REPAIRED_HISTORY_LENGTH, signal),
+    };
+    let (irradiance, before) = weighted_history(&taps, signal);
+    // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
+    let scaled = |x: f32| (x * frame.exposure_ratio).min(LARGEST_HALF);
+    let history_length = (before.history_length.min(longest) + 1.0).min(bounds.history_length);
+    let alpha = bounds.alpha.max(1.0 / history_length);
+    let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
+    let [r, g, b] = [0, 1, 2].map(|i| {
+        let before = scaled(irradiance[i]);
+        store(before + alpha * (c[i] - before))
+    });
+    let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
+    let difference = l - mean;
+    let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
+    let moments = Moments { mean: mean + alpha_moments * difference, deviation: variance.sqrt(), history_length, reason: 0 };
+    ([r, g, b, 0.0], moments)
+}
+
+/// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does
+/// not cancel.
+fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 3], Moments) {
+    let valid = || taps.iter().filter(|tap| tap.1 > 0.0);
+    let (mut irradiance, mut mean, mut history_length) = ([0.0; 3], 0.0, 0.0);
+    for &(q, weight) in valid() {
+        let (c, moments) = (signal.irradiance.at(q), unpack_moments(signal.moments.at(q)));
+        (0..3).for_each(|i| irradiance[i] += weight * c[i]);
+        mean += weight * moments.mean;
+        history_length += weight * moments.history_length;
+    }
+    let mut variance = 0.0;
+    for &(q, weight) in valid() {
+        let moments = unpack_moments(signal.moments.at(q));
+        variance += weight * (moments.deviation * moments.deviation + (moments.mean - mean) * (moments.mean - mean));
+    }
+    (irradiance, Moments { mean, deviation: variance.sqrt(), history_length, reason: 0 })
+}

@@ -1,0 +1,55 @@
+//! The stage on the bindings of a pass.
+
+use super::*;
+use crate::reference::bindings::Bindings;
+use crate::Error;
+
+/// Surfaces, or with the constant `VOLUME` a volume.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let (irradiance, history, moments) = (b.colours("irradiance")?, b.colours("history")?, b.packed_signals("previous_moments")?);
+    let signals: Vec<_> =
+        history.into_iter().zip(moments).map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
+    let guide = b.packed("previous_guide")?;
+    let outputs = match b.is_on("VOLUME")? {
+        true => volume(b, guide, &irradiance, &signals)?,
+        false => surfaces(b, &irradiance, PreviousFrame { guide, signals: &signals })?,
+    };
+    b.write_signals("irradiance", outputs.irradiance)?;
+    b.write_signals("moments", outputs.moments)
+}
+
+fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFrame) -> Result<TemporalAccumulationOutputs, Error> {
+    let normals = b.optional_uint("object_normal")?.zip(b.optional_uint("previous_object_normal")?);
+    let inputs = TemporalAccumulationInputs {
+        guide: b.packed("guide")?,
+        surface_motion: b.packed("surface_motion")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        irradiance,
+        object_normals: normals.map(|(current, previous)| ObjectNormals { current, previous }),
+        history_confidence: b.optional_scalar("history_confidence")?,
+        repair: b.is_on("REPAIR")?,
+        previous: Some(previous),
+    };
+    Ok(temporal_accumulation(b.frame, b.tuning, &inputs))
+}
+
+fn volume(
+    b: &Bindings,
+    previous_guide: &Image<[u16; 4]>,
+    radiance: &[&Image<[f32; 4]>],
+    signals: &[SignalHistory],
+) -> Result<TemporalAccumulationOutputs, Error> {
+    let mut outputs = TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new() };
+    for (radiance, signal) in radiance.iter().zip(signals.chunks(1)) {
+        let inputs = VolumeAccumulationInputs {
+            guide: b.packed("guide")?,
+            volume_motion: b.uint("volume_motion")?,
+            radiance,
+            previous: Some(PreviousFrame { guide: previous_guide, signals: signal }),
+        };
+        let (radiance, moments) = volume_accumulation(b.frame, b.tuning, &inputs);
+        outputs.irradiance.push(radiance);
+        outputs.moments.push(moments);
+    }
+    Ok(outputs)
+}

@@ -1,0 +1,174 @@
+//! The blend: running mean, moments, cap, exposure, reset.
+
+use super::*;
+use crate::reference::test_scene::*;
+
+const EXTENT: [u32; 2] = [6, 5];
+
+/// One frame on `guides` with an optional previous frame on the same guides.
+fn step(
+    frame: &FrameConstants,
+    guides: &Guides,
+    c: &Image<[f32; 4]>,
+    previous: Option<&TemporalAccumulationOutputs>,
+) -> TemporalAccumulationOutputs {
+    tuned(frame, &Tuning::default(), guides, c, previous)
+}
+
+fn tuned(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    guides: &Guides,
+    c: &Image<[f32; 4]>,
+    previous: Option<&TemporalAccumulationOutputs>,
+) -> TemporalAccumulationOutputs {
+    let signals = previous.map(|p| [SignalHistory { irradiance: &p.irradiance[0], moments: &p.moments[0] }]);
+    temporal_accumulation(
+        frame,
+        tuning,
+        &TemporalAccumulationInputs {
+            guide: &guides.guide,
+            surface_motion: &guides.surface_motion,
+            depth_gradient: &guides.depth_gradient,
+            irradiance: &[c],
+            object_normals: None,
+            history_confidence: None,
+            repair: false,
+            previous: signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals }),
+        },
+    )
+}
+
+fn flat(extent: [u32; 2]) -> Guides {
+    guides(extent, |_, _| surface(4.0))
+}
+
+fn grey(extent: [u32; 2], l: f32) -> Image<[f32; 4]> {
+    Image::new(extent, [l, l, l, 0.0])
+}
+
+#[test]
+fn alpha_zero_is_the_running_mean_and_the_sample_variance() {
+    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.0, alpha_moments: 0.0, ..Tuning::default() });
+    let guides = flat(EXTENT);
+    let samples: Vec<_> = (0..20).map(|i| noise(EXTENT, i)).collect();
+    let mut previous = None;
+    for (i, sample) in samples.iter().enumerate() {
+        let output = tuned(&frame, &tuning, &guides, sample, previous.as_ref());
+        let n = (i + 1) as f32;
+        for (j, texel) in output.irradiance[0].texels().iter().enumerate() {
+            let so_far = || samples[..=i].iter().map(|s| s.texels()[j][0]);
+            let mean = so_far().sum::<f32>() / n;
+            let variance = so_far().map(|l| (l - mean) * (l - mean)).sum::<f32>() / n;
+            let moments = unpack_moments(output.moments[0].texels()[j]);
+            assert!((texel[0] - mean).abs() < 1e-3, "frame {i}: {} for {mean}", texel[0]);
+            assert!((moments.mean - mean).abs() < 1e-3);
+            assert!(moments.deviation >= 0.0 && (moments.deviation - variance.sqrt()).abs() < 1e-3, "{moments:?} for {variance}");
+            assert_eq!(moments.history_length, n);
+            assert_eq!(moments.reason, if i == 0 { Reason::Reset as u16 } else { 0 });
+            assert_eq!(texel[3], 0.0);
+        }
+        previous = Some(output);
+    }
+}
+
+#[test]
+fn alpha_bounds_the_weight_of_a_new_sample() {
+    let guides = flat(EXTENT);
+    let moments = Moments { mean: 1.0, deviation: 0.5, history_length: 100.0, reason: 0 };
+    let previous = TemporalAccumulationOutputs {
+        irradiance: vec![grey(EXTENT, 1.0)],
+        moments: vec![Image::new(EXTENT, pack_moments(&moments))],
+    };
+    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.25, alpha_moments: 0.5, ..Tuning::default() });
+    let output = tuned(&frame, &tuning, &guides, &grey(EXTENT, 3.0), Some(&previous));
+    assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
+    let moments = unpack_moments(output.moments[0].texels()[7]);
+    assert!((moments.mean - 2.0).abs() < 1e-3);
+    assert!((moments.deviation - (0.5_f32 * (0.25 + 0.5 * 4.0)).sqrt()).abs() < 1e-3, "{moments:?}");
+    assert_eq!(moments.history_length, 101.0);
+
+    let capped = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 4.0, ..tuning };
+    let output = tuned(&frame, &capped, &guides, &grey(EXTENT, 3.0), Some(&previous));
+    assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
+    assert_eq!(unpack_moments(output.moments[0].texels()[7]).history_length, 4.0);
+}
+
+#[test]
+fn a_constant_image_is_a_fixed_point() {
+    let (guides, constant) = (flat(EXTENT), Image::new(EXTENT, [0.3, 7.0, 900.0, 0.0].map(crate::reference::round_to_half)));
+    let mut output = step(&frame(EXTENT), &guides, &constant, None);
+    for _ in 0..8 {
+        output = step(&frame(EXTENT), &guides, &constant, Some(&output));
+        assert_eq!(output.irradiance[0], constant);
+        assert!(output.moments[0].texels().iter().all(|m| unpack_moments(*m).deviation < 0.1), "half a step of the mean, 70");
+    }
+}
+
+#[test]
+fn exposure_scales_the_history() {
+    let (guides, bright) = (flat(EXTENT), grey(EXTENT, 2.0));
+    let first = step(&frame(EXTENT), &guides, &noise(EXTENT, 3), None);
+    let first = step(&frame(EXTENT), &guides, &noise(EXTENT, 4), Some(&first));
+    let scaled = FrameConstants { exposure_ratio: 2.0, ..frame(EXTENT) };
+    let next = step(&scaled, &guides, &bright, Some(&first));
+    let doubled = TemporalAccumulationOutputs {
+        irradiance: vec![first.irradiance[0].map(|t| t.map(|x| 2.0 * x))],
+        moments: vec![first.moments[0].map(|m| {
+            let m = unpack_moments(*m);
+            pack_moments(&Moments { mean: 2.0 * m.mean, deviation: 2.0 * m.deviation, ..m })
+        })],
+    };
+    let expected = step(&frame(EXTENT), &guides, &bright, Some(&doubled));
+    assert_eq!(next, expected);
+    assert_ne!(next, step(&frame(EXTENT), &guides, &bright, Some(&first)));
+    let absurd = FrameConstants { exposure_ratio: f32::MAX, ..frame(EXTENT) };
+    assert!(all_finite(&step(&absurd, &guides, &bright, Some(&first)).irradiance[0]));
+}
+
+#[test]
+fn a_reset_frame_is_a_first_frame_and_reads_nothing() {
+    let guides = guides(EXTENT, |x, _| surface(if x == 0 { 0.0 } else { 4.0 }));
+    let c = noise(EXTENT, 5);
+    let poison = TemporalAccumulationOutputs {
+        irradiance: vec![Image::new(EXTENT, [f32::NAN; 4])],
+        moments: vec![Image::new(EXTENT, [0x7e00; 4])],
+    };
+    let first = step(&frame(EXTENT), &guides, &c, None);
+    assert_eq!(step(&reset(frame(EXTENT)), &guides, &c, Some(&poison)), first);
+    let moments = first.moments[0].map(|m| unpack_moments(*m));
+    assert_eq!((moments.texels()[0].reason, moments.texels()[1].reason), (Reason::None as u16, Reason::Reset as u16));
+    assert!(moments.texels().iter().all(|m| m.history_length == 1.0 && m.deviation == 0.0));
+}
+
+#[test]
+fn the_background_passes_with_its_luminance() {
+    let guides = guides(EXTENT, |_, _| surface(0.0));
+    let sky = Image::new(EXTENT, [1.0, 2.0, 3.0, 0.0]);
+    let first = step(&frame(EXTENT), &guides, &noise(EXTENT, 1), None);
+    let output = step(&frame(EXTENT), &guides, &sky, Some(&first));
+    assert_eq!(output.irradiance[0], sky);
+    let moments = unpack_moments(output.moments[0].texels()[3]);
+    assert!((moments.mean - 1.8596).abs() < 1e-3);
+    assert_eq!((moments.deviation, moments.history_length, moments.reason), (0.0, 1.0, 0));
+}
+
+#[test]
+fn neither_parity_nor_the_allocation_changes_a_bit() {
+    let large = [17, 13];
+    let (tight, loose) = (flat(EXTENT), guides(large, |x, y| surface(if x < 6 && y < 5 { 4.0 } else { 4.05 })));
+    let poison = |image: &Image<[f32; 4]>| embed(image, large, [f32::NAN; 4]);
+    let in_large =
+        |frame_index| FrameConstants { render_extent: EXTENT, previous_render_extent: EXTENT, frame_index, ..frame(large) };
+    let (mut tight_output, mut loose_output) =
+        (step(&frame(EXTENT), &tight, &noise(EXTENT, 0), None), step(&in_large(0), &loose, &poison(&noise(EXTENT, 0)), None));
+    for i in 1..5 {
+        let c = noise(EXTENT, i);
+        tight_output = step(&FrameConstants { frame_index: 7, ..frame(EXTENT) }, &tight, &c, Some(&tight_output));
+        loose_output.irradiance[0] = poison(&crop(&loose_output.irradiance[0], EXTENT));
+        loose_output = step(&in_large(i), &loose, &poison(&c), Some(&loose_output));
+        assert_eq!(crop(&loose_output.irradiance[0], EXTENT), tight_output.irradiance[0]);
+        assert_eq!(crop(&loose_output.moments[0], EXTENT), tight_output.moments[0]);
+    }
+    assert!(unpack_moments(tight_output.moments[0].texels()[0]).history_length == 5.0);
+}

@@ -1,0 +1,140 @@
+//! The stage `variance` \[SVGF 4.2\]: the standard deviation of luminance, from the history where it is long enough, else from the
+//! neighbourhood.
+
+use crate::reference::binary16::store;
+use crate::reference::bindings::Bindings;
+use crate::reference::geometry_weights::Geometry;
+use crate::reference::moments::{unpack_moments, Moments};
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Error, FrameConstants, Tuning};
+use glam::IVec2;
+
+#[cfg(test)]
+mod tests;
+
+/// Radius of the neighbourhood of \[SVGF\], pixels: 7×7.
+const RADIUS: i32 = 3;
+
+/// Radius of the neighbourhood of \[PSVGF\], pixels: 5×5.
+const FADING_RADIUS: i32 = 2;
+const SIDE: usize = 7;
+
+/// Deviation of the background: negative, so that a filter sees the background without the guide, and next to 0, so that it is no
+/// deviation to anyone else.
+const BACKGROUND_DEVIATION: f32 = -1.0 / 16384.0;
+
+/// Inputs of [`variance`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VarianceInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// rgb: accumulated irradiance of every signal.
+    pub irradiance: &'a [&'a Image<[f32; 4]>],
+    /// Moments of this frame, of every signal.
+    pub moments: &'a [&'a Image<[u16; 4]>],
+}
+
+/// Estimates for every signal. rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
+pub fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, deviation)
+}
+
+fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+    let centre = moments.at(p);
+    if centre.history_length >= tuning.spatial_variance_frames {
+        return centre.deviation;
+    }
+    spatial_variance(frame, tuning, geometry, moments, p, RADIUS).sqrt()
+}
+
+/// [`variance`] with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
+pub fn fading_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, faded_deviation)
+}
+
+fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+    let centre = moments.at(p);
+    let share = (tuning.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
+    let spatial = spatial_variance(frame, tuning, geometry, moments, p, FADING_RADIUS);
+    (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
+}
+
+/// Inputs of [`volume_variance`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VolumeVarianceInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: accumulated radiance of the volume.
+    pub radiance: &'a Image<[f32; 4]>,
+    /// Moments of the volume in this frame.
+    pub moments: &'a Image<[u16; 4]>,
+}
+
+/// [`fading_variance`] of a volume: weights by the depth of the surface behind alone, and no background.
+pub fn volume_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VolumeVarianceInputs) -> Image<[f32; 4]> {
+    let geometry = Geometry::of_volume(frame, tuning, inputs.guide);
+    let mut estimated = estimate(frame, tuning, &geometry, &[inputs.radiance], &[inputs.moments], faded_deviation);
+    estimated.pop().unwrap_or_else(|| inputs.radiance.clone())
+}
+
+/// The deviation of a surface pixel.
+type Deviation = fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32;
+
+fn estimate(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    irradiance: &[&Image<[f32; 4]>],
+    moments: &[&Image<[u16; 4]>],
+    deviation: Deviation,
+) -> Vec<Image<[f32; 4]>> {
+    let signal = |(irradiance, moments): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
+        let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
+        Image::compute(geometry.extent(), frame.render_extent, |p| {
+            let [r, g, b, _] = irradiance.at(p);
+            let estimated = || store(deviation(frame, tuning, geometry, &moments, p));
+            [store(r), store(g), store(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
+        })
+    };
+    irradiance.iter().zip(moments).map(signal).collect()
+}
+
+/// Variance of the window, scaled by how short the history is.
+fn spatial_variance(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    moments: &Image<Moments>,
+    p: IVec2,
+    radius: i32,
+) -> f32 {
+    let rect = RenderRect::new(frame.render_extent);
+    let mut window = [(0.0, Moments::default()); SIDE * SIDE];
+    for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, radius, 1)) {
+        *tap = (geometry.weight(p, q), moments.at(q));
+    }
+    let sum: f32 = window.iter().map(|tap| tap.0).sum();
+    let mean = window.iter().map(|(weight, m)| weight * m.mean).sum::<f32>() / sum;
+    // μ2 − μ1² of the window, taken about the mean, so that it does not cancel.
+    let second = |m: &Moments| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
+    let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
+    // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
+    variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let guide = b.packed("guide")?;
+    let geometry = match b.is_on("VOLUME")? {
+        true => Geometry::of_volume(b.frame, b.tuning, guide),
+        false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
+    };
+    let deviation = if b.is_on("FADE")? { faded_deviation } else { deviation };
+    let (irradiance, moments) = (b.colours("accumulated")?, b.packed_signals("moments")?);
+    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &moments, deviation);
+    b.write_signals("estimated", estimated)
+}
