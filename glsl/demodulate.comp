@@ -2,9 +2,11 @@
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Out: filter_ping per signal: irradiance, 0 (-1 in holes).
+//      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared`, and of the albedo, for the
+//      temporal gradients of the next frame.
 // Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
-// optional: albedo
-// variants: SIGNALS=1 SIGNALS=2
+// optional: albedo, noisy_1, irradiance_1, compared_0, compared_1
+// variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -24,14 +26,20 @@ layout(push_constant) uniform Push {
 layout(local_size_x = 8, local_size_y = 8) in;
 
 const uint ALBEDO = 3u;
+const uint NOISY_1 = 6u;
+const uint COMPARED_0 = 9u;
+const uint COMPARED_1 = 10u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 4) uniform texture2D noisy_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
-#if SIGNALS == 2
-layout(set = 0, binding = 6) uniform texture2D noisy_1;
+layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
+#if LUMINANCE
+layout(set = 0, binding = 8, r32ui) uniform writeonly uimage2D noisy_luminance;
+layout(set = 0, binding = COMPARED_0) uniform texture2D compared_0;
+layout(set = 0, binding = COMPARED_1) uniform texture2D compared_1;
 #endif
 
 vec3 divisor_at(ivec2 p) {
@@ -58,8 +66,19 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec3 divisor = divisor_at(p);
-    imageStore(irradiance_0, p, demodulated(texelFetch(noisy_0, p, 0).rgb, divisor));
-#if SIGNALS == 2
-    imageStore(irradiance_1, p, demodulated(texelFetch(noisy_1, p, 0).rgb, divisor));
+    vec3 radiance = texelFetch(noisy_0, p, 0).rgb;
+    imageStore(irradiance_0, p, demodulated(radiance, divisor));
+    float l = radiance_luminance(radiance);
+    if (is_present(NOISY_1)) {
+        radiance = texelFetch(noisy_1, p, 0).rgb;
+        imageStore(irradiance_1, p, demodulated(radiance, divisor));
+        l += radiance_luminance(radiance);
+    }
+#if LUMINANCE
+    if (is_present(COMPARED_0)) {
+        l = radiance_luminance(texelFetch(compared_0, p, 0).rgb);
+        if (is_present(COMPARED_1)) l += radiance_luminance(texelFetch(compared_1, p, 0).rgb);
+    }
+    imageStore(noisy_luminance, p, uvec4(packHalf2x16(vec2(min(l, 65504.0), albedo_luminance(divisor)))));
 #endif
 }

@@ -3,11 +3,11 @@
 // Source: [ASVGF] eq. 2, 3, 13, and 3.4 for mean and variance. Deviations: luminance is divided by that of the albedo, the previous frame's for
 // both; of a dense re-shaded image (SOURCE 1) all pixels of a stratum count, each at its place in the previous frame.
 // In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
-//      depth_gradient. Both: noisy_luminance of the previous frame. SOURCE 2: sparse_gradient of the host.
-// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide; with LUMINANCE noisy_luminance (luminance of radiance, of albedo).
-// Constants: SOURCE, where the change comes from; STRATUM_SIZE. SOURCE 0 and 1 need LUMINANCE=1, for which no other image could stand in.
+//      depth_gradient. Both: noisy_luminance of the previous frame, which demodulate.comp left. SOURCE 2: sparse_gradient of the host.
+// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide.
+// Constants: SOURCE, where the change comes from; STRATUM_SIZE.
 // optional: albedo, noisy_1, gradient_samples, reshaded_radiance, previous_guide, surface_motion, depth_gradient, sparse_gradient
-// variants: LUMINANCE=0 LUMINANCE=1
+// optional: previous_luminance
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -36,6 +36,7 @@ const uint PREVIOUS_GUIDE = 9u;
 const uint SURFACE_MOTION = 10u;
 const uint DEPTH_GRADIENT = 11u;
 const uint SPARSE_GRADIENT = 12u;
+const uint PREVIOUS_LUMINANCE = 13u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
@@ -49,10 +50,7 @@ layout(set = 0, binding = PREVIOUS_GUIDE) uniform utexture2D previous_guide;
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
 layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = SPARSE_GRADIENT) uniform texture2D sparse_gradient;
-#if LUMINANCE
-layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D noisy_luminance;
-layout(set = 0, binding = 14) uniform utexture2D previous_luminance;
-#endif
+layout(set = 0, binding = PREVIOUS_LUMINANCE) uniform utexture2D previous_luminance;
 
 const uint FORWARD_PROJECTED = 0u;
 const uint RESHADED = 1u;
@@ -67,8 +65,6 @@ struct Sum {
     float surfaces;
 };
 
-float radiance_luminance(vec3 radiance) { return is_finite(radiance) ? luminance(storable(radiance)) : 0.0; }
-
 float noisy_at(ivec2 p) {
     float l = radiance_luminance(texelFetch(noisy_0, p, 0).rgb);
     if (is_present(NOISY_1)) l += radiance_luminance(texelFetch(noisy_1, p, 0).rgb);
@@ -78,14 +74,13 @@ float noisy_at(ivec2 p) {
 float albedo_at(ivec2 p, bool background) {
     if (background || !is_present(ALBEDO)) return 1.0;
     vec3 a = texelFetch(albedo, p, 0).rgb;
-    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? clamp(a[i], ALBEDO_EPSILON, 65504.0) : 1.0;
-    return luminance(a);
+    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
+    return albedo_luminance(a);
 }
 
 // Both luminances are half floats by the same rounding: what did not change differs by 0.
 float as_half(float x) { return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x; }
 
-#if LUMINANCE
 void add_change(inout Sum sum, float now, ivec2 previous_pixel) {
     vec2 before = unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x);
     float l = min(before.x * frame.exposure_ratio, 65504.0);
@@ -114,7 +109,6 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
     if (is_finite(radiance)) add_change(sum, as_half(radiance_luminance(radiance)), j);
 }
-#endif
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
 uvec4 guide_of(uvec4 packed, uint place) {
@@ -151,19 +145,14 @@ void main() {
             uvec4 packed = texelFetch(guide, p, 0);
             bool background = unpack_depth(packed) == 0.0;
             vec2 texel = vec2(noisy_at(p), albedo_at(p, background));
-#if LUMINANCE
-            imageStore(noisy_luminance, p, uvec4(packHalf2x16(texel), 0u, 0u, 0u));
-#endif
             if (background) continue;
             if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
             float l = texel.x / texel.y;
             sum.mean += l;
             sum.squares += l * l;
             sum.surfaces += 1.0;
-#if LUMINANCE
             if (sampled && place == wanted) add_change(sum, as_half(texel.x), gradient_sample.previous_pixel);
             if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
-#endif
         }
     vec4 value = result(sum);
     if (SOURCE == SPARSE) {

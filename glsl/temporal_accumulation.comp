@@ -3,7 +3,7 @@
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame; object normals in the
 //      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel.
-// In place: filter_ping, noisy irradiance to accumulated irradiance, own pixel only. Out: moments.
+// In place: filter_ping, noisy irradiance to accumulated irradiance with the history length in alpha, own pixel only. Out: new_moments.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
 // optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence
@@ -52,12 +52,12 @@ layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confiden
 layout(set = 0, binding = 9) uniform texture2D history_0;
 PACKED_IMAGE(10, previous_moments_0);
 layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_0;
-layout(set = 0, binding = 12, rgba16ui) uniform writeonly uimage2D moments_0;
+layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_moments_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 13) uniform texture2D history_1;
 PACKED_IMAGE(14, previous_moments_1);
 layout(set = 0, binding = 15, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = 16, rgba16ui) uniform writeonly uimage2D moments_1;
+layout(set = 0, binding = 16, r32ui) uniform writeonly uimage2D new_moments_1;
 #endif
 
 // Below this sum of bilinear weights a reprojection rests on next to nothing.
@@ -263,10 +263,10 @@ void main() {
             irradiance[i] = blend(irradiance[i], h, history_length, change, moments[i]);
         }
     }
-    imageStore(irradiance_0, p, vec4(storable(irradiance[0]), 0.0));
-    imageStore(moments_0, p, pack_moments(moments[0]));
+    imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));
+    imageStore(new_moments_0, p, uvec4(pack_luminance_moments(moments[0])));
 #if SIGNALS == 2
-    imageStore(irradiance_1, p, vec4(storable(irradiance[1]), 0.0));
-    imageStore(moments_1, p, pack_moments(moments[1]));
+    imageStore(irradiance_1, p, vec4(storable(irradiance[1]), length_or_reason(moments[1])));
+    imageStore(new_moments_1, p, uvec4(pack_luminance_moments(moments[1])));
 #endif
 }

@@ -1,9 +1,10 @@
 #version 450
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
-// In:  guide, depth_gradient, accumulated irradiance (filter_ping), moments. Out: filter_pong: irradiance, deviation.
-// Constants: FADE: [PSVGF] variance: 5x5 pixels always take part, with a share that shrinks as the past grows. VOLUME: weights by the depth
-// of the surface behind alone; the background takes part.
+// In:  guide, depth_gradient, new_moments. In place: filter_ping: accumulated irradiance, its alpha from history length to deviation, own
+//      pixel only. Out: moments, for the next frame.
+// Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
+// past alone. VOLUME: weights by the depth of the surface behind alone; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -11,7 +12,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 1) const bool FADE = false;
+layout(constant_id = 1) const uint ESTIMATOR = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
 
 layout(push_constant) uniform Push {
@@ -30,23 +31,26 @@ layout(push_constant) uniform Push {
 
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3) uniform texture2D accumulated_0;
-layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D moments_0;
-layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D estimated_0;
+PACKED_IMAGE_32(3, new_moments_0);
+layout(set = 0, binding = 4, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D moments_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 6) uniform texture2D accumulated_1;
-layout(set = 0, binding = 7, rgba16ui) uniform restrict readonly uimage2D moments_1;
-layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D estimated_1;
+PACKED_IMAGE_32(6, new_moments_1);
+layout(set = 0, binding = 7, rgba16f) uniform image2D irradiance_1;
+layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D moments_1;
 #endif
+
+const bool FADE = ESTIMATOR == 1u;
+const bool TEMPORAL = ESTIMATOR == 2u;
 
 // Negative, so that a filter sees the background without the guide, and next to 0, so that it is no deviation to anyone else.
 const float BACKGROUND_DEVIATION = -1.0 / 16384.0;
 
 const int RADIUS = FADE ? 2 : 3;
 
-void add_moments(inout vec2 sum, uvec4 packed, float weight) {
-    Moments m = unpack_moments(packed);
-    sum += weight * vec2(m.mean, m.deviation * m.deviation + m.mean * m.mean);
+void add_moments(inout vec2 sum, uint packed, float weight) {
+    vec2 m = unpackHalf2x16(packed);  // mean, deviation
+    sum += weight * vec2(m.x, m.y * m.y + m.x * m.x);
 }
 
 struct Window {
@@ -60,9 +64,9 @@ void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
     float weight = offset == ivec2(0) ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
     weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
     window.weight += weight;
-    add_moments(window.sums[0], imageLoad(moments_0, tap), weight);
+    add_moments(window.sums[0], packed_at(new_moments_0, tap).x, weight);
 #if SIGNALS == 2
-    add_moments(window.sums[1], imageLoad(moments_1, tap), weight);
+    add_moments(window.sums[1], packed_at(new_moments_1, tap).x, weight);
 #endif
 }
 
@@ -95,17 +99,22 @@ float combined(float temporal, vec2 sums, float history_length) {
     return sqrt(mix(temporal * temporal, spatial * spatial, share));
 }
 
-bool needs_neighbours(float history_length) { return FADE || history_length < push.spatial_variance_frames; }
+bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || history_length < push.spatial_variance_frames); }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uvec4 packed = packed_at(guide, p);
     bool background = !is_filtered(packed);
-    Moments m = unpack_moments(imageLoad(moments_0, p));
+    vec4 value_0 = imageLoad(irradiance_0, p);
+    Moments m = moments_of(packed_at(new_moments_0, p).x, value_0.a);
+    imageStore(moments_0, p, pack_moments(m));
     vec2 deviations = vec2(m.deviation);
 #if SIGNALS == 2
-    deviations.y = unpack_moments(imageLoad(moments_1, p)).deviation;
+    vec4 value_1 = imageLoad(irradiance_1, p);
+    Moments m_1 = moments_of(packed_at(new_moments_1, p).x, value_1.a);
+    imageStore(moments_1, p, pack_moments(m_1));
+    deviations.y = m_1.deviation;
 #endif
     if (background) {
         deviations = vec2(BACKGROUND_DEVIATION);
@@ -115,8 +124,8 @@ void main() {
         deviations = vec2(combined(deviations.x, sums[0], m.history_length), combined(deviations.y, sums[1], m.history_length));
     }
     deviations = min(deviations, 65504.0);
-    imageStore(estimated_0, p, vec4(texelFetch(accumulated_0, p, 0).rgb, deviations.x));
+    imageStore(irradiance_0, p, vec4(value_0.rgb, deviations.x));
 #if SIGNALS == 2
-    imageStore(estimated_1, p, vec4(texelFetch(accumulated_1, p, 0).rgb, deviations.y));
+    imageStore(irradiance_1, p, vec4(value_1.rgb, deviations.y));
 #endif
 }

@@ -61,14 +61,17 @@ fn stripes() {
     guides.albedo.fill([1.0; 4]);
     guides.surface_id.fill(1);
     let mut s = session_with(&Config::new(EXTENT), SessionOptions { poison: true, keep_transients: true, ..Default::default() });
-    let variance = s.executor().denoiser().declaration().passes().iter().position(|p| p.name == "variance").expect("a pass");
+    let declaration = s.executor().denoiser().declaration();
+    let variance = declaration.passes().iter().position(|p| p.name == "variance").expect("a pass");
+    let estimate = declaration.passes()[variance].use_of("irradiance_0").expect("written").resource;
+    let estimate = declaration.resource(estimate).name.clone();
     let (mut contrasts, mut blurs) = (Vec::new(), Vec::new());
     for i in 0..16 {
         guides.noisy_radiance = image(i);
         upload(&mut s, &guides);
         let trace = &mut |s: &mut Session, _: &FrameContext, pass: usize, done: bool| {
             if pass == variance && done {
-                contrasts.push(contrast(&s.download("filter_pong")?));
+                contrasts.push(contrast(&s.download(&estimate)?));
             }
             Ok(())
         };

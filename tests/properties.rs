@@ -1,8 +1,8 @@
 //! What must hold whatever the picture: see also the CPU twins, which have the same properties.
 
-use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session, session_with, upload};
-use atrous::config::{PostProcess, Signals};
-use atrous::executor::SessionOptions;
+use super::support::{assert_valid, frame, gpu, pixels, rmse, scene::Scene, session, session_with, upload};
+use atrous::config::{PostProcess, Preset, Signals};
+use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_harness::DeviceTest;
 
@@ -20,7 +20,34 @@ pub const TESTS: &[DeviceTest] = &[
     ("an_exposure_ratio_scales_the_history", an_exposure_ratio_scales_the_history),
     ("memory_is_what_the_executor_allocates", memory_is_what_the_executor_allocates),
     ("every_structural_variant_runs", every_structural_variant_runs),
+    ("an_output_that_lends_its_image_has_the_same_bits", an_output_that_lends_its_image_has_the_same_bits),
 ];
+
+fn an_output_that_lends_its_image_has_the_same_bits() {
+    let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
+    let base = Config::new(scene.extent);
+    let mut configs: Vec<_> = (1..=4).map(|levels| Config { levels, ..base }).collect();
+    configs.push(Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..base });
+    configs.push(Config { preset: Preset::Eaw, ..base });
+    configs.push(Config { preset: Preset::Percentile, ..base });
+    for config in configs {
+        let [mut lent, mut apart] = [true, false].map(|share| {
+            let declaration = config.graph().expect("valid").share_outputs(share).finish().expect("valid");
+            Session::new(gpu(), declaration, SessionOptions { poison: true, ..Default::default() }).expect("session")
+        });
+        assert!(
+            lent.executor().denoiser().declaration().resources().len()
+                < apart.executor().denoiser().declaration().resources().len()
+        );
+        for i in 0..3 {
+            let (guides, params) = (scene.frame(i, i), scene.params(i));
+            let (_, a) = frame(&mut lent, &guides, &params, &Tuning::default());
+            let (_, b) = frame(&mut apart, &guides, &params, &Tuning::default());
+            assert_eq!(a, b, "{config:?}, frame {i}");
+        }
+    }
+    assert_valid();
+}
 
 fn a_constant_image_is_a_fixed_point() {
     let scene = Scene { noise: 0.0, ..Scene::new([48, 27]) };

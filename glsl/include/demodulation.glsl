@@ -2,6 +2,14 @@
 #ifndef DEMODULATION_GLSL
 #define DEMODULATION_GLSL
 
+#include "finite.glsl"
+#include "luminance.glsl"
+
 const float ALBEDO_EPSILON = 0.01;
+
+// For temporal gradients. What is not finite is black, as it is for the filters.
+float radiance_luminance(vec3 radiance) { return is_finite(radiance) ? luminance(storable(radiance)) : 0.0; }
+
+float albedo_luminance(vec3 divisor) { return luminance(min(divisor, 65504.0)); }
 
 #endif

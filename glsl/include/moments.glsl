@@ -18,6 +18,18 @@ const uint REASON_DEPTH = 3u;
 const uint REASON_NORMAL = 4u;
 const uint REASON_RESET = 5u;
 
+// Within a frame: mean and deviation in a texel, and in the alpha of the irradiance the history length, or the negative reason of a loss,
+// whose length is 1.
+uint pack_luminance_moments(Moments m) { return packHalf2x16(min(vec2(m.mean, m.deviation), 65504.0)); }
+
+float length_or_reason(Moments m) { return m.reason == REASON_NONE ? half_value(half_bits(m.history_length)) : -float(m.reason); }
+
+Moments moments_of(uint packed, float length_or_reason) {
+    vec2 luminance = unpackHalf2x16(packed);
+    bool lost = length_or_reason < 0.0;
+    return Moments(luminance.x, luminance.y, lost ? 1.0 : length_or_reason, lost ? uint(-length_or_reason) : REASON_NONE);
+}
+
 uvec4 pack_moments(Moments m) {
     return uvec4(half_bits(min(m.mean, 65504.0)), half_bits(min(m.deviation, 65504.0)), half_bits(m.history_length), m.reason);
 }

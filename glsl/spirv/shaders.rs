@@ -175,8 +175,8 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
-pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader {
-    stage: Cow::Borrowed("demodulate"), name: Cow::Borrowed("demodulate_signals_1"), spirv: Cow::Borrowed(include_bytes!("demodulate_signals_1.spv")), workgroup: [8, 8, 1],
+pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
+    stage: Cow::Borrowed("demodulate"), name: Cow::Borrowed("demodulate_luminance_0"), spirv: Cow::Borrowed(include_bytes!("demodulate_luminance_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -184,6 +184,8 @@ pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -193,8 +195,8 @@ pub(crate) static DEMODULATE_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
-    stage: Cow::Borrowed("demodulate"), name: Cow::Borrowed("demodulate_signals_2"), spirv: Cow::Borrowed(include_bytes!("demodulate_signals_2.spv")), workgroup: [8, 8, 1],
+pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
+    stage: Cow::Borrowed("demodulate"), name: Cow::Borrowed("demodulate_luminance_1"), spirv: Cow::Borrowed(include_bytes!("demodulate_luminance_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -202,8 +204,11 @@ pub(crate) static DEMODULATE_SIGNALS_2: Shader = Shader {
         ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("noisy_luminance"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("compared_0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("compared_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -371,8 +376,8 @@ pub(crate) static FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static GRADIENT_LUMINANCE_0: Shader = Shader {
-    stage: Cow::Borrowed("gradient"), name: Cow::Borrowed("gradient_luminance_0"), spirv: Cow::Borrowed(include_bytes!("gradient_luminance_0.spv")), workgroup: [8, 8, 1],
+pub(crate) static GRADIENT: Shader = Shader {
+    stage: Cow::Borrowed("gradient"), name: Cow::Borrowed("gradient"), spirv: Cow::Borrowed(include_bytes!("gradient.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
@@ -387,35 +392,7 @@ pub(crate) static GRADIENT_LUMINANCE_0: Shader = Shader {
         ShaderBinding { number: 10, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 11, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 12, name: Cow::Borrowed("sparse_gradient"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-    ]),
-    members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 4, scalar: Scalar::Float },
-    ]),
-    constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("SOURCE"), id: 1, scalar: Scalar::Uint, default: 2 },
-        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
-    ]),
-};
-pub(crate) static GRADIENT_LUMINANCE_1: Shader = Shader {
-    stage: Cow::Borrowed("gradient"), name: Cow::Borrowed("gradient_luminance_1"), spirv: Cow::Borrowed(include_bytes!("gradient_luminance_1.spv")), workgroup: [8, 8, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 5, name: Cow::Borrowed("gradient"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("gradient_samples"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 8, name: Cow::Borrowed("reshaded_radiance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 9, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 10, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 11, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
-        ShaderBinding { number: 12, name: Cow::Borrowed("sparse_gradient"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 13, name: Cow::Borrowed("noisy_luminance"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 14, name: Cow::Borrowed("previous_luminance"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("previous_luminance"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -572,7 +549,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 9, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
-        ShaderBinding { number: 12, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("new_moments_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -603,11 +580,11 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         ShaderBinding { number: 9, name: Cow::Borrowed("history_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
-        ShaderBinding { number: 12, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("new_moments_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 13, name: Cow::Borrowed("history_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 14, name: Cow::Borrowed("previous_moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 15, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
-        ShaderBinding { number: 16, name: Cow::Borrowed("moments_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 16, name: Cow::Borrowed("new_moments_1"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -646,9 +623,9 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("accumulated_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("estimated_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("new_moments_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
@@ -658,7 +635,7 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("FADE"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
 };
@@ -668,12 +645,12 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("accumulated_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("estimated_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("accumulated_1"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("moments_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 8, name: Cow::Borrowed("estimated_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("new_moments_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("new_moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("moments_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
@@ -683,7 +660,7 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("FADE"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
 };
@@ -732,4 +709,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_SIGNALS_1, &DEMODULATE_SIGNALS_2, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT_LUMINANCE_0, &GRADIENT_LUMINANCE_1, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

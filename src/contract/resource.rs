@@ -13,7 +13,8 @@ pub enum Lifetime {
         /// Whether it may be bound as [`crate::Binding::Absent`].
         optional: bool,
     },
-    /// A resource of the host; every texel of the render rect is written.
+    /// A resource of the host; every texel of the render rect is written. Passes of the same phase may use it before that, for what
+    /// they need themselves: its content is undefined from its first use in a frame to its last.
     Output,
     /// Content is undefined before its first use in a frame and dead after its last: the host may alias it.
     Transient,

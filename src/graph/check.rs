@@ -88,9 +88,8 @@ impl Graph {
         let node = self.owners[reader].clone();
         match (lifetime, writes.first()) {
             (Lifetime::History | Lifetime::HistoryInPlace, None) => {
-                let problem =
-                    "nothing writes this history; give it to the `feedback` of a filter, or make it with `Feedback::Accumulated`";
-                self.fail(&node, &name, problem.to_owned());
+                let writer = self.states[id.0 as usize].writer.unwrap_or("let a node write it");
+                self.fail(&node, &name, format!("nothing writes this history; {writer}"));
             }
             (Lifetime::HistoryInPlace, Some(&write)) if write <= reader => {
                 let problem = format!(

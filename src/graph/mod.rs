@@ -32,6 +32,7 @@ mod pass;
 mod passes;
 mod port;
 mod resources;
+mod sharing;
 #[cfg(feature = "host-stages")]
 mod stage;
 #[cfg(test)]
@@ -43,6 +44,7 @@ pub use port::*;
 pub use stage::{Stage, StageCall, StageOutputs};
 
 pub(crate) use pass::Pass;
+pub(crate) use port::KeptLuminance;
 pub(crate) use resources::{CONFIDENCE, HDR, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
 
 use crate::config::{Config, Conventions};
@@ -82,6 +84,7 @@ pub struct Graph {
     errors: Vec<Error>,
     constants: ResourceId,
     statistics: ResourceId,
+    share_outputs: bool,
 }
 
 /// Facts about a resource that its declaration does not have.
@@ -91,6 +94,8 @@ struct ResourceState {
     version: u32,
     /// Label behind the names of resources and passes of its signal; empty for the only one.
     label: String,
+    /// What a graph has to do so that a history is written.
+    writer: Option<&'static str>,
 }
 
 impl Graph {
@@ -110,6 +115,7 @@ impl Graph {
             errors: Vec::new(),
             constants: ResourceId(0),
             statistics: ResourceId(0),
+            share_outputs: true,
         };
         graph.start_frame();
         graph
@@ -128,6 +134,13 @@ impl Graph {
     /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
     pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
         Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }
+    }
+
+    /// Sets whether transients may lie in the images of outputs, before an output itself is written and in the same phase: 8 bytes a
+    /// pixel for most graphs. Not for a host that still reads the output of the frame before while that phase runs, or that wants
+    /// to see every transient. Default: true.
+    pub fn share_outputs(self, share_outputs: bool) -> Self {
+        Self { share_outputs, ..self }
     }
 
     /// Nodes of `body` under names of their own: `_name` stands behind the names of their resources and passes. For a node that
@@ -157,6 +170,9 @@ impl Graph {
         self.setup.validate()?;
         if self.errors.is_empty() {
             self.check();
+        }
+        if self.errors.is_empty() && self.share_outputs {
+            self.put_transients_into_outputs();
         }
         let Self { setup, config, resources, mut passes, errors, .. } = self;
         let conventions = Flags::of(&setup.conventions, false);

@@ -18,11 +18,6 @@ pub struct Image {
 impl Image {
     /// An image of no graph.
     pub(super) const NONE: Self = Self { graph: u32::MAX, id: ResourceId(u32::MAX), version: 0 };
-
-    /// The resource, as [`crate::Declaration::resource`] takes it.
-    pub fn resource(&self) -> ResourceId {
-        self.id
-    }
 }
 
 /// One image of one kind, or two: one for each signal that is filtered in the same passes.
@@ -85,12 +80,19 @@ pub mod kind {
     /// Radiance divided by the albedo, in rgb; half floats.
     #[derive(Debug)]
     pub enum Irradiance {}
+    /// Irradiance in rgb, blended with its past; in alpha the history length in frames, or the negative [`crate::reference::Reason`]
+    /// of its loss. Half floats.
+    #[derive(Debug)]
+    pub enum Accumulated {}
     /// Irradiance in rgb with the standard deviation of its luminance in alpha; half floats.
     #[derive(Debug)]
     pub enum Estimate {}
     /// Radiance of a volume, which no albedo divides, in rgb; half floats.
     #[derive(Debug)]
     pub enum VolumeRadiance {}
+    /// Radiance of a volume in rgb, blended with its past; alpha as of [`Accumulated`].
+    #[derive(Debug)]
+    pub enum VolumeAccumulated {}
     /// Radiance of a volume in rgb with the standard deviation of its luminance in alpha; half floats.
     #[derive(Debug)]
     pub enum VolumeEstimate {}
@@ -115,10 +117,14 @@ pub mod kind {
 pub type Radiance = Port<kind::Radiance>;
 /// Radiance divided by the albedo.
 pub type Irradiance = Port<kind::Irradiance>;
+/// Irradiance with its history length.
+pub type Accumulated = Port<kind::Accumulated>;
 /// Irradiance with the standard deviation of its luminance.
 pub type Estimate = Port<kind::Estimate>;
 /// Radiance of a volume.
 pub type VolumeRadiance = Port<kind::VolumeRadiance>;
+/// Radiance of a volume with its history length.
+pub type VolumeAccumulated = Port<kind::VolumeAccumulated>;
 /// Radiance of a volume with the standard deviation of its luminance.
 pub type VolumeEstimate = Port<kind::VolumeEstimate>;
 /// Motion of a volume.
@@ -131,6 +137,12 @@ pub type Percentiles = Port<kind::Percentiles>;
 pub type Difference = Port<kind::Difference>;
 /// Display-referred linear colour.
 pub type Display = Port<kind::Display>;
+
+impl From<Accumulated> for Irradiance {
+    fn from(accumulated: Accumulated) -> Self {
+        accumulated.cast()
+    }
+}
 
 impl From<Estimate> for Irradiance {
     fn from(estimate: Estimate) -> Self {
@@ -162,6 +174,8 @@ pub struct Guides {
 pub struct History {
     pub(crate) colour: [Image; 2],
     pub(crate) moments: [Image; 2],
+    /// Mean and deviation of this frame, until the node `variance` puts them into the history.
+    pub(crate) new_moments: [Image; 2],
     pub(crate) count: usize,
 }
 
@@ -171,9 +185,14 @@ impl History {
         &self.colour[..self.count]
     }
 
-    /// Mean and deviation of luminance, history length and the reason of a loss, of every signal; four times 16 bits.
+    /// Mean and deviation of luminance, history length and the reason of a loss, of every signal; four times 16 bits. The node
+    /// `variance` writes them.
     pub fn moments(&self) -> &[Image] {
         &self.moments[..self.count]
+    }
+
+    pub(crate) fn new_moments(&self) -> &[Image] {
+        &self.new_moments[..self.count]
     }
 }
 
@@ -183,6 +202,16 @@ pub struct Gradient {
     pub(crate) image: Image,
     pub(crate) guide: Image,
     pub(crate) stratum_size: u32,
+    pub(crate) kept: Option<KeptLuminance>,
+}
+
+/// Luminance that one frame keeps, so that the next one can measure its change.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct KeptLuminance {
+    /// The history: luminance of the radiance, and of the albedo.
+    pub image: Image,
+    /// The radiance that is compared.
+    pub of: Radiance,
 }
 
 impl Gradient {

@@ -19,6 +19,11 @@ pub(crate) const HOST_SCALAR: ImageFormat = ImageFormat::Any(Component::Float, v
 /// One id of a host.
 pub(crate) const HOST_ID: ImageFormat = ImageFormat::Any(Component::Uint, vk::Format::R32_UINT);
 
+/// The images of one or two signals as a port has them.
+fn both(images: &[Image]) -> [Image; 2] {
+    [images[0], images[images.len() - 1]]
+}
+
 impl Graph {
     /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives
     /// `moments_direct`; `noisy_radiance`, and a name without that prefix, none.
@@ -58,22 +63,27 @@ impl Graph {
             let label = self.label(*image).to_owned();
             match feedback {
                 Feedback::Filtered => {
-                    *image = self.named_image("irradiance_history", &label, HDR, 1, Lifetime::HistoryInPlace);
+                    let writer = "give it to the `feedback` of a filter, or make it with `Feedback::Accumulated`";
+                    *image = self.history_in_place("irradiance_history", &label, HDR, writer);
                 }
                 // The accumulation works in place: what it leaves is what the next frame reads.
                 Feedback::Accumulated => self.promote_to_history(*image, &label),
             }
         }
-        let moments: Vec<_> = of
-            .images()
-            .iter()
-            .map(|image| {
-                let label = self.label(*image).to_owned();
-                self.named_image("moments", &label, PACKED_64, 1, Lifetime::History)
-            })
-            .collect();
-        let both = |images: &[Image]| [images[0], images[images.len() - 1]];
-        History { colour: both(&colour), moments: both(&moments), count: of.signals() }
+        let labels: Vec<_> = of.images().iter().map(|image| self.label(*image).to_owned()).collect();
+        let mut each = |image: &mut dyn FnMut(&mut Self, &str) -> Image| {
+            both(&labels.iter().map(|label| image(self, label)).collect::<Vec<_>>())
+        };
+        let moments = each(&mut |g, label| g.history_in_place("moments", label, PACKED_64, "give it to the node `variance`"));
+        let new_moments = each(&mut |g, label| g.named_image("new_moments", label, PACKED_32, 1, Lifetime::Transient));
+        History { colour: both(&colour), moments, new_moments, count: of.signals() }
+    }
+
+    /// A history with one copy. `writer` says what a graph has to do so that it is written.
+    pub(crate) fn history_in_place(&mut self, base: &str, label: &str, format: ImageFormat, writer: &'static str) -> Image {
+        let image = self.named_image(base, label, format, 1, Lifetime::HistoryInPlace);
+        self.states[image.id.0 as usize].writer = Some(writer);
+        image
     }
 
     fn promote_to_history(&mut self, image: Image, label: &str) {

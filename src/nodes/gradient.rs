@@ -3,7 +3,8 @@
 pub(crate) mod twin;
 
 use crate::contract::{Grid, Lifetime};
-use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Pass, Radiance, HDR, HOST_COLOUR, PACKED_32, PACKED_64};
+use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, KeptLuminance, Pass, Radiance};
+use crate::graph::{HDR, HOST_COLOUR, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Source of temporal gradients.
@@ -43,15 +44,14 @@ pub(super) fn check_stratum_size(graph: &mut Graph, node: &str, size: u32) -> u3
 }
 
 impl Graph {
-    /// Gradients of the noisy radiance of one or two signals, and the guide that steers their reconstruction.
+    /// Gradients of the noisy radiance of one or two signals, and the guide that steers their reconstruction. Unless the host gives
+    /// them, the luminance of this frame has to be kept for the next one: [`crate::nodes::Demodulate::gradient`].
     pub fn gradient(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
         let node = self.node("gradient", "");
         let size = check_stratum_size(self, &node, source.stratum_size());
         let image = self.named_image("gradient", "", HDR, size, Lifetime::Transient);
         let guide = self.named_image("gradient_guide", "", PACKED_64, size, Lifetime::Transient);
-        let is_sparse = matches!(source, Gradients::Sparse { .. });
-        let module = if is_sparse { &shaders::GRADIENT_LUMINANCE_0 } else { &shaders::GRADIENT_LUMINANCE_1 };
-        let mut pass = Pass::new(&node, module)
+        let mut pass = Pass::new(&node, &shaders::GRADIENT)
             .grid(Grid::Strata(size))
             .constant("STRATUM_SIZE", size)
             .bind("guide", guides.guide)
@@ -59,14 +59,16 @@ impl Graph {
             .each("noisy", noisy.images())
             .bind("gradient", image)
             .bind("gradient_guide", guide);
-        if !is_sparse {
-            // The luminance of this frame's samples is kept for the next frame, with that of the albedo.
-            let luminance = self.named_image("noisy_luminance", "", PACKED_32, 1, Lifetime::History);
-            pass = pass.bind("noisy_luminance", luminance).previous("previous_luminance", luminance);
+        let kept = (!matches!(source, Gradients::Sparse { .. })).then(|| KeptLuminance {
+            image: self.history_in_place("noisy_luminance", "", PACKED_32, "give the gradients to `Demodulate::gradient`"),
+            of: *noisy,
+        });
+        if let Some(kept) = &kept {
+            pass = pass.previous("previous_luminance", kept.image);
         }
         let pass = self.bind_source(pass, guides, source, size);
         self.add(pass);
-        Gradient { image: self.refreshed(image), guide: self.refreshed(guide), stratum_size: size }
+        Gradient { image: self.refreshed(image), guide: self.refreshed(guide), stratum_size: size, kept }
     }
 
     fn bind_source(&mut self, pass: Pass, guides: &Guides, source: Gradients, size: u32) -> Pass {

@@ -50,7 +50,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("gradient", gradient::twin::twin, GRADIENT),
     Stage::new("gradient_atrous", gradient_atrous::twin::twin, &[strata("gradient_out", WEIGHTED)]),
     Stage::new("adaptive_alpha", adaptive_alpha::twin::twin, &[pixels("history_confidence", HALF)]),
-    Stage::new("demodulate", demodulate::twin::twin, &[STATISTICS, pixels("irradiance_0", HALF), pixels("irradiance_1", HALF)]),
+    Stage::new("demodulate", demodulate::twin::twin, DEMODULATE),
     Stage::new(
         "block_percentiles",
         block_percentiles::twin::twin,
@@ -61,7 +61,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),
     Stage::new("change_test", change_test::twin::twin, &[pixels("history_confidence", STEEP)]),
     Stage::new("temporal_accumulation", temporal_accumulation::twin::twin, TEMPORAL_ACCUMULATION),
-    Stage::new("variance", variance::twin::twin, &[pixels("estimated_0", ESTIMATED), pixels("estimated_1", ESTIMATED)]),
+    Stage::new("variance", variance::twin::twin, VARIANCE),
     Stage::new("atrous", atrous::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
     Stage::new("eaw", eaw::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
     Stage::new("modulate", modulate::twin::twin, &[STATISTICS, pixels("denoised_radiance", HALF)]),

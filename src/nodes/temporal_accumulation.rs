@@ -3,7 +3,8 @@
 pub(crate) mod twin;
 
 use super::by_signals;
-use crate::graph::{Confidence, Graph, Guides, History, Irradiance, Pass, Value, VolumeMotion, VolumeRadiance};
+use crate::graph::{Accumulated, Confidence, Graph, Guides, History, Irradiance, Pass, Value};
+use crate::graph::{VolumeAccumulated, VolumeMotion, VolumeRadiance};
 use crate::shaders;
 
 /// Parameters of the node `temporal_accumulation`.
@@ -26,14 +27,14 @@ pub struct Accumulation {
 }
 
 impl Graph {
-    /// Accumulates one or two signals in place, and writes their moments into `history`. \[SVGF\] 4.1, \[ASVGF\] 3.5.
+    /// Accumulates one or two signals in place. Their moments reach `history` by the node `variance`. \[SVGF\] 4.1, \[ASVGF\] 3.5.
     pub fn temporal_accumulation(
         &mut self,
         guides: &Guides,
         irradiance: &Irradiance,
         history: &History,
         accumulation: Accumulation,
-    ) -> Irradiance {
+    ) -> Accumulated {
         let node = self.node("temporal_accumulation", &self.label_of(irradiance));
         let modules = (&shaders::TEMPORAL_ACCUMULATION_SIGNALS_1, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2);
         let mut pass = Pass::new(&node, by_signals(irradiance, modules.0, modules.1))
@@ -50,13 +51,13 @@ impl Graph {
             .each_previous("history", history.colour())
             .each_previous("previous_moments", history.moments())
             .each("irradiance", irradiance.images())
-            .each("moments", history.moments())
+            .each("new_moments", history.new_moments())
             .bind_some("history_confidence", accumulation.confidence.map(|confidence| confidence.image()));
         if let Some(normal) = guides.object_normal {
             pass = pass.bind("object_normal", normal).previous("previous_object_normal", normal);
         }
         self.add(pass);
-        self.renewed(irradiance)
+        self.renewed(irradiance).cast()
     }
 
     /// Accumulates the radiance of a volume in place, along its own motion, tested by the depth of the surface behind alone
@@ -67,7 +68,7 @@ impl Graph {
         radiance: &VolumeRadiance,
         history: &History,
         motion: &VolumeMotion,
-    ) -> VolumeRadiance {
+    ) -> VolumeAccumulated {
         let node = self.node("temporal_accumulation", &self.label_of(radiance));
         let pass = Pass::new(&node, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1)
             .constant("VOLUME", 1)
@@ -80,8 +81,8 @@ impl Graph {
             .each_previous("history", history.colour())
             .each_previous("previous_moments", history.moments())
             .each("irradiance", radiance.images())
-            .each("moments", history.moments());
+            .each("new_moments", history.new_moments());
         self.add(pass);
-        self.renewed(radiance)
+        self.renewed(radiance).cast()
     }
 }

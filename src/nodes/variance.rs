@@ -4,7 +4,7 @@
 pub(crate) mod twin;
 
 use super::by_signals;
-use crate::graph::{Estimate, Graph, Guides, History, Irradiance, Pass, Value, VolumeEstimate, VolumeRadiance, HDR};
+use crate::graph::{Accumulated, Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate};
 use crate::shaders;
 
 /// The estimator of the variance of a pixel with a short past.
@@ -16,6 +16,9 @@ pub enum Estimator {
     Switched,
     /// Estimate over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
     Fading,
+    /// The past of the pixel alone, without a look at its surroundings: for a graph that keeps the history, and does not filter by
+    /// the deviation. That of a pixel without a past is 0.
+    Temporal,
 }
 
 /// Parameters of the node `variance`.
@@ -28,35 +31,33 @@ pub struct Variance {
 }
 
 impl Graph {
-    /// Puts the standard deviation of luminance into the alpha of one or two signals.
-    pub fn variance(&mut self, guides: &Guides, accumulated: &Irradiance, history: &History, variance: Variance) -> Estimate {
+    /// Puts the standard deviation of luminance into the alpha of one or two signals, in place, and their moments into `history`.
+    pub fn variance(&mut self, guides: &Guides, accumulated: &Accumulated, history: &History, variance: Variance) -> Estimate {
         let node = self.node("variance", &self.label_of(accumulated));
-        let estimate: Estimate = self.image_each(accumulated, "filter_pong", HDR, 1);
         let pass = Pass::new(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
-            .constant("FADE", u32::from(variance.estimator == Estimator::Fading))
+            .constant("ESTIMATOR", variance.estimator as u32)
             .value("spatial_variance_frames", variance.spatial_variance_frames)
             .bind("guide", guides.guide)
-            .bind("depth_gradient", guides.depth_gradient)
-            .each("accumulated", accumulated.images())
-            .each("moments", &self.current_moments(history))
-            .each("estimated", estimate.images());
-        self.add(pass);
-        self.renewed(&estimate)
+            .bind("depth_gradient", guides.depth_gradient);
+        self.add_estimate(pass, accumulated, history)
     }
 
-    /// Puts the standard deviation of luminance into the alpha of a volume's radiance, by the fading estimate.
-    pub fn volume_variance(&mut self, guides: &Guides, accumulated: &VolumeRadiance, history: &History) -> VolumeEstimate {
+    /// Puts the standard deviation of luminance into the alpha of a volume's radiance, in place, by the fading estimate, and its
+    /// moments into `history`.
+    pub fn volume_variance(&mut self, guides: &Guides, accumulated: &VolumeAccumulated, history: &History) -> VolumeEstimate {
         let node = self.node("variance", &self.label_of(accumulated));
-        let estimate: VolumeEstimate = self.image_each(accumulated, "filter_pong", HDR, 1);
         let pass = Pass::new(&node, &shaders::VARIANCE_SIGNALS_1)
-            .constant("FADE", 1)
+            .constant("ESTIMATOR", Estimator::Fading as u32)
             .constant("VOLUME", 1)
             .bind("guide", guides.guide)
-            .bind("depth_gradient", guides.depth_gradient)
-            .each("accumulated", accumulated.images())
-            .each("moments", &self.current_moments(history))
-            .each("estimated", estimate.images());
-        self.add(pass);
-        self.renewed(&estimate)
+            .bind("depth_gradient", guides.depth_gradient);
+        self.add_estimate(pass, accumulated, history)
+    }
+
+    fn add_estimate<K, L>(&mut self, pass: Pass, accumulated: &Port<K>, history: &History) -> Port<L> {
+        let new_moments: Vec<Image> = history.new_moments().iter().map(|image| self.refreshed(*image)).collect();
+        let pass = pass.each("irradiance", accumulated.images()).each("new_moments", &new_moments);
+        self.add(pass.each("moments", history.moments()));
+        self.renewed(accumulated).cast()
     }
 }

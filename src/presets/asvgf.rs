@@ -13,7 +13,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);
     let change = change_of_light(g, guides, &noisy, gradients);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };

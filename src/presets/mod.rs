@@ -42,6 +42,14 @@ impl Config {
     /// # Errors
     /// Errors of [`Config::validate`].
     pub fn declare(&self) -> Result<Declaration, Error> {
+        self.graph()?.finish()
+    }
+
+    /// The graph of [`Self::declare`], not yet finished.
+    ///
+    /// # Errors
+    /// Errors of [`Config::validate`].
+    pub fn graph(&self) -> Result<Graph, Error> {
         self.validate()?;
         let mut g = Graph::of_config(self);
         let guides =
@@ -64,7 +72,7 @@ impl Config {
             let view = g.debug_view(&guides, &shown.known);
             g.output("debug_view", &view);
         }
-        g.finish()
+        Ok(g)
     }
 
     /// Whether the preset accumulates surfaces: object-space normals serve that alone.

@@ -4,7 +4,7 @@
 use super::{change_of_light, firefly_filter, gradient_samples, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Demodulate, Known, Modulate};
+use crate::nodes::{Accumulation, Demodulate, Estimator, Known, Modulate, Variance};
 
 /// A-RAE: `noisy_radiance` is compared, `other_denoised_radiance` is accumulated, divided by the albedo like every signal, so that
 /// textures stay. \[ASVGF\] 4
@@ -17,12 +17,14 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // A host that knows what changed need not show the noisy picture.
     let compared = if gradients.is_some() { g.radiance("noisy_radiance") } else { other };
     let change = change_of_light(g, guides, &compared, gradients);
-    let irradiance = g.demodulate(guides, &other, Demodulate::default());
+    let irradiance = g.demodulate(guides, &other, Demodulate { gradient: change.gradient, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let radiance = g.modulate(guides, &accumulated, Modulate::default());
+    let variance = Variance { estimator: Estimator::Temporal, ..Variance::default() };
+    let estimate = g.variance(guides, &accumulated, &history, variance);
+    let radiance = g.modulate(guides, &estimate.into(), Modulate::default());
     let known = Known {
         history: Some(history),
         confidence: Some(change.confidence),

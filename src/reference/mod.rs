@@ -58,7 +58,7 @@ pub use crate::nodes::block_percentiles::twin::{
 };
 pub use crate::nodes::change_test::twin::{change_test, CHANGE_EPSILON};
 pub use crate::nodes::debug_view::twin::{debug_view, DebugViewInputs};
-pub use crate::nodes::demodulate::twin::{demodulate, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use crate::nodes::demodulate::twin::{demodulate, noisy_luminance, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
 pub use crate::nodes::eaw::twin::{eaw, EawInputs, HOLE};
 pub use crate::nodes::firefly::twin::{firefly, FireflyInputs};
 pub use crate::nodes::forward_project::twin::{

@@ -1,6 +1,7 @@
 //! Moments of luminance with the history length, packed.
 
-use super::binary16::{from_half_bits, half_bits, store};
+use super::binary16::{from_half_bits, half_bits, round_to_half, store};
+use super::Image;
 
 /// The reason why a pixel has no history.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -50,6 +51,25 @@ pub fn unpack_moments([mean, deviation, history_length, reason]: [u16; 4]) -> Mo
     }
 }
 
+/// Moments of this frame as the stage `temporal_accumulation` hands them on: mean and deviation in an image of their own, and in the
+/// alpha of the irradiance the history length, or the negative reason of a loss, whose length is 1.
+pub(crate) fn split_moments(irradiance: &Image<[f32; 4]>, moments: &Image<[u16; 4]>) -> (Image<[f32; 4]>, Image<u32>) {
+    let accumulated = Image::compute(irradiance.extent(), irradiance.extent(), |p| {
+        let ([r, g, b, _], m) = (irradiance.at(p), unpack_moments(moments.at(p)));
+        [r, g, b, if m.reason == Reason::None as u16 { round_to_half(m.history_length) } else { -f32::from(m.reason) }]
+    });
+    (accumulated, moments.map(|[mean, deviation, ..]| u32::from(*mean) | u32::from(*deviation) << 16))
+}
+
+/// The opposite of [`split_moments`].
+pub(crate) fn join_moments(accumulated: &Image<[f32; 4]>, new_moments: &Image<u32>) -> Image<[u16; 4]> {
+    Image::compute(accumulated.extent(), accumulated.extent(), |p| {
+        let (alpha, packed) = (accumulated.at(p)[3], new_moments.at(p));
+        let (history_length, reason) = if alpha < 0.0 { (1.0, -alpha as u16) } else { (alpha, Reason::None as u16) };
+        [packed as u16, (packed >> 16) as u16, half_bits(history_length), reason]
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::LARGEST_HALF;
@@ -60,5 +80,15 @@ mod tests {
         let moments = Moments { mean: 3.5, deviation: 0.25, history_length: 17.0, reason: Reason::Depth as u16 };
         assert_eq!(unpack_moments(pack_moments(&moments)), moments);
         assert_eq!(unpack_moments(pack_moments(&Moments { mean: f32::INFINITY, ..moments })).mean, LARGEST_HALF);
+    }
+
+    #[test]
+    fn moments_survive_the_way_from_stage_to_stage() {
+        let kept = Moments { mean: 3.5, deviation: 0.25, history_length: 17.5, reason: 0 };
+        let lost = Moments { history_length: 1.0, reason: Reason::Normal as u16, ..kept };
+        let moments = Image::from_texels([2, 1], vec![pack_moments(&kept), pack_moments(&lost)]).expect("two texels");
+        let (accumulated, new_moments) = split_moments(&Image::new([2, 1], [1.0, 2.0, 3.0, 9.0]), &moments);
+        assert_eq!(accumulated.texels(), [[1.0, 2.0, 3.0, 17.5], [1.0, 2.0, 3.0, -4.0]]);
+        assert_eq!(join_moments(&accumulated, &new_moments), moments);
     }
 }

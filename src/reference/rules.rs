@@ -59,6 +59,12 @@ pub(crate) const GRADIENT: &[Rule] = &[
     Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
     Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
     strata("gradient_guide", EXACT),
+];
+
+pub(crate) const DEMODULATE: &[Rule] = &[
+    STATISTICS,
+    pixels("irradiance_0", HALF),
+    pixels("irradiance_1", HALF),
     rule("noisy_luminance", Per::Pixel, Values::Halves, HALF),
 ];
 
@@ -72,8 +78,16 @@ pub(crate) const ACCUMULATED_MOMENTS: Tolerance = Tolerance { absolute: 2e-3, ..
 pub(crate) const TEMPORAL_ACCUMULATION: &[Rule] = &[
     pixels("irradiance_0", TESTED),
     pixels("irradiance_1", TESTED),
-    rule("moments_0", Per::Pixel, Values::Moments, ACCUMULATED_MOMENTS),
-    rule("moments_1", Per::Pixel, Values::Moments, ACCUMULATED_MOMENTS),
+    rule("new_moments_0", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
+    rule("new_moments_1", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
+];
+
+/// Moments pass through to the history as they came.
+pub(crate) const VARIANCE: &[Rule] = &[
+    pixels("irradiance_0", ESTIMATED),
+    pixels("irradiance_1", ESTIMATED),
+    rule("moments_0", Per::Pixel, Values::Moments, EXACT),
+    rule("moments_1", Per::Pixel, Values::Moments, EXACT),
 ];
 
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.

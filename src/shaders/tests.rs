@@ -14,39 +14,43 @@ const GRADIENT_SOURCES: [(GradientSource, bool); 5] = [
 
 /// Every structural configuration that changes a declaration.
 fn declarations() -> Vec<Declaration> {
+    declarations_with(|config| config.declare().expect("valid"))
+}
+
+fn declarations_with(declare: fn(&Config) -> Declaration) -> Vec<Declaration> {
     let mut all = Vec::new();
     for (debug_view, signals) in
         [(false, Signals::Together), (false, Signals::Apart), (true, Signals::Together), (true, Signals::Apart)]
     {
-        add_declarations(&mut all, Config { signals, debug_view, ..Config::new([64, 36]) });
+        add_declarations(&mut all, declare, Config { signals, debug_view, ..Config::new([64, 36]) });
     }
     all
 }
 
-fn add_declarations(all: &mut Vec<Declaration>, base: Config) {
+fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declaration, base: Config) {
     for (surface_id, object_normal) in [(false, false), (true, false), (false, true), (true, true)] {
         for post_process in [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa] {
             for levels in [1, 2, 5, 10] {
                 let config = Config { surface_id, object_normal, post_process, levels, ..base };
-                all.push(config.declare().expect("valid"));
+                all.push(declare(&config));
             }
             let config = Config { surface_id, object_normal, post_process, ..base };
-            all.push(Config { preset: Preset::Eaw, object_normal: false, ..config }.declare().expect("valid"));
+            all.push(declare(&Config { preset: Preset::Eaw, object_normal: false, ..config }));
             for (preset, levels) in [(Preset::Volume, 1), (Preset::Volume, 10), (Preset::Svgf, 5), (Preset::Eaw, 5)] {
                 for firefly_filter in [false, true] {
                     let config = Config { preset, levels, firefly_filter, volume: true, object_normal: false, ..config };
-                    all.push(config.declare().expect("valid"));
+                    all.push(declare(&config));
                 }
             }
-            all.push(Config { firefly_filter: true, ..config }.declare().expect("valid"));
+            all.push(declare(&Config { firefly_filter: true, ..config }));
             for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
-                all.push(Config { preset: Preset::Percentile, adaptive_rule, ..config }.declare().expect("valid"));
+                all.push(declare(&Config { preset: Preset::Percentile, adaptive_rule, ..config }));
             }
             for preset in [Preset::Asvgf, Preset::Stabilize] {
                 for (gradient_source, forward_motion) in GRADIENT_SOURCES {
-                    all.push(Config { preset, gradient_source, forward_motion, ..config }.declare().expect("valid"));
+                    all.push(declare(&Config { preset, gradient_source, forward_motion, ..config }));
                     let with_all = Config { preset, gradient_source, firefly_filter: true, volume: true, ..config };
-                    all.push(with_all.declare().expect("valid"));
+                    all.push(declare(&with_all));
                 }
             }
         }
@@ -111,20 +115,20 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 11] = [
+    const RENAMED: [(&str, &[&str]); 10] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
         ("irradiance", &["filter_ping", "irradiance_history"]),
+        ("compared", &["noisy_radiance"]),
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "filter_ping"]),
         ("filtered", &["atrous_", "irradiance_history"]),
-        ("accumulated", &["filter_ping"]),
-        ("estimated", &["filter_pong"]),
         ("gradient_in", &["gradient"]),
         ("gradient_out", &["gradient_even", "gradient_odd"]),
     ];
-    for declaration in declarations() {
+    let unshared = |config: &Config| config.graph().expect("valid").share_outputs(false).finish().expect("valid");
+    for declaration in declarations_with(unshared) {
         for (pass, _) in dispatches(&declaration) {
             for ((_, binding), used) in pass.bindings().zip(&pass.uses) {
                 let name = binding.trim_end_matches("_0").trim_end_matches("_1");

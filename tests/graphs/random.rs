@@ -2,7 +2,9 @@
 
 use super::dice::Dice;
 use atrous::config::{BlockSort, EawWeights, Sampling};
-use atrous::graph::{Confidence, Estimate, Feedback, Gradient, Graph, Guides, History, Irradiance, Percentiles, Radiance, Value};
+use atrous::graph::{
+    Accumulated, Confidence, Estimate, Feedback, Gradient, Graph, Guides, History, Irradiance, Percentiles, Radiance, Value,
+};
 use atrous::nodes::*;
 use atrous::Declaration;
 
@@ -70,7 +72,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let rule =
         dice.one_of(&[Rule::None, Rule::ChangeTest, Rule::Percentiles, Rule::Gradients, Rule::Gradients, Rule::HostConfidence]);
     let mut change = change_of_light(g, dice, guides, &noisy, rule, output);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo, ..Demodulate::default() });
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo, gradient: change.gradient, ..Demodulate::default() });
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let history = g.history(&irradiance, feedback);
@@ -100,7 +102,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
 /// \[EAW\], of which some paint in holes.
 fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radiance, albedo: bool, output: &str) -> Branch {
     let sampling = dice.one_of(&[Sampling::Full, Sampling::OneOf2x2]);
-    let irradiance = g.demodulate(guides, noisy, Demodulate { albedo, sampling });
+    let irradiance = g.demodulate(guides, noisy, Demodulate { albedo, sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, false);
     let weights = EawWeights::first(1 + dice.below(3));
     let filtered = g.eaw(guides, &irradiance, Eaw { levels: levels(dice), weights, sampling, ..Eaw::default() });
@@ -169,18 +171,21 @@ struct Filter<'a> {
 
 impl Filter<'_> {
     /// À-trous, EAW in its place, or nothing. Says whether the history has the standard deviation.
-    fn add(&self, g: &mut Graph, dice: &mut Dice, accumulated: &Irradiance) -> (Irradiance, bool) {
+    fn add(&self, g: &mut Graph, dice: &mut Dice, accumulated: &Accumulated) -> (Irradiance, bool) {
         let &Self { guides, history, feedback, .. } = self;
         let fed_back = (feedback == Feedback::Filtered).then_some(history);
+        let estimate =
+            |g: &mut Graph, estimator| g.variance(guides, accumulated, &history, Variance { estimator, ..Variance::default() });
         match dice.below(6) {
-            0 if fed_back.is_none() => (*accumulated, false),
+            0 if fed_back.is_none() => (estimate(g, Estimator::Temporal).into(), false),
             1 => {
                 let eaw = Eaw { levels: levels(dice), feedback: fed_back, ..Eaw::default() };
-                (g.eaw(guides, accumulated, eaw), false)
+                let accumulated = estimate(g, Estimator::Temporal).into();
+                (g.eaw(guides, &accumulated, eaw), false)
             }
             _ => {
                 let estimator = dice.one_of(&[Estimator::Switched, Estimator::Fading]);
-                let estimate = g.variance(guides, accumulated, &history, Variance { estimator, ..Variance::default() });
+                let estimate = estimate(g, estimator);
                 let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box, Kernel::Hexagon]);
                 let sigma_l = dice.one_of(&[Value::Own, Value::Fixed(1.5), Value::Tunable("volume_sigma_l")]);
                 let smooth_deviation = dice.coin();

@@ -4,6 +4,7 @@ mod matching;
 mod whole;
 
 use super::*;
+use crate::config::PostProcess;
 
 /// The message of what is wrong with a graph.
 fn refusal(graph: Graph) -> String {

@@ -14,7 +14,7 @@ fn begun(feedback: Feedback) -> (Graph, Guides, Irradiance, History) {
     (g, guides, irradiance, history)
 }
 
-fn accumulated(feedback: Feedback) -> (Graph, Guides, Irradiance, History) {
+fn accumulated(feedback: Feedback) -> (Graph, Guides, Accumulated, History) {
     let (mut g, guides, irradiance, history) = begun(feedback);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
     (g, guides, accumulated, history)
@@ -22,12 +22,14 @@ fn accumulated(feedback: Feedback) -> (Graph, Guides, Irradiance, History) {
 
 #[test]
 fn a_graph_of_a_host_is_a_declaration() {
-    let (mut g, guides, accumulated, _) = accumulated(Feedback::Accumulated);
-    let denoised = g.modulate(&guides, &accumulated, Modulate::default());
+    let (mut g, guides, accumulated, history) = accumulated(Feedback::Accumulated);
+    let variance = Variance { estimator: Estimator::Temporal, ..Variance::default() };
+    let estimate = g.variance(&guides, &accumulated, &history, variance);
+    let denoised = g.modulate(&guides, &estimate.into(), Modulate::default());
     g.output("mine", &denoised);
     let declaration = g.finish().expect("valid");
     let names: Vec<_> = declaration.passes().iter().map(|p| p.name.as_str()).collect();
-    assert_eq!(names, ["start_frame", "import", "demodulate", "temporal_accumulation", "modulate"]);
+    assert_eq!(names, ["start_frame", "import", "demodulate", "temporal_accumulation", "variance", "modulate"]);
     let lifetime = |name: &str| declaration.resource(declaration.find(name).expect(name)).lifetime;
     assert_eq!((lifetime("mine"), lifetime("irradiance_history")), (Lifetime::Output, Lifetime::History));
     assert_eq!((lifetime("guide"), lifetime("surface_motion")), (Lifetime::History, Lifetime::Transient));
@@ -44,7 +46,8 @@ fn signals_name_their_resources_and_passes() {
         let history = g.history(&irradiance, Feedback::Accumulated);
         let accumulation = Accumulation { alpha: Value::Fixed(0.05), ..Accumulation::default() };
         let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, accumulation);
-        let radiance = g.modulate(&guides, &accumulated, Modulate::default());
+        let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
+        let radiance = g.modulate(&guides, &estimate.into(), Modulate::default());
         g.output(&format!("{name}_accumulated"), &radiance);
     }
     let declaration = g.finish().expect("two signals do not collide");
@@ -95,9 +98,17 @@ fn content_that_was_overwritten_is_refused() {
 #[test]
 fn a_history_that_nothing_writes_is_refused() {
     let (mut g, guides, accumulated, _) = accumulated(Feedback::Filtered);
-    let denoised = g.modulate(&guides, &accumulated, Modulate::default());
+    let denoised = g.modulate(&guides, &accumulated.into(), Modulate::default());
     g.output("denoised_radiance", &denoised);
     assert_names(&refusal(g), &["node `temporal_accumulation`", "port `irradiance_history`", "feedback"]);
+    let (mut g, guides, accumulated, _) = self::accumulated(Feedback::Accumulated);
+    let denoised = g.modulate(&guides, &accumulated.into(), Modulate::default());
+    g.output("denoised_radiance", &denoised);
+    assert_names(&refusal(g), &["node `temporal_accumulation`", "port `moments`", "`variance`"]);
+    let (mut g, guides, ..) = begun(Feedback::Accumulated);
+    let noisy = g.radiance("noisy_radiance");
+    g.gradient(&guides, &noisy, Gradients::Reshaded { stratum_size: 3 });
+    assert_names(&refusal(g), &["node `gradient`", "port `noisy_luminance`", "`Demodulate::gradient`"]);
 }
 
 #[test]
@@ -127,7 +138,7 @@ fn two_writers_of_one_image_are_refused() {
     let image = g.transient("shared", ash::vk::Format::R16G16B16A16_SFLOAT, 1);
     let noisy = g.radiance("noisy_radiance");
     for node in ["first", "second"] {
-        let pass = Pass::new(node, &crate::shaders::DEMODULATE_SIGNALS_1)
+        let pass = Pass::new(node, &crate::shaders::DEMODULATE_LUMINANCE_0)
             .bind("guide", guides.guide)
             .bind("noisy_0", noisy.image())
             .bind("irradiance_0", image);
@@ -138,7 +149,7 @@ fn two_writers_of_one_image_are_refused() {
 
 /// A pass that reads one image and writes another, whatever was written before.
 fn copy(g: &mut Graph, node: &str, guides: &Guides, from: Image, to: Image) {
-    let pass = Pass::new(node, &crate::shaders::DEMODULATE_SIGNALS_1)
+    let pass = Pass::new(node, &crate::shaders::DEMODULATE_LUMINANCE_0)
         .bind("guide", guides.guide)
         .bind("noisy_0", from)
         .bind("irradiance_0", to);
@@ -225,4 +236,31 @@ fn passes_stand_in_the_order_of_phases() {
     let previous =
         declaration.passes().iter().flat_map(|p| &p.uses).any(|u| u.resource == candidates && u.frame == UseFrame::Previous);
     assert!(previous);
+}
+
+#[test]
+fn a_transient_lies_in_an_output_that_is_written_later() {
+    let config = Config { post_process: PostProcess::ToneMap, ..Config::new([64, 36]) };
+    let declared = |share| config.graph().expect("valid").share_outputs(share).finish().expect("valid");
+    let (shared, apart) = (declared(true), declared(false));
+    let life = |declaration: &Declaration, name: &str| {
+        let (first, last) = declaration.life(declaration.find(name).expect(name)).expect("used");
+        [first, last].map(|pass| declaration.passes()[pass].name.clone())
+    };
+    assert_eq!(life(&apart, "denoised_radiance"), ["modulate", "tone_map"]);
+    assert_eq!(life(&shared, "denoised_radiance"), ["demodulate", "tone_map"]);
+    // Another phase, before which the host may still show the picture of the frame before.
+    assert_eq!(life(&shared, "display"), life(&apart, "display"));
+    assert!(shared.find("filter_ping").is_none() && apart.find("filter_ping").is_some());
+    let output = |declaration: &Declaration| {
+        declaration.resources()[declaration.find("denoised_radiance").expect("known").0 as usize].clone()
+    };
+    assert!(output(&shared).image_usage.contains(output(&apart).image_usage));
+    assert_eq!(output(&shared).lifetime, Lifetime::Output);
+    let bytes = |declaration: &Declaration| declaration.memory().transient;
+    assert_eq!(bytes(&apart) - bytes(&shared), 64 * 36 * 8);
+    for declaration in [&shared, &apart] {
+        let uses = declaration.passes().iter().flat_map(|pass| &pass.uses);
+        assert!(uses.map(|u| u.resource.0 as usize).collect::<BTreeSet<_>>().into_iter().eq(0..declaration.resources().len()));
+    }
 }

@@ -1,8 +1,9 @@
 //! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures \[SVGF 3\].
 
-use crate::reference::binary16::store;
+use crate::reference::binary16::{half_bits, store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::guide::unpack_guide;
+use crate::reference::luminance::luminance;
 use crate::reference::statistics::{count, Counter, Statistics};
 use crate::reference::{Image, HOLE};
 use crate::{Error, FrameConstants};
@@ -68,15 +69,57 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     DemodulateOutputs { irradiance, statistics }
 }
 
+/// Luminance of the radiance of all signals, and of the albedo, of every pixel: of these temporal gradients are made \[ASVGF\] 3.3.
+pub(crate) fn luminances(
+    frame: &FrameConstants,
+    guide: &Image<[u16; 4]>,
+    noisy: &[&Image<[f32; 4]>],
+    albedo: Option<&Image<[f32; 4]>>,
+) -> Image<(f32, f32)> {
+    Image::compute(guide.extent(), frame.render_extent, |p| {
+        let is_background = unpack_guide(guide.at(p)).is_background();
+        let l = noisy.iter().map(|noisy| radiance_luminance(noisy.at(p))).sum::<f32>().min(LARGEST_HALF);
+        let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
+        (l, luminance(a.map(|a| a.min(LARGEST_HALF))))
+    })
+}
+
+/// [`luminances`] as two halves, for the next frame.
+pub fn noisy_luminance(
+    frame: &FrameConstants,
+    guide: &Image<[u16; 4]>,
+    noisy: &[&Image<[f32; 4]>],
+    albedo: Option<&Image<[f32; 4]>>,
+) -> Image<u32> {
+    luminances(frame, guide, noisy, albedo).map(|(l, a)| u32::from(half_bits(*l)) | u32::from(half_bits(*a)) << 16)
+}
+
+/// Luminance of radiance; 0 where it is not finite.
+pub(crate) fn radiance_luminance([r, g, b, _]: [f32; 4]) -> f32 {
+    let rgb = [r, g, b];
+    if rgb.iter().all(|c| c.is_finite()) {
+        luminance(rgb.map(|c| c.clamp(0.0, LARGEST_HALF)))
+    } else {
+        0.0
+    }
+}
+
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let noisy = b.colours("noisy")?;
     let inputs = DemodulateInputs {
         guide: b.packed("guide")?,
-        noisy: &b.colours("noisy")?,
+        noisy: &noisy,
         albedo: b.optional_colour("albedo")?,
         has_holes: b.is_on("PAINTING")?,
     };
     let outputs = demodulate(b.frame, &inputs);
     b.count(&outputs.statistics)?;
-    b.write_signals("irradiance", outputs.irradiance)
+    b.write_signals("irradiance", outputs.irradiance)?;
+    if b.has("noisy_luminance") {
+        let other = b.has("compared_0").then(|| b.colours("compared")).transpose()?;
+        let compared = other.as_ref().unwrap_or(&noisy);
+        b.write("noisy_luminance", noisy_luminance(b.frame, inputs.guide, compared, inputs.albedo))?;
+    }
+    Ok(())
 }

@@ -1,12 +1,11 @@
 //! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per
 //! stratum.
 
-use crate::nodes::demodulate::twin::divisor;
-use crate::reference::binary16::{from_half_bits, half_bits, round_to_half, LARGEST_HALF};
+use crate::nodes::demodulate::twin::{luminances, radiance_luminance};
+use crate::reference::binary16::{from_half_bits, round_to_half, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
-use crate::reference::luminance::luminance;
 use crate::reference::projection::extent_ratio;
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
@@ -62,37 +61,17 @@ pub struct GradientOutputs {
     pub gradient: Image<[f32; 4]>,
     /// One texel a stratum: the guide of the pixel that stands for it, with its place instead of the roughness.
     pub gradient_guide: Image<[u16; 4]>,
-    /// One texel a pixel: luminance of the radiance, and of the albedo, as halves.
-    pub noisy_luminance: Image<u32>,
 }
 
 /// Takes the differences.
 pub fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u32, inputs: &GradientInputs) -> GradientOutputs {
     let extent = inputs.guide.extent();
     let strata = Strata::new(frame, stratum_size);
-    let luminances = Image::compute(extent, frame.render_extent, |p| {
-        let is_background = unpack_guide(inputs.guide.at(p)).is_background();
-        let l = inputs.noisy.iter().map(|noisy| radiance_luminance(noisy.at(p))).sum::<f32>().min(LARGEST_HALF);
-        let (a, _) = divisor(inputs.albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
-        (l, luminance(a.map(|a| a.min(LARGEST_HALF))))
-    });
+    let luminances = luminances(frame, inputs.guide, inputs.noisy, inputs.albedo);
     let changes = Changes { frame, tuning, stratum_size, inputs, luminances: &luminances };
     let stratum_extent = extent.map(|side| side.div_ceil(stratum_size));
     let texels = Image::compute(stratum_extent, strata.count().into(), |s| changes.stratum(strata, s));
-    GradientOutputs {
-        gradient: texels.map(|t| t.0),
-        gradient_guide: texels.map(|t| t.1),
-        noisy_luminance: luminances.map(|(l, a)| u32::from(half_bits(*l)) | u32::from(half_bits(*a)) << 16),
-    }
-}
-
-fn radiance_luminance([r, g, b, _]: [f32; 4]) -> f32 {
-    let rgb = [r, g, b];
-    if rgb.iter().all(|c| c.is_finite()) {
-        luminance(rgb.map(|c| c.clamp(0.0, LARGEST_HALF)))
-    } else {
-        0.0
-    }
+    GradientOutputs { gradient: texels.map(|t| t.0), gradient_guide: texels.map(|t| t.1) }
 }
 
 struct Changes<'a> {
@@ -207,9 +186,5 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     };
     let outputs = gradient(b.frame, b.tuning, b.stratum_size()?, &inputs);
     b.write("gradient", outputs.gradient)?;
-    b.write("gradient_guide", outputs.gradient_guide)?;
-    if b.has("noisy_luminance") {
-        b.write("noisy_luminance", outputs.noisy_luminance)?;
-    }
-    Ok(())
+    b.write("gradient_guide", outputs.gradient_guide)
 }

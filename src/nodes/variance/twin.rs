@@ -4,7 +4,7 @@
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::geometry_weights::Geometry;
-use crate::reference::moments::{unpack_moments, Moments};
+use crate::reference::moments::{join_moments, unpack_moments, Moments};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
@@ -133,8 +133,14 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         true => Geometry::of_volume(b.frame, b.tuning, guide),
         false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
     };
-    let deviation = if b.is_on("FADE")? { faded_deviation } else { deviation };
-    let (irradiance, moments) = (b.colours("accumulated")?, b.packed_signals("moments")?);
-    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &moments, deviation);
-    b.write_signals("estimated", estimated)
+    let deviation: Deviation = match b.constant("ESTIMATOR")? {
+        0 => deviation,
+        1 => faded_deviation,
+        _ => |_, _, _, moments, p| moments.at(p).deviation,
+    };
+    let (irradiance, new_moments) = (b.colours("irradiance")?, b.uints("new_moments")?);
+    let moments: Vec<_> = irradiance.iter().zip(new_moments).map(|(irradiance, new)| join_moments(irradiance, new)).collect();
+    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &moments.iter().collect::<Vec<_>>(), deviation);
+    b.write_signals("irradiance", estimated)?;
+    b.write_signals("moments", moments)
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_gradient_sample, GradientSample};
+use crate::reference::{noisy_luminance, pack_gradient_sample, GradientSample};
 use crate::Flags;
 
 const EXTENT: [u32; 2] = [6, 3];
@@ -25,14 +25,7 @@ fn samples() -> Image<[u16; 4]> {
 /// `noisy_luminance` of a frame with grey radiance and albedo.
 fn luminance_of(l: f32, albedo: f32) -> Image<u32> {
     let guides = guides(EXTENT, |_, _| surface(4.0));
-    let inputs = GradientInputs {
-        guide: &guides.guide,
-        noisy: &[&grey(l)],
-        albedo: Some(&grey(albedo)),
-        previous_luminance: None,
-        source: GradientInput::Sparse(None),
-    };
-    gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs).noisy_luminance
+    noisy_luminance(&frame(EXTENT), &guides.guide, &[&grey(l)], Some(&grey(albedo)))
 }
 
 fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) -> [f32; 4] {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::reference::bindings::Bindings;
+use crate::reference::moments::split_moments;
 use crate::Error;
 
 /// Surfaces, or with the constant `VOLUME` a volume.
@@ -14,8 +15,10 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         true => volume(b, guide, &irradiance, &signals)?,
         false => surfaces(b, &irradiance, PreviousFrame { guide, signals: &signals })?,
     };
-    b.write_signals("irradiance", outputs.irradiance)?;
-    b.write_signals("moments", outputs.moments)
+    let split = |(irradiance, moments)| split_moments(irradiance, moments);
+    let (irradiance, new_moments): (Vec<_>, Vec<_>) = outputs.irradiance.iter().zip(&outputs.moments).map(split).unzip();
+    b.write_signals("irradiance", irradiance)?;
+    b.write_signals("new_moments", new_moments)
 }
 
 fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFrame) -> Result<TemporalAccumulationOutputs, Error> {

@@ -4,7 +4,7 @@ use super::super::super::test_scene::*;
 use super::super::super::{Bindings, Twin};
 use super::*;
 use crate::graph::{Feedback, Graph, Port, Stage};
-use crate::nodes::{Accumulation, Demodulate, Import, Modulate};
+use crate::nodes::{Accumulation, Demodulate, Import, Modulate, Variance};
 use crate::ResetReason;
 use glam::Vec3;
 
@@ -26,7 +26,7 @@ fn stage() -> Stage {
     Stage::new("halve", spirv.as_binary()).expect("a stage")
 }
 
-/// Accumulates, then runs the stage on what was accumulated.
+/// Accumulates, then runs the stage on what was accumulated, with its deviation.
 fn declaration(stage: &Stage) -> Declaration {
     let mut g = Graph::new(EXTENT);
     let guides = g.import(Import { surface_id: false, ..Import::default() });
@@ -34,7 +34,8 @@ fn declaration(stage: &Stage) -> Declaration {
     let irradiance = g.demodulate(&guides, &noisy, Demodulate { albedo: false, ..Demodulate::default() });
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
-    let halved = g.stage(stage).bind("bright", accumulated.image()).add().image("halved").expect("it writes it");
+    let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
+    let halved = g.stage(stage).bind("bright", estimate.image()).add().image("halved").expect("it writes it");
     let radiance = g.modulate(&guides, &Port::of(halved), Modulate { albedo: false, emission: false });
     g.output("dim", &radiance);
     g.finish().expect("valid")
