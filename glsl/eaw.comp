@@ -48,7 +48,7 @@ struct Sum {
 
 struct Level {
     float inverse_sigma_rt;  // squared; 0 while there are holes
-    float inverse_sigma_n;   // squared
+    float inverse_sigma_n;   // squared, in steps of the normal
     float inverse_sigma_x;
 };
 
@@ -57,7 +57,8 @@ Level level_of(float z) {
     Level level;
     bool holes_left = push.level < PAINTING;
     level.inverse_sigma_rt = RADIANCE && !holes_left ? step_squared / (push.sigma_rt * push.sigma_rt) : 0.0;
-    level.inverse_sigma_n = NORMAL ? 1.0 / (step_squared * push.sigma_rt_n * push.sigma_rt_n) : 0.0;
+    float sigma_n = push.sigma_rt_n * NORMAL_STEPS;
+    level.inverse_sigma_n = NORMAL ? 1.0 / (step_squared * sigma_n * sigma_n) : 0.0;
     level.inverse_sigma_x = POSITION ? 1.0 / (push.sigma_rt_x * max(z, 1e-15)) : 0.0;
     return level;
 }
@@ -102,7 +103,7 @@ void main() {
 #endif
         return;
     }
-    vec3 n = unpack_normal(packed), x = view_position(p, z);
+    vec3 n = normal_steps(packed), x = view_position(p, z);
     Level level = level_of(z);
     Sum sum_0 = Sum(vec3(0.0), 0.0, vec3(0.0), 0.0), sum_1 = sum_0;
     int step_size = 1 << push.level;
@@ -111,7 +112,7 @@ void main() {
             ivec2 q = p + ivec2(i, j) * step_size, tap = nearest_inside(q);
             uvec4 packed_q = packed_at(guide, tap);
             float z_q = unpack_depth(packed_q);
-            float exponent = squared(n - unpack_normal(packed_q)) * level.inverse_sigma_n;
+            float exponent = squared(n - normal_steps(packed_q)) * level.inverse_sigma_n;
             exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_x);
             exponent = background ? 0.0 : exponent;
             float kernel = q == tap && (z_q == 0.0) == background ? KERNEL[abs(i)] * KERNEL[abs(j)] : 0.0;

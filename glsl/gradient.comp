@@ -112,8 +112,7 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
 uvec4 guide_of(uvec4 packed, uint place) {
-    uint rest = (packed.z | packed.w << 16) & ~(0xfu << 20) | place << 20;
-    return uvec4(packed.xy, rest & 0xffffu, rest >> 16);
+    return uvec4(packed.x & 0xfff0u | place, packed.yzw);
 }
 
 vec4 result(Sum sum) {

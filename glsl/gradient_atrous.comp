@@ -29,21 +29,19 @@ layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D gradient_out;
 
 const float LUMINANCE_EPSILON = 1e-4;
 
-ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.w >> 4 & 0xfu); }
+ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
 
 void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
     vec4 centre = imageLoad(gradient_in, s);
     uvec4 packed = imageLoad(gradient_guide, s);
-    float z = unpack_depth(packed);
-    if (z == 0.0) {
+    if (unpack_depth(packed) == 0.0) {
         imageStore(gradient_out, s, centre);
         return;
     }
-    vec3 n = unpack_normal(packed);
     ivec2 p = pixel_of(s, packed);
-    vec2 slope = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    EdgeCentre surface = edge_centre(packed, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
     float sharpness = LOG2_E / (push.sigma_l * centre.w + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
@@ -54,11 +52,10 @@ void main() {
             if (x == 0 && y == 0) continue;
             ivec2 t = s + ivec2(x, y) * step_size, tap = clamp(t, ivec2(0), last);
             uvec4 packed_t = imageLoad(gradient_guide, tap);
-            float z_t = unpack_depth(packed_t);
             vec4 value = imageLoad(gradient_in, tap);
             vec2 offset = vec2(pixel_of(tap, packed_t) - p);
-            float geometry = log2_geometry_weight(n, unpack_direction(packed_t), z, z_t, depth_sharpness(z, slope, offset));
-            float weight = t == tap && z_t != 0.0 ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
+            float geometry = log2_edge_weight(surface, packed_t, depth_sharpness(surface, offset));
+            float weight = t == tap && unpack_depth(packed_t) != 0.0 ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;

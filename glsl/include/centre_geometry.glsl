@@ -7,27 +7,25 @@
 #include "volume.glsl"
 
 struct Geometry {
-    float depth;
-    vec3 normal;    // of surfaces alone
-    vec2 gradient;  // of surfaces alone: of depth, scene units per pixel
+    EdgeCentre surface;
+    float volume_depth;
 };
 
 // Fog lies before the background as well.
 bool is_filtered(uvec4 packed) { return VOLUME || unpack_depth(packed) != 0.0; }
 
 Geometry geometry_of(uvec4 packed, uint gradient) {
-    if (VOLUME) return Geometry(volume_depth(packed), vec3(0.0), vec2(0.0));
-    return Geometry(unpack_depth(packed), unpack_normal(packed), unpackHalf2x16(gradient));
+    return Geometry(edge_centre(packed, unpackHalf2x16(gradient)), VOLUME ? volume_depth(packed) : 0.0);
 }
 
 float depth_sharpness(Geometry centre, vec2 offset) {
-    return VOLUME ? LOG2_E / push.volume_sigma_z : depth_sharpness(centre.depth, centre.gradient, offset);
+    return VOLUME ? LOG2_E / push.volume_sigma_z : depth_sharpness(centre.surface, offset);
 }
 
 // log2 of the weight of a tap. Of a volume by depth alone, and less strictly: [PSVGF], volumes.
 float log2_weight(Geometry centre, uvec4 packed_q, float depth_sharpness) {
-    if (VOLUME) return -relative_difference(centre.depth, volume_depth(packed_q)) * depth_sharpness;
-    return log2_geometry_weight(centre.normal, unpack_direction(packed_q), centre.depth, unpack_depth(packed_q), depth_sharpness);
+    if (VOLUME) return -relative_difference(centre.volume_depth, volume_depth(packed_q)) * depth_sharpness;
+    return log2_edge_weight(centre.surface, packed_q, depth_sharpness);
 }
 
 #endif

@@ -1,4 +1,5 @@
 // Edge stopping by depth and normal: [SVGF] eq. 3 and 4; with edge_falloff [PSVGF], depth-dependent edge functions.
+// Deviation: w_n is exp(-sigma_n (1 - cos)), which is cos^sigma_n to the second order, and takes no logarithm.
 // Twin: src/reference/geometry_weights.rs. Needs `float sigma_n`, `float sigma_z` and `float edge_falloff` in the shader's block `push`.
 #ifndef GEOMETRY_WEIGHTS_GLSL
 #define GEOMETRY_WEIGHTS_GLSL
@@ -8,27 +9,37 @@
 // Relative to the depth: what counts as equal where the surface faces the camera.
 const float DEPTH_EPSILON = 1e-3;
 
-// Influence of the edge functions at the depth of the centre pixel: 1 near, towards 0 far away.
-float edge_influence(float z) { return 1.0 / (1.0 + push.edge_falloff * z); }
-
 const float LOG2_E = 1.4426950;
-// As a power of 2 it is 0 whatever is added to it.
-const float NO_WEIGHT = -1.0e6;
 
-// Of depth, in powers of 2 per unit of difference; the same on both sides of the centre.
-float depth_sharpness(float z, vec2 depth_gradient, vec2 offset) {
-    return LOG2_E / (push.sigma_z * abs(dot(depth_gradient, offset)) + DEPTH_EPSILON * z);
+// What the surface in the centre of a window is compared with, and how much less a tap weighs, in powers of 2.
+struct EdgeCentre {
+    float depth;
+    vec3 normal;            // in steps
+    vec2 gradient;          // of depth, scene units per pixel
+    float influence;        // of the edge functions at this depth: 1 near, towards 0 far away
+    float normal_sharpness; // per squared step
+};
+
+EdgeCentre edge_centre(uvec4 packed, vec2 gradient) {
+    EdgeCentre centre;
+    centre.depth = unpack_depth(packed);
+    centre.normal = normal_steps(packed);
+    centre.gradient = gradient;
+    centre.influence = LOG2_E / (1.0 + push.edge_falloff * centre.depth);
+    centre.normal_sharpness = centre.influence * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
+    return centre;
 }
 
-// log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together, and a
-// normal that is read needs no root: the cosine is squared. log2(0) differs between devices, so a cosine that is not positive is decided
-// here.
-float log2_geometry_weight(vec3 n, vec3 direction_tap, float z, float z_tap, float depth_sharpness) {
-    float along = dot(n, direction_tap);
-    float squared_cosine = min(along * along / dot(direction_tap, direction_tap), 1.0);
-    float log2_normal = push.sigma_n > 0.0 ? 0.5 * push.sigma_n * log2(squared_cosine) : 0.0;
-    float weight = edge_influence(z) * (log2_normal - abs(z - z_tap) * depth_sharpness);
-    return along <= 0.0 && push.sigma_n > 0.0 ? NO_WEIGHT : weight;
+// Per unit of depth; the same on both sides of the centre.
+float depth_sharpness(EdgeCentre centre, vec2 offset) {
+    return centre.influence / (push.sigma_z * abs(dot(centre.gradient, offset)) + DEPTH_EPSILON * centre.depth);
+}
+
+// log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together, and
+// normals are compared by their distance, which needs neither a root nor a logarithm.
+float log2_edge_weight(EdgeCentre centre, uvec4 packed_tap, float depth_sharpness) {
+    vec3 chord = centre.normal - normal_steps(packed_tap);
+    return -(dot(chord, chord) * centre.normal_sharpness + abs(centre.depth - unpack_depth(packed_tap)) * depth_sharpness);
 }
 
 #endif

@@ -19,14 +19,12 @@ vec2 octahedral(vec3 n) {
     return n.z < 0.0 ? (1.0 - abs(e.yx)) * sign_not_zero(e) : e;
 }
 
-// Not of unit length. Where z is negative, x and y move towards 0 by as much.
-vec3 octahedral_direction(vec2 e) {
+// Where z is negative, x and y move towards 0 by as much.
+vec3 from_octahedral(vec2 e) {
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
     float folded = max(-n.z, 0.0);
-    return vec3(n.x + (n.x >= 0.0 ? -folded : folded), n.y + (n.y >= 0.0 ? -folded : folded), n.z);
+    return normalize(vec3(n.x + (n.x >= 0.0 ? -folded : folded), n.y + (n.y >= 0.0 ? -folded : folded), n.z));
 }
-
-vec3 from_octahedral(vec2 e) { return normalize(octahedral_direction(e)); }
 
 // An even number of steps, so that 0 and thereby the axes are exact.
 uint pack_octahedral(vec3 n, float half_steps, uint bits) {
@@ -34,13 +32,9 @@ uint pack_octahedral(vec3 n, float half_steps, uint bits) {
     return u.x | u.y << bits;
 }
 
-vec2 octahedral_square(uint packed, float half_steps, uint bits) {
-    uint mask = (1u << bits) - 1u;
-    return vec2(packed & mask, packed >> bits & mask) / half_steps - 1.0;
-}
-
 vec3 unpack_octahedral(uint packed, float half_steps, uint bits) {
-    return from_octahedral(octahedral_square(packed, half_steps, bits));
+    uint mask = (1u << bits) - 1u;
+    return from_octahedral(vec2(packed & mask, packed >> bits & mask) / half_steps - 1.0);
 }
 
 uint pcg(uint v) {
@@ -52,17 +46,22 @@ uint pcg(uint v) {
 // 8 bits of a surface id: exact up to 255, folded above; 0 stays the background.
 uint fold_id(uint id) { return id <= 255u ? id : 1u + pcg(id) % 255u; }
 
+// Steps from 0 to 1 of a component of the normal. An even number of them from -1 to 1, so that 0 and thereby the axes are exact.
+const float NORMAL_STEPS = 127.0;
+
+// The lowest 4 bits of the depth's mantissa make room for the roughness, or for another number below 16.
 uvec4 pack_guide(Guide g) {
-    uint depth = floatBitsToUint(g.linear_depth);
-    uint rest = pack_octahedral(g.normal, 511.0, 10u) | uint(floor(g.roughness * 15.0 + 0.5)) << 20 | g.id8 << 24;
-    return uvec4(depth & 0xffffu, depth >> 16, rest & 0xffffu, rest >> 16);
+    uint depth = floatBitsToUint(g.linear_depth) & ~0xfu | uint(floor(g.roughness * 15.0 + 0.5));
+    uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
+    return uvec4(depth & 0xffffu, depth >> 16, n.x | n.y << 8, n.z | g.id8 << 8);
 }
 
-float unpack_depth(uvec4 packed) { return uintBitsToFloat(packed.x | packed.y << 16); }
+float unpack_depth(uvec4 packed) { return uintBitsToFloat(packed.x & 0xfff0u | packed.y << 16); }
 uint unpack_id(uvec4 packed) { return packed.w >> 8; }
-vec3 unpack_normal(uvec4 packed) { return unpack_octahedral(packed.z | packed.w << 16, 511.0, 10u); }
 
-// The normal, not of unit length.
-vec3 unpack_direction(uvec4 packed) { return octahedral_direction(octahedral_square(packed.z | packed.w << 16, 511.0, 10u)); }
+// The normal in steps, from 0 to twice NORMAL_STEPS: what differences of normals are made of.
+vec3 normal_steps(uvec4 packed) { return vec3(packed.z & 0xffu, packed.z >> 8, packed.w & 0xffu); }
+
+vec3 unpack_normal(uvec4 packed) { return normalize(normal_steps(packed) - NORMAL_STEPS); }
 
 #endif

@@ -102,8 +102,8 @@ tuning! {
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
     /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
     sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
-    /// Normal edge stopping: exponent of the cosine (SVGF eq. 4). Raising it keeps finer relief and leaves more noise on curved
-    /// surfaces.
+    /// Normal edge stopping: sharpness of exp(−σ (1 − cos)), which is the exponent of the cosine of SVGF eq. 4 for small angles.
+    /// Raising it keeps finer relief and leaves more noise on curved surfaces.
     sigma_n: "1", 0.0 ..= 1024.0, 128.0;
     /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
     sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;

@@ -22,7 +22,7 @@ pub struct Atrous {
     pub feedback: Option<History>,
     /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
     pub sigma_l: Value,
-    /// Exponent of the cosine between normals. Default: [`crate::Tuning::sigma_n`].
+    /// Sharpness of the weight exp(−σ (1 − cos)) by the angle between normals. Default: [`crate::Tuning::sigma_n`].
     pub sigma_n: Value,
     /// Tolerated departure from the local plane. Default: [`crate::Tuning::sigma_z`].
     pub sigma_z: Value,

@@ -5,7 +5,7 @@ use super::surface_motion::unpack_depth_gradient;
 use super::volume::{relative_difference, volume_depth};
 use super::Image;
 use crate::{FrameConstants, Tuning};
-use glam::{IVec2, Vec2};
+use glam::{IVec2, Vec2, Vec3};
 
 /// Tolerated relative departure from the local plane, by which a plane that faces the camera has a tolerance as well.
 pub const DEPTH_EPSILON: f32 = 0.001;
@@ -94,7 +94,7 @@ pub(crate) fn depth_and_normal_weight(
     let tolerance = sigma_z * gradient.dot(offset).abs() + DEPTH_EPSILON * p.linear_depth;
     let difference = (p.linear_depth - q.linear_depth).abs();
     let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
-    // 0⁰ = 1: a sigma of 0 switches normals off. A cosine of 0 is an exponent of −∞, a weight of 0.
-    let exponent_n = if sigma_n == 0.0 { 0.0 } else { sigma_n * p.cosine(q).max(0.0).ln() };
+    // 1 − cos of two unit normals is half of their squared distance.
+    let exponent_n = -sigma_n * 0.5 * Vec3::from(p.normal).distance_squared(q.normal.into());
     ((exponent_z + exponent_n) / (1.0 + edge_falloff * p.linear_depth)).exp()
 }

@@ -1,14 +1,13 @@
 //! The packed guide: what the filters know of the surface in a pixel. It is also the history of depth, normal and id.
 
-use super::octahedral::{octahedral10, octahedral10_to_normal};
 use glam::Vec3;
 
 /// A pixel of the guide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Surface {
-    /// View-space depth along the view axis, positive, scene units; 0 is the background.
+    /// View-space depth along the view axis, positive, scene units, kept with a mantissa of 19 bits; 0 is the background.
     pub linear_depth: f32,
-    /// World-space unit normal.
+    /// World-space normal, of unit length but for its steps of 1/127.
     pub normal: [f32; 3],
     /// 0 to 1; kept in steps of 1/15.
     pub roughness: f32,
@@ -22,8 +21,8 @@ impl Surface {
         self.linear_depth == 0.0
     }
 
-    pub(crate) fn cosine(&self, other: &Self) -> f32 {
-        Vec3::from(self.normal).dot(other.normal.into())
+    pub(crate) fn unit_normal(&self) -> Vec3 {
+        Vec3::from(self.normal).normalize_or_zero()
     }
 }
 
@@ -40,26 +39,29 @@ pub(crate) fn pcg(v: u32) -> u32 {
     (w >> 22) ^ w
 }
 
+/// Steps from 0 to 1 of a component of the normal.
+const NORMAL_STEPS: f32 = 127.0;
+
 /// A texel of `guide`. The background is all zeros.
 pub fn pack_guide(surface: &Surface) -> [u16; 4] {
     if surface.is_background() {
         return [0; 4];
     }
-    let depth = surface.linear_depth.to_bits();
     let roughness = (surface.roughness.clamp(0.0, 1.0) * 15.0 + 0.5).floor() as u32;
-    let rest = octahedral10(surface.normal) | roughness << 20 | u32::from(surface.id) << 24;
-    [depth as u16, (depth >> 16) as u16, rest as u16, (rest >> 16) as u16]
+    let depth = surface.linear_depth.to_bits() & !0xf | roughness;
+    let [x, y, z] = surface.normal.map(|c| (c * NORMAL_STEPS + NORMAL_STEPS + 0.5).floor() as u16);
+    [depth as u16, (depth >> 16) as u16, x | y << 8, z | u16::from(surface.id) << 8]
 }
 
 /// The surface of a texel of `guide`.
 pub fn unpack_guide(texel: [u16; 4]) -> Surface {
-    let [x, y, z, w] = texel.map(u32::from);
-    let rest = z | w << 16;
+    let [x, y, z, w] = texel;
+    let steps = [z & 0xff, z >> 8, w & 0xff];
     Surface {
-        linear_depth: f32::from_bits(x | y << 16),
-        normal: octahedral10_to_normal(rest),
-        roughness: (rest >> 20 & 0xf) as f32 / 15.0,
-        id: (rest >> 24) as u8,
+        linear_depth: f32::from_bits(u32::from(x & !0xf) | u32::from(y) << 16),
+        normal: steps.map(|steps| (f32::from(steps) - NORMAL_STEPS) / NORMAL_STEPS),
+        roughness: f32::from(x & 0xf) / 15.0,
+        id: (w >> 8) as u8,
     }
 }
 
@@ -69,7 +71,7 @@ mod tests {
 
     #[test]
     fn a_surface_survives_packing() {
-        let surface = Surface { linear_depth: 12.345, normal: [0.0, -1.0, 0.0], roughness: 0.4, id: 200 };
+        let surface = Surface { linear_depth: 12.375, normal: [0.0, -1.0, 0.0], roughness: 0.4, id: 200 };
         assert_eq!(unpack_guide(pack_guide(&surface)), surface);
         assert!(unpack_guide(pack_guide(&Surface { linear_depth: 0.0, ..surface })).is_background());
         assert_eq!(pack_guide(&Surface { linear_depth: 0.0, ..surface }), [0; 4]);
@@ -78,8 +80,18 @@ mod tests {
     #[test]
     fn fields_lie_where_the_specification_puts_them() {
         let texel = pack_guide(&Surface { linear_depth: 1.0, normal: [1.0, 0.0, 0.0], roughness: 1.0, id: 7 });
-        let rest: u32 = 1022 | 511 << 10 | 15 << 20 | 7 << 24;
-        assert_eq!(texel, [0, 0x3f80, rest as u16, (rest >> 16) as u16]);
+        assert_eq!(texel, [15, 0x3f80, 254 | 127 << 8, 127 | 7 << 8]);
+    }
+
+    #[test]
+    fn depth_keeps_six_digits_and_normals_half_a_step() {
+        for i in 1..1000 {
+            let (linear_depth, angle) = (i as f32 * 1.234_567e-2, i as f32 * 0.1);
+            let normal = Vec3::new(angle.sin() * 0.6, angle.cos() * 0.6, 0.8);
+            let read = unpack_guide(pack_guide(&Surface { linear_depth, normal: normal.into(), roughness: 0.7, id: 1 }));
+            assert!((read.linear_depth / linear_depth - 1.0).abs() < 2e-6, "{linear_depth}: {}", read.linear_depth);
+            assert!((Vec3::from(read.normal) - normal).abs().max_element() <= 0.501 / NORMAL_STEPS, "{normal}: {:?}", read.normal);
+        }
     }
 
     #[test]

@@ -16,6 +16,9 @@ pub(crate) const WEIGHTED: Tolerance = Tolerance { relative: 3e-3, absolute: 5e-
 /// Normals are rounded to a grid of 1/511, and either side of a step is right.
 pub(crate) const STEP: Tolerance = Tolerance { relative: 1e-5, absolute: 5e-3, outliers: 0.0 };
 
+/// As above, with the guide's grid of 1/127.
+pub(crate) const GUIDE_STEP: Tolerance = Tolerance { absolute: 8e-3, ..STEP };
+
 pub(crate) const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
 
 /// A half of the luminance may be rounded either way, and a gradient is the difference of two.
@@ -43,7 +46,7 @@ pub(crate) const STATISTICS: Rule = rule("statistics", Per::Buffer, Values::Plai
 
 pub(crate) const IMPORT: &[Rule] = &[
     STATISTICS,
-    rule("guide", Per::Pixel, Values::Guide, STEP),
+    rule("guide", Per::Pixel, Values::Guide, GUIDE_STEP),
     rule("surface_motion", Per::Pixel, Values::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
     rule("surface_motion", Per::Pixel, Values::SurfaceMotion, MOTION),
     rule("depth_gradient", Per::Pixel, Values::DepthGradient, MOTION),

@@ -140,7 +140,7 @@ impl DebugViewInputs<'_> {
                 (from_srgb(REASON_COLOURS[usize::from(reason)].map(f32::from)), f32::from(reason))
             }
             DebugView::Motion => motion(unpack_surface_motion(self.surface_motion.at(p)).motion),
-            DebugView::Normal => (surface.normal.map(|c| c * 0.5 + 0.5), 0.0),
+            DebugView::Normal => (surface.unit_normal().to_array().map(|c| c * 0.5 + 0.5), 0.0),
             DebugView::Depth => coloured(compressed(surface.linear_depth), surface.linear_depth),
             DebugView::SurfaceId | DebugView::BadValues => {
                 let [r, g, b, _] = pcg(surface.id.into()).to_le_bytes();

@@ -161,8 +161,7 @@ fn mean_change(changes: &[(f32, f32)]) -> (f32, f32) {
 
 /// A texel of the guide with a place instead of the roughness.
 fn with_place([x, y, z, w]: [u16; 4], place: u32) -> [u16; 4] {
-    let rest = (u32::from(z) | u32::from(w) << 16) & !(0xf << 20) | place << 20;
-    [x, y, rest as u16, (rest >> 16) as u16]
+    [x & !0xf | place as u16, y, z, w]
 }
 
 /// Runs the stage on the bindings of a pass.

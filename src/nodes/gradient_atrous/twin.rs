@@ -75,7 +75,7 @@ pub fn gradient_atrous(
 
 /// The pixel that stands for a stratum.
 fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2 {
-    let place = i32::from(gradient_guide.at(s)[3] >> 4 & 0xf);
+    let place = i32::from(gradient_guide.at(s)[0] & 0xf);
     let size = strata.size as i32;
     strata.first_pixel(s) + IVec2::new(place % size, place / size)
 }

@@ -179,7 +179,7 @@ impl Reprojected {
             Reason::Id
         } else if (tap.linear_depth - self.linear_depth).abs() > self.depth_tolerance + slack {
             Reason::Depth
-        } else if Vec3::from(tap.normal).dot(self.normal) < self.normal_tolerance {
+        } else if tap.unit_normal().dot(self.normal) < self.normal_tolerance {
             Reason::Normal
         } else {
             Reason::None

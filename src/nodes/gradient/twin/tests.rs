@@ -41,7 +41,7 @@ fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) ->
     let [_, without] = outputs.gradient.texels() else { panic!("two strata") };
     assert_eq!(without[..2], [0.0, 0.0], "a stratum without a sample");
     // The sample stands for the left stratum, the middle pixel for the right one.
-    let places: Vec<u16> = outputs.gradient_guide.texels().iter().map(|t| t[3] >> 4 & 0xf).collect();
+    let places: Vec<u16> = outputs.gradient_guide.texels().iter().map(|t| t[0] & 0xf).collect();
     assert_eq!(places[1], 4);
     assert_eq!(places[0], if is_reshaded(frame) && !is_reset(frame) { 7 } else { 4 });
     outputs.gradient.texels()[0]
