@@ -4,6 +4,7 @@
 // In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block.
 // Pixels outside the render extent and background do not take part. Without any: 0, 0. 
 // Constants: VOLUME: the background takes part, since fog lies before it. ODD_EVEN: the published sort.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -37,7 +38,10 @@ shared float sorted_keys[BLOCK_PIXELS];
 void sort_by_counting(uint i) {
     float key = keys[i];
     uint rank = 0u;
-    for (uint j = 0u; j < BLOCK_PIXELS; ++j) rank += uint(keys[j] < key || (keys[j] == key && j < i));
+    [[unroll]] for (uint j = 0u; j < BLOCK_PIXELS; ++j) {
+        float other = keys[j];
+        rank += uint(other < key || (other == key && j < i));
+    }
     sorted_keys[rank] = key;
     barrier();
 }

@@ -163,15 +163,15 @@ SurfaceMotion motion_of(ivec2 p, float z, uint id, vec3 n) {
 }
 
 // Of the two one-sided differences the smaller one, which does not look across an edge.
+// The id of the pixel does for its neighbours: it says whether there is a surface, and the smaller difference keeps to it.
 float gradient_along(ivec2 p, ivec2 axis, float z, uint id) {
     float best = 0.0;
     bool found = false;
     [[unroll]] for (int side = 1; side >= -1; side -= 2) {
         ivec2 q = p + axis * side, tap = is_inside(q) ? q : p;
-        uint id_q = id_at(tap);
-        float z_q = depth_of(texelFetch(depth, tap, 0).x, id_q, tap);
+        float z_q = depth_of(texelFetch(depth, tap, 0).x, id, tap);
         float difference = (z_q - z) * float(side);
-        bool nearer = q == tap && id_q == id && z_q > 0.0 && (!found || abs(difference) < abs(best));
+        bool nearer = q == tap && z_q > 0.0 && (!found || abs(difference) < abs(best));
         best = nearer ? difference : best;
         found = found || nearer;
     }

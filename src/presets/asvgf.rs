@@ -3,9 +3,10 @@
 use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
 
-/// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box. \[ASVGF\] 3.
+/// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box, and
+/// with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
 ///
 /// It reads `signals`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and
 /// `surface_id` of the configuration.
@@ -18,7 +19,9 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
+    // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
+    let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
+    let estimate = g.variance(guides, &accumulated, &history, variance);
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
     let radiance = g.modulate(guides, &filtered.into(), Modulate::default());

@@ -84,7 +84,7 @@ pub(crate) fn luminances(
     })
 }
 
-/// [`luminances`] as two halves, for the next frame.
+/// Luminance of the radiance of all signals, and of the albedo, of every pixel as two halves: what the next frame compares with.
 pub fn noisy_luminance(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,

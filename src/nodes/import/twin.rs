@@ -89,8 +89,7 @@ pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
     let (extent, render_extent) = (inputs.depth.extent(), frame.render_extent);
     let projections = Projections::new(frame);
     let depths = Image::compute(extent, render_extent, |p| {
-        let (z, is_bad) = projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth);
-        (if inputs.id(p) == Some(0) { 0.0 } else { z }, is_bad)
+        projections.linear_depth(p.into(), inputs.depth.at(p)[0], frame.background_depth)
     });
     let texels = Image::compute(extent, render_extent, |p| texel(frame, inputs, &projections, &depths, p));
     let mut statistics = Statistics::default();
@@ -109,7 +108,8 @@ pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
 }
 
 fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projections, depths: &Image<(f32, bool)>, p: IVec2) -> Texel {
-    let (linear_depth, id) = (depths.at(p).0, inputs.id(p));
+    let id = inputs.id(p);
+    let linear_depth = if id == Some(0) { 0.0 } else { depths.at(p).0 };
     let is_background = linear_depth == 0.0;
     let transform = if is_background { None } else { inputs.transform(id) };
     let host = HostMotion { texel: inputs.motion.map(|m| m.at(p)), transform };
@@ -131,7 +131,7 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
     Texel {
         guide: pack_guide(&surface),
         surface_motion: pack_surface_motion(motion, Some((reprojection.depth_ratio, expected))),
-        depth_gradient: pack_depth_gradient([IVec2::X, IVec2::Y].map(|axis| depth_difference(frame, inputs, depths, p, axis))),
+        depth_gradient: pack_depth_gradient([IVec2::X, IVec2::Y].map(|axis| depth_difference(frame, depths, p, axis))),
         is_normal_bad,
         is_motion_bad: reprojection.is_bad,
     }
@@ -173,15 +173,12 @@ fn object_normal([x, y, z, _]: [f32; 4]) -> Vec3 {
     }
 }
 
-/// ∂z along an axis: of the two one-sided differences to neighbours on the same surface the smaller one, since it does not look
-/// across an edge. The forward one where both are equal.
-fn depth_difference(frame: &FrameConstants, inputs: &ImportInputs, depths: &Image<(f32, bool)>, p: IVec2, axis: IVec2) -> f32 {
+/// ∂z along an axis: of the two one-sided differences the smaller one, since it does not look across an edge. The forward one where
+/// both are equal.
+fn depth_difference(frame: &FrameConstants, depths: &Image<(f32, bool)>, p: IVec2, axis: IVec2) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
     let z = depths.at(p).0;
-    let neighbour = |q: IVec2| {
-        let is_same = rect.contains(q) && depths.at(q).0 > 0.0 && inputs.id(q) == inputs.id(p);
-        is_same.then(|| depths.at(q).0)
-    };
+    let neighbour = |q: IVec2| (rect.contains(q) && depths.at(q).0 > 0.0).then(|| depths.at(q).0);
     let forward = neighbour(p + axis).map(|next| next - z);
     let backward = neighbour(p - axis).map(|before| z - before);
     match (forward, backward) {
