@@ -2,6 +2,7 @@
 // Temporal anti-aliasing: the jittered frames of the past, fetched by motion, clipped to the colours around, and blended.
 // Source: [Karis 2014] High Quality Temporal Supersampling; the clip is the variance clip of [Salvi 2016] in YCoCg.
 // In:  tone_mapped and taa_history, display-referred linear; guide; surface_motion. Out: taa_history, display.
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -15,12 +16,15 @@ layout(push_constant) uniform Push {
     float taa_gamma;
 } push;
 
-layout(set = 0, binding = 1) uniform utexture2D guide;
+// Storage images where neighbours are read, for the reasons that packed_image.glsl has.
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
 layout(set = 0, binding = 2) uniform utexture2D surface_motion;
 layout(set = 0, binding = 3) uniform texture2D tone_mapped;
-layout(set = 0, binding = 4) uniform texture2D previous_history;
+layout(set = 0, binding = 4, rgba16f) uniform restrict readonly image2D previous_history;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D taa_history;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D display;
+
+vec3 squared(vec3 v) { return v * v; }
 
 vec3 ycocg(vec3 c) { return vec3(dot(c, vec3(0.25, 0.5, 0.25)), dot(c, vec3(0.5, 0.0, -0.5)), dot(c, vec3(-0.25, 0.5, -0.25))); }
 vec3 rgb(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
@@ -28,16 +32,15 @@ vec3 rgb(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
 // The nearest surface decides, so that silhouettes move with the object in front.
 vec2 nearest_motion(ivec2 p) {
     ivec2 nearest = p;
-    float nearest_depth = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 q = p + ivec2(x, y);
-            if (!is_inside(q)) continue;
-            float z = unpack_depth(texelFetch(guide, q, 0));
-            if (z > 0.0 && (nearest_depth == 0.0 || z < nearest_depth)) {
-                nearest = q;
-                nearest_depth = z;
-            }
+    float nearest_depth = 3.4e38;
+    [[unroll]] for (int y = -1; y <= 1; ++y)
+        [[unroll]] for (int x = -1; x <= 1; ++x) {
+            // Beyond the border the pixel on it counts once more, which changes nothing.
+            ivec2 q = nearest_inside(p + ivec2(x, y));
+            float z = unpack_depth(imageLoad(guide, q));
+            bool nearer = z > 0.0 && z < nearest_depth;
+            nearest = nearer ? q : nearest;
+            nearest_depth = nearer ? z : nearest_depth;
         }
     return unpack_surface_motion(texelFetch(surface_motion, nearest, 0)).motion;
 }
@@ -53,9 +56,12 @@ vec3 history_at(vec2 position) {
     vec4 wx = catmull_rom_weights(f.x), wy = catmull_rom_weights(f.y);
     ivec2 last = ivec2(frame.previous_render_extent) - 1;
     vec3 sum = vec3(0.0);
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x)
-            sum += wx[x] * wy[y] * texelFetch(previous_history, clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last), 0).rgb;
+    [[unroll]] for (int y = 0; y < 4; ++y) {
+        vec3 row = vec3(0.0);
+        [[unroll]] for (int x = 0; x < 4; ++x)
+            row += wx[x] * imageLoad(previous_history, clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last)).rgb;
+        sum += wy[y] * row;
+    }
     return max(sum, 0.0);
 }
 
@@ -68,21 +74,22 @@ struct Neighbourhood {
 Neighbourhood neighbourhood(ivec2 p) {
     vec3 sum = vec3(0.0), first = vec3(0.0), second = vec3(0.0);
     float weight_sum = 0.0, count = 0.0;
+    // The Gaussian of a sample's distance, by column and by row.
+    vec3 wx = exp(-2.29 * squared(vec3(-1.0, 0.0, 1.0) + frame.jitter.x)), wy = exp(-2.29 * squared(vec3(-1.0, 0.0, 1.0) + frame.jitter.y));
     // Moments around the centre's colour: the difference of squares would cancel otherwise.
     vec3 centre = ycocg(texelFetch(tone_mapped, p, 0).rgb);
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 q = p + ivec2(x, y);
-            if (!is_inside(q)) continue;
-            vec3 c = texelFetch(tone_mapped, q, 0).rgb;
-            vec2 d = vec2(x, y) + frame.jitter;
-            float weight = exp(-2.29 * dot(d, d));
+    [[unroll]] for (int y = -1; y <= 1; ++y)
+        [[unroll]] for (int x = -1; x <= 1; ++x) {
+            ivec2 q = p + ivec2(x, y), tap = nearest_inside(q);
+            vec3 c = texelFetch(tone_mapped, tap, 0).rgb;
+            float exists = q == tap ? 1.0 : 0.0;
+            float weight = exists * wx[x + 1] * wy[y + 1];
             sum += weight * c;
             weight_sum += weight;
-            c = ycocg(c) - centre;
+            c = exists * (ycocg(c) - centre);
             first += c;
             second += c * c;
-            count += 1.0;
+            count += exists;
         }
     first /= count;
     return Neighbourhood(sum / weight_sum, centre + first, sqrt(max(second / count - first * first, 0.0)));

@@ -520,10 +520,10 @@ pub(crate) static TAA: Shader = Shader {
     stage: Cow::Borrowed("taa"), name: Cow::Borrowed("taa"), spirv: Cow::Borrowed(include_bytes!("taa.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("tone_mapped"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("previous_history"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("previous_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 5, name: Cow::Borrowed("taa_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("display"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
     ]),
