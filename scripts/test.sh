@@ -8,6 +8,9 @@ for component in rustfmt clippy; do
     cargo "${component/rustfmt/fmt}" --version >/dev/null 2>&1 || rustup component add "$component"
 done
 
+# In a fresh clone there is nothing to build upon, and what cargo keeps for the next build takes time.
+[ -d target/debug ] || export CARGO_INCREMENTAL=0
+
 # A machine without a Vulkan device is an error here, not a skipped test: setup.sh has just installed one.
 export ATROUS_REQUIRE_DEVICE=1
 step() { printf '\n== %s\n' "$*"; "$@"; }

@@ -56,7 +56,7 @@ fn a_comparison_has_every_preset_in_one_table() {
     assert_files(&out);
     let table = std::fs::read_to_string(out.join("cornell/table.md")).expect("a table");
     assert!(stdout.contains(&table), "what is printed is not what is saved");
-    for name in ["noisy", "SVGF", "A-SVGF", "percentile", "EAW"] {
+    for name in ["noisy", "SVGF", "A-SVGF", "percentile", "fast", "EAW"] {
         assert!(table.contains(&format!("| cornell, {name} ")), "no {name} in {table}");
     }
 }

@@ -45,13 +45,14 @@ pub enum Action {
     Quit,
 }
 
-const CONTENTS: [(KeyCode, Content); 6] = [
+const CONTENTS: [(KeyCode, Content); 7] = [
     (KeyCode::Digit1, Content::Noisy),
     (KeyCode::Digit2, Content::Filtered(Preset::Svgf)),
     (KeyCode::Digit3, Content::Filtered(Preset::Asvgf)),
     (KeyCode::Digit4, Content::Filtered(Preset::Percentile)),
-    (KeyCode::Digit5, Content::Filtered(Preset::Eaw)),
-    (KeyCode::Digit6, Content::Reference),
+    (KeyCode::Digit5, Content::Filtered(Preset::Fast)),
+    (KeyCode::Digit6, Content::Filtered(Preset::Eaw)),
+    (KeyCode::Digit7, Content::Reference),
 ];
 
 const ACTIONS: [(KeyCode, bool, Action); 15] = [
@@ -77,8 +78,8 @@ pub const HELP: &[(&str, &str)] = &[
     ("W A S D, E Q", "fly; Shift: faster"),
     ("drag the picture", "look around"),
     ("drag the line", "move the divider"),
-    ("1 to 6", "right half: noisy, SVGF, A-SVGF, percentile, EAW, reference"),
-    ("Shift 1 to 6", "left half"),
+    ("1 to 7", "right half: noisy, SVGF, A-SVGF, percentile, fast, EAW, reference"),
+    ("Shift 1 to 7", "left half"),
     ("X", "change the halves"),
     ("M", "magnifier: the numbers of the pixel under the mouse, and why its history was dropped"),
     ("Space", "pause"),

@@ -10,11 +10,12 @@ use super::shared::{FilterReport, Report};
 const PLOTTED: usize = 160;
 
 /// Of the filters, in plots.
-const COLOURS: [Color32; 4] = [
+const COLOURS: [Color32; 5] = [
     Color32::from_rgb(86, 180, 233),
     Color32::from_rgb(230, 159, 0),
     Color32::from_rgb(0, 158, 115),
     Color32::from_rgb(240, 228, 66),
+    Color32::from_rgb(204, 121, 167),
 ];
 
 /// Milliseconds of all passes of each filter, by frame; oldest first.
