@@ -46,8 +46,7 @@ vec3 divisor_at(ivec2 p) {
     if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
     vec3 a = texelFetch(albedo, p, 0).rgb;
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
-    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
-    return a;
+    return divisor_of(a);
 }
 
 // Alpha of a pixel without a sample, where the input is sub-sampled [EAW 3.2]: what is not finite is one.

@@ -73,9 +73,7 @@ float noisy_at(ivec2 p) {
 
 float albedo_at(ivec2 p, bool background) {
     if (background || !is_present(ALBEDO)) return 1.0;
-    vec3 a = texelFetch(albedo, p, 0).rgb;
-    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
-    return albedo_luminance(a);
+    return albedo_luminance(divisor_of(texelFetch(albedo, p, 0).rgb));
 }
 
 // Both luminances are half floats by the same rounding: what did not change differs by 0.

@@ -32,9 +32,7 @@ layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 
 vec3 factor_at(ivec2 p) {
     if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
-    vec3 a = texelFetch(albedo, p, 0).rgb;
-    for (int i = 0; i < 3; ++i) a[i] = is_finite(a[i]) ? max(a[i], ALBEDO_EPSILON) : 1.0;
-    return a;
+    return divisor_of(texelFetch(albedo, p, 0).rgb);
 }
 
 vec3 emission_at(ivec2 p) {

@@ -24,8 +24,6 @@ layout(set = 0, binding = 4, rgba16f) uniform restrict readonly image2D previous
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D taa_history;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D display;
 
-vec3 squared(vec3 v) { return v * v; }
-
 vec3 ycocg(vec3 c) { return vec3(dot(c, vec3(0.25, 0.5, 0.25)), dot(c, vec3(0.5, 0.0, -0.5)), dot(c, vec3(-0.25, 0.5, -0.25))); }
 vec3 rgb(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
 
@@ -75,7 +73,8 @@ Neighbourhood neighbourhood(ivec2 p) {
     vec3 sum = vec3(0.0), first = vec3(0.0), second = vec3(0.0);
     float weight_sum = 0.0, count = 0.0;
     // The Gaussian of a sample's distance, by column and by row.
-    vec3 wx = exp(-2.29 * squared(vec3(-1.0, 0.0, 1.0) + frame.jitter.x)), wy = exp(-2.29 * squared(vec3(-1.0, 0.0, 1.0) + frame.jitter.y));
+    vec3 dx = vec3(-1.0, 0.0, 1.0) + frame.jitter.x, dy = vec3(-1.0, 0.0, 1.0) + frame.jitter.y;
+    vec3 wx = exp(-2.29 * dx * dx), wy = exp(-2.29 * dy * dy);
     // Moments around the centre's colour: the difference of squares would cancel otherwise.
     vec3 centre = ycocg(texelFetch(tone_mapped, p, 0).rgb);
     [[unroll]] for (int y = -1; y <= 1; ++y)

@@ -2,7 +2,7 @@
 
 use super::support::{assert_valid, frame, scene::Scene, session};
 use atrous::executor::Session;
-use atrous::{Config, Error, Tuning};
+use atrous::{Config, Error, FrameConstants, Tuning};
 use atrous_glsl as glsl;
 use atrous_harness::DeviceTest;
 use std::fs;
@@ -83,18 +83,15 @@ fn another_shader_changes_the_output_and_keeps_the_history() {
 }
 
 fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
+    let byte = std::mem::offset_of!(FrameConstants, render_extent);
+    let moved = format!("set 0 binding 0 byte {byte} is `render_extent: vec2<i32>`, and was `render_extent: vec2<u32>`");
     let edits = [
         ("modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`"),
         ("modulate.comp", "EMISSION = 4u", "EMISSION = 9u", "set 0 binding 9 is new"),
         ("modulate.comp", "local_size_y = 8", "local_size_y = 4", "LocalSize is `8 x 4 x 1`"),
         ("modulate.comp", "uint present;", "uint other; uint present;", "push constants byte 0 is `other: u32`"),
         ("include/optional.glsl", "constant_id = 0", "constant_id = 5", "specialization constant 5 is new"),
-        (
-            "include/frame.glsl",
-            "uvec2 render_extent",
-            "ivec2 render_extent",
-            "is `render_extent: vec2<i32>`, and was `render_extent: vec2<u32>`",
-        ),
+        ("include/frame.glsl", "uvec2 render_extent", "ivec2 render_extent", &moved),
         (
             "modulate.comp",
             "void main() {",

@@ -1,4 +1,4 @@
-// Mean and standard deviation of luminance with the history length. Bits: docs/stages.md. Twin: src/reference/guide.rs.
+// Mean and standard deviation of luminance with the history length. Bits: docs/stages.md. Twin: src/reference/moments.rs.
 // Mean and deviation instead of E[l] and E[l^2]: their difference would cancel in half precision and overflow above 255.
 #ifndef MOMENTS_GLSL
 #define MOMENTS_GLSL

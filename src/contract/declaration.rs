@@ -157,8 +157,7 @@ impl Declaration {
 
     /// First and last pass that touch a resource, whichever copy.
     pub fn life(&self, id: ResourceId) -> Option<(usize, usize)> {
-        let touches = |pass: &PassDecl| pass.uses.iter().any(|u| u.resource == id);
-        Some((self.passes.iter().position(touches)?, self.passes.iter().rposition(touches)?))
+        life(&self.passes, id)
     }
 
     /// Every transient with its first and last pass.
@@ -176,4 +175,10 @@ impl Declaration {
             _ => 0,
         }
     }
+}
+
+/// First and last of the passes that touch a resource, whichever copy.
+pub(crate) fn life(passes: &[PassDecl], id: ResourceId) -> Option<(usize, usize)> {
+    let touches = |pass: &PassDecl| pass.uses.iter().any(|u| u.resource == id);
+    Some((passes.iter().position(touches)?, passes.iter().rposition(touches)?))
 }

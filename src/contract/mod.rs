@@ -24,6 +24,7 @@ pub use crate::shaders::Component;
 pub use access::{Access, BufferAccess, ImageAccess};
 pub use boundary::{Boundary, BoundaryUse};
 pub use debug_view::DebugView;
+pub(crate) use declaration::life;
 pub use declaration::{Declaration, PassDecl, Phase, Use, UseFrame};
 pub(crate) use dispatch::{Dispatch, Grid, Parameter, Slot, Work};
 #[cfg(feature = "executor")]

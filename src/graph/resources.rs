@@ -19,11 +19,6 @@ pub(crate) const HOST_SCALAR: ImageFormat = ImageFormat::Any(Component::Float, v
 /// One id of a host.
 pub(crate) const HOST_ID: ImageFormat = ImageFormat::Any(Component::Uint, vk::Format::R32_UINT);
 
-/// The images of one or two signals as a port has them.
-fn both(images: &[Image]) -> [Image; 2] {
-    [images[0], images[images.len() - 1]]
-}
-
 impl Graph {
     /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives
     /// `moments_direct`; `noisy_radiance`, and a name without that prefix, none.
@@ -58,7 +53,7 @@ impl Graph {
     /// Makes the history that an accumulation of these signals leaves for the next frame. Make it before the nodes that read the
     /// previous one.
     pub fn history<K>(&mut self, of: &Port<K>, feedback: Feedback) -> History {
-        let mut colour = of.images().to_vec();
+        let (mut colour, mut moments, mut new_moments) = (of.images().to_vec(), Vec::new(), Vec::new());
         for image in &mut colour {
             let label = self.label(*image).to_owned();
             match feedback {
@@ -69,14 +64,11 @@ impl Graph {
                 // The accumulation works in place: what it leaves is what the next frame reads.
                 Feedback::Accumulated => self.promote_to_history(*image, &label),
             }
+            moments.push(self.history_in_place("moments", &label, PACKED_64, "give it to the node `variance`"));
+            new_moments.push(self.named_image("new_moments", &label, PACKED_32, 1, Lifetime::Transient));
         }
-        let labels: Vec<_> = of.images().iter().map(|image| self.label(*image).to_owned()).collect();
-        let mut each = |image: &mut dyn FnMut(&mut Self, &str) -> Image| {
-            both(&labels.iter().map(|label| image(self, label)).collect::<Vec<_>>())
-        };
-        let moments = each(&mut |g, label| g.history_in_place("moments", label, PACKED_64, "give it to the node `variance`"));
-        let new_moments = each(&mut |g, label| g.named_image("new_moments", label, PACKED_32, 1, Lifetime::Transient));
-        History { colour: both(&colour), moments, new_moments, count: of.signals() }
+        let both = |images: &[Image]| [images[0], images[images.len() - 1]];
+        History { colour: both(&colour), moments: both(&moments), new_moments: both(&new_moments), count: of.signals() }
     }
 
     /// A history with one copy. `writer` says what a graph has to do so that it is written.

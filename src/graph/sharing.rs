@@ -1,23 +1,23 @@
 //! Sharing of an output's image: a transient of the same shape that is dead before the output is written needs no memory of its own.
 
 use super::Graph;
-use crate::contract::{Lifetime, ResourceId, Shape};
+use crate::contract::{life, Lifetime, ResourceId, Shape};
 
 impl Graph {
     /// Gives transients the images of outputs: those of the same format and size whose last use comes before the output's first,
     /// in the same phase, since until then the host may still read what the frame before left there.
     pub(super) fn put_transients_into_outputs(&mut self) {
-        let ids = || (0..self.resources.len() as u32).map(ResourceId);
-        let (mut given, outputs): (Vec<_>, Vec<_>) = (vec![None; self.resources.len()], ids().collect());
-        for output in outputs.into_iter().filter(|id| self.is_image(*id, Lifetime::Output)) {
-            let Some((mut free_until, _)) = self.span(output) else { continue };
-            let phase = self.passes[free_until].phase;
+        let ids = (0..self.resources.len() as u32).map(ResourceId);
+        let mut given = vec![None; self.resources.len()];
+        for output in ids.clone().filter(|id| self.is_image(*id, Lifetime::Output)) {
+            let Some((mut free_until, _)) = life(&self.passes, output) else { continue };
+            let (phase, shape) = (self.passes[free_until].phase, self.resources[output.0 as usize].shape);
             // From the back, so that what is written last, next to the output, comes first.
-            let mut transients: Vec<_> = (0..self.resources.len() as u32)
-                .map(ResourceId)
+            let mut transients: Vec<_> = ids
+                .clone()
                 .filter(|id| self.is_image(*id, Lifetime::Transient) && given[id.0 as usize].is_none())
-                .filter(|id| self.resources[id.0 as usize].shape == self.resources[output.0 as usize].shape)
-                .filter_map(|id| self.span(id).map(|(first, last)| (last, first, id)))
+                .filter(|id| self.resources[id.0 as usize].shape == shape)
+                .filter_map(|id| life(&self.passes, id).map(|(first, last)| (last, first, id)))
                 .collect();
             transients.sort_unstable_by(|a, b| b.cmp(a));
             for (last, first, id) in transients {
@@ -33,13 +33,6 @@ impl Graph {
     fn is_image(&self, id: ResourceId, lifetime: Lifetime) -> bool {
         let resource = &self.resources[id.0 as usize];
         resource.lifetime == lifetime && matches!(resource.shape, Shape::Image { .. })
-    }
-
-    /// The first and the last pass that uses a resource.
-    fn span(&self, id: ResourceId) -> Option<(usize, usize)> {
-        let uses = |i: &usize| self.passes[*i].uses.iter().any(|u| u.resource == id);
-        let first = (0..self.passes.len()).find(uses)?;
-        (0..self.passes.len()).rev().find(uses).map(|last| (first, last))
     }
 
     /// Takes resources out, each for another that stands for it.

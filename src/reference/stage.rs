@@ -48,7 +48,7 @@ impl Stage {
 
 /// Compares the output of a host's stage, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the
 /// device's own precision.
-pub(crate) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
     strata("its output", WEIGHTED).compare(divisor, render_extent, gpu, twin)
 }
 

@@ -103,11 +103,11 @@ impl Texels {
     }
 }
 
-pub(crate) const COLOUR: &str = "an image of four floats";
-pub(crate) const SCALAR: &str = "an image of one float";
-pub(crate) const PACKED: &str = "an image of 64 packed bits";
-pub(crate) const UINT: &str = "an image of 32 bits";
-pub(crate) const BYTES: &str = "a buffer";
+pub(super) const COLOUR: &str = "an image of four floats";
+pub(super) const SCALAR: &str = "an image of one float";
+pub(super) const PACKED: &str = "an image of 64 packed bits";
+pub(super) const UINT: &str = "an image of 32 bits";
+pub(super) const BYTES: &str = "a buffer";
 
 fn image<T: Clone + bytemuck::AnyBitPattern + bytemuck::NoUninit>(extent: [u32; 2], bytes: &[u8]) -> Result<Image<T>, Error> {
     Image::from_texels(extent, bytemuck::allocation::pod_collect_to_vec(bytes))

@@ -40,7 +40,7 @@ fn assert_cleaner(noisy: Scores, denoised: Scores) {
 #[test]
 fn cornell_is_clean() {
     let Some(gpu) = Validated::new() else { return };
-    let scores = last_frame(&gpu, "cornell", 12, &[with(Signals::Apart), with(Signals::Together)]);
+    let scores = last_frame(&gpu, "cornell", 8, &[with(Signals::Apart), with(Signals::Together)]);
     assert_cleaner(scores[0], scores[1]);
     assert_cleaner(scores[0], scores[2]);
     assert!(scores[1].ssim >= 0.93, "SSIM {}", scores[1].ssim);

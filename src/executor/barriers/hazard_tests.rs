@@ -264,8 +264,7 @@ fn a_pass_without_its_barriers_is_found() {
 
 #[test]
 fn memory_is_shared_at_all() {
-    // Where transients lie in outputs, an earlier barrier of all memory orders one of them.
-    for declaration in [svgf_with_taa(), graph_of_a_host(false)] {
+    for declaration in [svgf_with_taa(), graph_of_a_host(true)] {
         assert!(Tracker::new(declaration).shared.iter().any(|s| !s.is_empty()));
     }
 }
