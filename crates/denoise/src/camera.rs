@@ -8,6 +8,9 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+/// Largest `sequence.json` that is read: some 100 000 frames.
+const MAX_BYTES: u64 = 256 << 20;
+
 type Rows = [[f32; 4]; 4];
 
 /// One frame's camera. Matrices are column-major for column vectors.
@@ -97,7 +100,7 @@ pub fn find(given: Option<&Path>, folder: &Path) -> Result<Option<(PathBuf, Sequ
         Some(path) => path.to_owned(),
         None => folder.join("sequence.json"),
     };
-    match std::fs::read_to_string(&path) {
+    match atrous_files::read_text(&path, MAX_BYTES) {
         Ok(text) => Ok(Some((path.clone(), parse(&path, &text)?))),
         Err(e) if e.kind() == std::io::ErrorKind::NotFound && given.is_none() => Ok(None),
         Err(source) => Err(ToolError::Read { path, source }),

@@ -59,14 +59,11 @@ pub struct OpenExr {
 
 /// Opens a file and reads its header.
 pub fn open(path: &Path) -> Result<OpenExr> {
+    let bytes = atrous_files::check_regular(path).map_err(ToolError::read(path))?;
     let file = File::open(path).map_err(ToolError::read(path))?;
-    let bytes = file.metadata().map_err(ToolError::read(path))?;
-    if !bytes.is_file() {
-        return Err(ToolError::exr(path, "it is not a regular file"));
-    }
     let reader = caught(|| exr::block::read(BufReader::new(file), false));
     let reader = reader.map_err(|panic| ToolError::exr(path, panic))?.map_err(|e| from_exr(path, e))?;
-    let header = check(path, reader.headers(), bytes.len())?;
+    let header = check(path, reader.headers(), bytes)?;
     Ok(OpenExr { header, reader })
 }
 

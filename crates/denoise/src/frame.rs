@@ -14,6 +14,9 @@ use atrous::{FrameParams, Tuning};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
+/// Largest file with transforms that is read: ten million instances.
+const MAX_TRANSFORMS: u64 = 10_000_000 * size_of::<InstanceTransform>() as u64;
+
 /// Inputs of a frame.
 #[derive(Debug)]
 pub struct FrameInputs {
@@ -105,7 +108,7 @@ fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
 fn transforms(colour: &Path) -> Result<Option<Vec<InstanceTransform>>> {
     let stem = colour.file_stem().unwrap_or_default().to_string_lossy();
     let path = colour.with_file_name(format!("{stem}_instance_transforms.f32"));
-    let bytes = match std::fs::read(&path) {
+    let bytes = match atrous_files::read_regular(&path, MAX_TRANSFORMS) {
         Ok(bytes) => bytes,
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
         Err(source) => return Err(ToolError::Read { path, source }),

@@ -63,8 +63,8 @@ fn expand(argument: &Path) -> Result<Vec<PathBuf>> {
     if argument.is_dir() {
         return list(argument, |name| name.to_lowercase().ends_with(".exr"));
     }
-    if argument.is_file() {
-        return Ok(vec![argument.to_owned()]);
+    if argument.symlink_metadata().is_ok() {
+        return usable(argument.to_owned()).map(|path| vec![path]);
     }
     let Some(pattern) = argument.file_name().and_then(|n| n.to_str()).filter(|n| n.contains(['*', '?', '#', '%'])) else {
         let source = std::io::Error::new(std::io::ErrorKind::NotFound, "no such file or folder");
@@ -79,12 +79,22 @@ fn list(folder: &Path, fits: impl Fn(&str) -> bool) -> Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(ToolError::read(folder))? {
         let path = entry.map_err(ToolError::read(folder))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
         // Temporary files of a run that is writing here start with a dot.
-        if path.file_name().and_then(|n| n.to_str()).is_some_and(|n| !n.starts_with('.') && fits(n)) && path.is_file() {
-            found.push(path);
+        if !name.starts_with('.') && fits(&name) {
+            found.push(usable(path)?);
         }
     }
     Ok(found)
+}
+
+/// A frame's file, unless it is none that can be read, or its name none that can be put into an order and be given to the result.
+fn usable(path: PathBuf) -> Result<PathBuf> {
+    atrous_files::check_regular(&path).map_err(ToolError::read(&path))?;
+    match path.file_name().is_some_and(|name| name.to_str().is_none()) {
+        true => Err(ToolError::Sequence { path, problem: "its name is not in UTF-8; rename it".into() }),
+        false => Ok(path),
+    }
 }
 
 #[derive(Clone, Copy, PartialEq)]

@@ -1,33 +1,28 @@
 //! PNG files.
 
 use crate::{Picture, PictureError};
-use std::fs::{self, File};
-use std::io::{BufReader, BufWriter, Error, ErrorKind, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU32, Ordering};
+use atrous_files::{open_regular, publish, Existing};
+use png::EncodingError;
+use std::io::{BufReader, BufWriter, ErrorKind, Write};
+use std::path::Path;
 
 impl Picture {
-    /// Writes the picture as an 8-bit sRGB PNG file.
+    /// Writes the picture as an 8-bit sRGB PNG file, in the place of an older one.
     ///
-    /// It is written under a temporary name beside `path` and renamed, so that a reader never sees half a file and a
-    /// failure leaves an older file as it was.
+    /// A reader never sees half a file, and a failure leaves an older file as it was.
     ///
     /// # Errors
     /// [`PictureError::File`] or [`PictureError::Encode`], which name the file.
     pub fn write_png(&self, path: impl AsRef<Path>) -> Result<(), PictureError> {
-        let path = path.as_ref();
-        let part = part_name(path).ok_or_else(|| {
-            let source = Error::new(ErrorKind::InvalidInput, "is not the name of a file");
-            PictureError::File { path: path.into(), source }
-        })?;
-        let result = self
-            .encode(&part, path)
-            .and_then(|()| fs::rename(&part, path).map_err(|source| PictureError::File { path: path.into(), source }));
-        if result.is_err() {
-            // The error that is returned says more than a failure to tidy up after it would.
-            let _ = fs::remove_file(&part);
-        }
-        result
+        self.publish_png(path.as_ref(), Existing::Replaced)
+    }
+
+    /// Writes the picture as [`Self::write_png`] does, unless there is a file of that name.
+    ///
+    /// # Errors
+    /// Errors of [`Self::write_png`], with [`std::io::ErrorKind::AlreadyExists`].
+    pub fn write_new_png(&self, path: impl AsRef<Path>) -> Result<(), PictureError> {
+        self.publish_png(path.as_ref(), Existing::Kept)
     }
 
     /// Reads a PNG file of 8-bit RGB pixels, such as [`Picture::write_png`] writes.
@@ -36,7 +31,7 @@ impl Picture {
     /// [`PictureError::File`], [`PictureError::Decode`] or [`PictureError::PixelFormat`], which name the file.
     pub fn read_png(path: impl AsRef<Path>) -> Result<Self, PictureError> {
         let path = path.as_ref();
-        let file = File::open(path).map_err(|source| PictureError::File { path: path.into(), source })?;
+        let file = open_regular(path).map_err(|source| PictureError::File { path: path.into(), source })?;
         let decode_error = |source| PictureError::Decode { path: path.into(), source };
         let mut reader = png::Decoder::new(BufReader::new(file)).read_info().map_err(decode_error)?;
         let info = reader.info();
@@ -50,27 +45,32 @@ impl Picture {
         Picture::from_pixels(width, height, picture)
     }
 
-    /// Encodes into the file `part`; errors name `path`, which is the file that the caller knows.
-    fn encode(&self, part: &Path, path: &Path) -> Result<(), PictureError> {
-        let file_error = |source| PictureError::File { path: path.into(), source };
-        let encode_error = |source| PictureError::Encode { path: path.into(), source };
-        let mut file = BufWriter::new(File::create(part).map_err(file_error)?);
-        let mut encoder = png::Encoder::new(&mut file, self.width(), self.height());
+    fn publish_png(&self, path: &Path, existing: Existing) -> Result<(), PictureError> {
+        let mut refused = None;
+        let written = publish(path, existing, |file| {
+            let mut file = BufWriter::new(file);
+            match self.encode(&mut file) {
+                Ok(()) => file.flush(),
+                Err(EncodingError::IoError(error)) => Err(error),
+                Err(error) => {
+                    refused = Some(error);
+                    Err(ErrorKind::InvalidData.into())
+                }
+            }
+        });
+        written.map_err(|source| match refused {
+            Some(source) => PictureError::Encode { path: path.into(), source },
+            None => PictureError::File { path: path.into(), source },
+        })
+    }
+
+    fn encode(&self, file: &mut impl Write) -> Result<(), EncodingError> {
+        let mut encoder = png::Encoder::new(file, self.width(), self.height());
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-        let mut writer = encoder.write_header().map_err(encode_error)?;
-        writer.write_image_data(self.pixels().as_flattened()).map_err(encode_error)?;
-        writer.finish().map_err(encode_error)?;
-        file.flush().map_err(file_error)
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.pixels().as_flattened())?;
+        writer.finish()
     }
-}
-
-/// A name in the same folder that no other thread or process writes to.
-fn part_name(path: &Path) -> Option<PathBuf> {
-    static COUNT: AtomicU32 = AtomicU32::new(0);
-    let mut name = std::ffi::OsString::from(".");
-    name.push(path.file_name()?);
-    name.push(format!(".{}-{}.part", std::process::id(), COUNT.fetch_add(1, Ordering::Relaxed)));
-    Some(path.with_file_name(name))
 }

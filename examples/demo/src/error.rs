@@ -88,7 +88,7 @@ pub enum Error {
         limit: u32,
     },
     /// The scene's name is none of ours, and no glTF file either.
-    #[error("no scene is called \"{given}\": give one of cornell, pillars, glossy, hall, or a file that ends in .glb or .gltf")]
+    #[error("no scene is called \"{given}\": give one of {}, or a file that ends in .glb or .gltf", crate::scene::BUILT_IN.join(", "))]
     UnknownScene {
         /// What was given.
         given: String,

@@ -7,6 +7,8 @@ mod fuzz;
 mod layout_tests;
 mod memory;
 mod name_tests;
+#[cfg(unix)]
+mod odd_files;
 mod reading;
 mod runs;
 mod samples;

@@ -48,7 +48,7 @@ impl CameraPath {
     /// A file that cannot be read, or a view that no camera has.
     pub fn load(path: &Path) -> Result<Self> {
         let bad = |problem: String| Error::SettingsFile { path: path.to_owned(), problem };
-        let text = std::fs::read_to_string(path).map_err(|e| bad(e.to_string()))?;
+        let text = atrous_files::read_text(path, 64 << 20).map_err(|e| bad(e.to_string()))?;
         let loaded: Self = serde_json::from_str(&text).map_err(|e| bad(e.to_string()))?;
         let finite = |v: &SavedView| [v.eye, v.target, v.up].iter().flatten().all(|c| c.is_finite());
         let usable = |v: &SavedView| finite(v) && v.eye != v.target && (0.01..3.0).contains(&v.vertical_fov);

@@ -124,7 +124,7 @@ impl Settings {
     /// A file that cannot be read, or that has a value that is not allowed: the message names it.
     pub fn load(path: &Path) -> Result<Self> {
         let bad = |problem: String| Error::SettingsFile { path: path.to_owned(), problem };
-        let text = std::fs::read_to_string(path).map_err(|e| bad(e.to_string()))?;
+        let text = atrous_files::read_text(path, 1 << 20).map_err(|e| bad(e.to_string()))?;
         let settings: Self = serde_json::from_str(&text).map_err(|e| bad(e.to_string()))?;
         settings.check().map_err(bad)?;
         Ok(settings)
