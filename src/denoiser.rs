@@ -106,6 +106,11 @@ impl Denoiser {
         self.state.invalidate();
     }
 
+    /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`].
+    pub fn restart_at(&mut self, index: u64) {
+        self.state.restart_at(index);
+    }
+
     /// Gives the passes that run a shader other code, and keeps the history. Whether there are such passes. The old code stays
     /// where this fails.
     ///

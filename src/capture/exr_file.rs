@@ -8,6 +8,7 @@ use exr::meta::attribute::LineOrder;
 use exr::prelude::{ImageAttributes, IntegerBounds, LayerAttributes, SmallVec, Text, Vec2, WritableImage};
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
 
 fn problem(path: &Path, action: &str, error: impl std::fmt::Display) -> Error {
     Error::Capture { path: path.to_owned(), problem: format!("cannot be {action}: {error}. Choose a folder that can be written") }
@@ -33,21 +34,39 @@ pub(crate) fn prepare(folder: &Path) -> Result<(), Error> {
             "exists already: the folder holds a sequence, which is not overwritten. Choose another folder, or remove it first";
         return Err(Error::Capture { path, problem: problem.to_owned() });
     }
-    let probe = folder.join(".capture.part");
-    std::fs::File::create(&probe).and_then(|_| std::fs::remove_file(&probe)).map_err(|e| problem(folder, "written", e))
+    temporary(folder).map(drop).map_err(|e| problem(folder, "written", e))
+}
+
+/// A file under a name that no other program has, and that no link waits at.
+fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".capture-").suffix(".part");
+    // What comes out is for others to read, as far as the user's mask lets them.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    // The kind alone: the user never heard of the temporary name.
+    builder.tempfile_in(folder).map_err(|error| error.kind().into())
+}
+
+/// The treatment of a file that has the name already.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Existing {
+    /// It is refused: another capture writes to the same folder.
+    Kept,
+    /// It is replaced: the description grows with every frame.
+    Replaced,
 }
 
 /// Writes under a temporary name beside `path`, and renames.
-pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), Error> {
-    let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("capture");
-    let part = path.with_file_name(format!(".{name}.part"));
-    // Some file systems find out only at the end that they are full.
-    let written = std::fs::File::create(&part).and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()));
-    written.and_then(|()| std::fs::rename(&part, path)).map_err(|e| {
-        // What is returned says more than a failure to tidy up would.
-        let _ = std::fs::remove_file(&part);
-        problem(path, "written", e)
-    })
+pub(crate) fn write_atomically(path: &Path, existing: Existing, bytes: &[u8]) -> Result<(), Error> {
+    let written = temporary(path.parent().unwrap_or(Path::new("."))).and_then(|mut part| {
+        part.write_all(bytes)?;
+        // Some file systems find out only at the end that they are full.
+        part.as_file().sync_all()?;
+        let persisted = if existing == Existing::Kept { part.persist_noclobber(path) } else { part.persist(path) };
+        persisted.map(drop).map_err(|e| e.error)
+    });
+    written.map_err(|e| problem(path, "written", e))
 }
 
 /// Writes a frame: ZIP, which loses nothing.
@@ -68,5 +87,5 @@ pub(crate) fn write(path: &Path, extent: [u32; 2], layers: Vec<Layer>) -> Result
     let image = Image::new(ImageAttributes::new(IntegerBounds::from_dimensions(size)), layer);
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|e| problem(path, "encoded", e))?;
-    write_atomically(path, &bytes.into_inner())
+    write_atomically(path, Existing::Kept, &bytes.into_inner())
 }

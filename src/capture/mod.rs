@@ -12,10 +12,10 @@
 //!      [`FrameParams::render_extent`]; of a depth-stencil image the depth aspect; rows tightly packed (`bufferRowLength` 0). The
 //!      image needs `TRANSFER_SRC` usage.
 //!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that
-//!      frame. Where the denoiser forced a reset, set [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
+//!      frame, and the index that it counted as. Where the denoiser forced a reset, set [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
 //!
 //! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it,
-//! and which pixels they are at is the same in the replay.
+//! and which pixels they are at is the same in the replay, since every frame counts as it did in the engine.
 //!
 //! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`] of a
 //! preset, so that texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and
@@ -54,6 +54,8 @@ pub struct InputImage<'a> {
 /// One frame as the denoiser got it.
 #[derive(Clone, Copy, Debug)]
 pub struct InputFrame<'a> {
+    /// The number that the frame counted as: [`crate::FrameContext::index`]. Which pixels are re-shaded depends on it.
+    pub index: u64,
     /// The parameters that `begin_frame` got.
     pub params: &'a FrameParams,
     /// The tunables that `begin_frame` got.
@@ -116,7 +118,7 @@ impl SequenceWriter {
     }
 
     pub(crate) fn write_numbered(&mut self, number: u64, frame: &InputFrame<'_>) -> Result<(), Error> {
-        let &InputFrame { params, tuning, images, instance_transforms } = frame;
+        let &InputFrame { index, params, tuning, images, instance_transforms } = frame;
         params.validate(self.declaration.setup())?;
         tuning.validate()?;
         let names = self.check_names(images)?;
@@ -129,17 +131,17 @@ impl SequenceWriter {
         if let Some(transforms) = instance_transforms {
             // Little-endian, as every device of Vulkan has it.
             let bytes: Vec<u8> = transforms.iter().flatten().flatten().flat_map(|v| v.to_le_bytes()).collect();
-            exr_file::write_atomically(&file(TRANSFORMS_ENDING), &bytes)?;
+            exr_file::write_atomically(&file(TRANSFORMS_ENDING), exr_file::Existing::Kept, &bytes)?;
         }
         exr_file::write(&file(".exr"), params.render_extent, layers)?;
         let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
         let text =
             |error: serde_json::Error| Error::Capture { path: file(".exr"), problem: format!("cannot be described: {error}") };
         let head = Head::new(self.declaration.config(), &self.declaration.setup().conventions, &first.tuning).map_err(text)?;
-        let entry = sequence_json::frame(number, params, tuning, &first.tuning).map_err(text)?;
+        let entry = sequence_json::frame([number, index], params, tuning, &first.tuning).map_err(text)?;
         self.frames.insert(number, entry);
         let text = head.with_frames(self.frames.values());
-        exr_file::write_atomically(&self.folder.join("sequence.json"), text.as_bytes())
+        exr_file::write_atomically(&self.folder.join("sequence.json"), exr_file::Existing::Replaced, text.as_bytes())
     }
 
     /// The names as the declaration has them, in its order.

@@ -24,6 +24,9 @@ const OF_CONFIG: [&str; 9] = [
 #[derive(Serialize)]
 struct Frame {
     i: u64,
+    /// What it counted as in the engine, where that is not its number in the sequence.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    index: Option<u64>,
     extent: [u32; 2],
     jitter: [f64; 2],
     exposure_ratio: f64,
@@ -54,10 +57,11 @@ fn tunables(tuning: &Tuning, other: Option<&Tuning>) -> BTreeMap<&'static str, f
     changed.filter_map(|name| Some((name, f64::from(tuning.get(name)?)))).collect()
 }
 
-/// One entry of `frames`, with the tunables that are not those of the first.
-pub(super) fn frame(number: u64, params: &FrameParams, tuning: &Tuning, first: &Tuning) -> Result<String, Error> {
+/// One entry of `frames`: number in the sequence and index in the engine, and the tunables that are not those of the first.
+pub(super) fn frame([number, index]: [u64; 2], params: &FrameParams, tuning: &Tuning, first: &Tuning) -> Result<String, Error> {
     serde_json::to_string(&Frame {
         i: number,
+        index: (index != number).then_some(index),
         extent: params.render_extent,
         jitter: params.jitter.map(f64::from),
         exposure_ratio: params.exposure_ratio.into(),

@@ -19,7 +19,7 @@ fn images<'a>(names: &[&'a str], texels: &'a [u8]) -> Vec<InputImage<'a>> {
 }
 
 fn write(writer: &mut SequenceWriter, params: &FrameParams, images: &[InputImage]) -> Result<(), Error> {
-    writer.write_frame(&InputFrame { params, tuning: &Tuning::default(), images, instance_transforms: None })
+    writer.write_frame(&InputFrame { index: 0, params, tuning: &Tuning::default(), images, instance_transforms: None })
 }
 
 const NEEDED: [&str; 3] = ["depth", "normal", "noisy_radiance"];
@@ -99,6 +99,35 @@ fn nothing_is_overwritten() {
 }
 
 #[test]
+fn two_captures_in_one_folder_are_not_mixed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let writer = || SequenceWriter::new(folder.path(), &config().declare().expect("valid")).expect("a writer");
+    let (mut first, mut second) = (writer(), writer());
+    let bytes = texels();
+    let params = FrameParams::new(EXTENT);
+    write(&mut first, &params, &images(&NEEDED, &bytes)).expect("written");
+    let files = || names_in(folder.path()).into_iter().map(|name| std::fs::read(folder.path().join(name)).expect("a file"));
+    let before: Vec<_> = files().collect();
+    let message = write(&mut second, &params, &images(&NEEDED, &vec![1; 6 * 16])).expect_err("another capture").to_string();
+    assert!(message.contains("frame_0000.exr") && message.contains("Choose a folder"), "{message}");
+    assert!(files().eq(before));
+}
+
+#[cfg(unix)]
+#[test]
+fn planted_links_are_not_followed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let victim = folder.path().join("victim");
+    std::fs::write(&victim, "kept").expect("a file");
+    for name in [".capture.part", ".frame_0000.exr.part", ".sequence.json.part"] {
+        std::os::unix::fs::symlink(&victim, folder.path().join(name)).expect("a link");
+    }
+    let mut writer = SequenceWriter::new(folder.path(), &config().declare().expect("valid")).expect("a writer");
+    write(&mut writer, &FrameParams::new(EXTENT), &images(&NEEDED, &texels())).expect("written");
+    assert_eq!(std::fs::read_to_string(&victim).expect("a file"), "kept");
+}
+
+#[test]
 fn a_folder_that_cannot_be_made_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("file");
@@ -143,7 +172,8 @@ fn written_before(folder: &Path) -> String {
         let mut params = FrameParams { reset, jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new(EXTENT) };
         params.view_from_world[3] = [0.3, -1e-7, 12345.678, 1.0];
         let images = images(&NEEDED, &bytes);
-        let frame = InputFrame { params: &params, tuning: &tuning, images: &images, instance_transforms: None };
+        let index = u64::from(writer.frames_written());
+        let frame = InputFrame { index, params: &params, tuning: &tuning, images: &images, instance_transforms: None };
         writer.write_frame(&frame).expect("written");
     }
     std::fs::read_to_string(folder.join("sequence.json")).expect("a file")

@@ -168,7 +168,7 @@ impl FrameState {
         let index = self.frames;
         let constants = constants(setup, params, &before, index, reset.is_some());
         self.last = Ok(*params);
-        self.frames += 1;
+        self.frames = index.wrapping_add(1);
         // A lower percentile above the upper one would turn the range round.
         let tuning = Tuning { percentile_low: tuning.percentile_low.min(tuning.percentile_up), ..*tuning };
         let FrameParams { frame_slot: slot, render_extent, debug_view, .. } = *params;
@@ -178,6 +178,12 @@ impl FrameState {
     /// The next frame drops all history: after images were re-created or lost.
     pub fn invalidate(&mut self) {
         self.last = Err(ResetReason::Created);
+    }
+
+    /// The next frame counts as `index`, and drops all history: for a replay that starts in the middle of a sequence. Which pixels are
+    /// re-shaded depends on the number.
+    pub fn restart_at(&mut self, index: u64) {
+        *self = Self { frames: index, ..Self::default() };
     }
 
     /// Starts anew for images of another extent: frames count from 0, and the first one drops all history.

@@ -81,6 +81,11 @@ impl Session {
         self.executor.invalidate();
     }
 
+    /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`]. Not during a capture.
+    pub fn restart_at(&mut self, index: u64) {
+        self.executor.restart_at(index);
+    }
+
     /// Gives the passes that run a shader other code, and keeps the history: see
     /// [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///

@@ -103,6 +103,11 @@ impl Engine {
         self.state.invalidate();
     }
 
+    /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`].
+    pub fn restart_at(&mut self, index: u64) {
+        self.state.restart_at(index);
+    }
+
     /// Runs every pass of a frame; `debug_view` in frames with a view.
     ///
     /// # Errors

@@ -35,6 +35,7 @@ trait Runner {
     fn upload_ids(&mut self, name: &str, texels: &[u32]) -> Outcome<()>;
     fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Outcome<()>;
     fn unbind(&mut self, name: &str) -> Outcome<()>;
+    fn restart_at(&mut self, index: u64);
     fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Outcome<()>;
     fn download(&mut self, name: &str) -> Outcome<Vec<[f32; 4]>>;
     fn debug_view(&mut self, view: DebugView) -> Outcome<Vec<[f32; 4]>>;
@@ -59,6 +60,9 @@ macro_rules! runner {
             fn unbind(&mut self, name: &str) -> Outcome<()> {
                 <$type>::unbind(self, name)
             }
+            fn restart_at(&mut self, index: u64) {
+                <$type>::restart_at(self, index);
+            }
             fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Outcome<()> {
                 <$type>::run(self, params, tuning).map(|_| ())
             }
@@ -79,6 +83,8 @@ runner!(Engine, |engine| Engine::declaration(engine));
 pub struct Passes {
     runner: Box<dyn Runner>,
     name: String,
+    /// What the next frame counts as, unless it says otherwise.
+    next: Option<u64>,
 }
 
 const TRANSFORMS: &str = "instance_transforms";
@@ -89,7 +95,7 @@ impl Passes {
         let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?);
         let name = gpu.name().to_owned();
         let session = Session::new(gpu, config.declare()?, SessionOptions::default())?;
-        Ok(Self { runner: Box::new(session), name })
+        Ok(Self { runner: Box::new(session), name, next: None })
     }
 
     /// The passes on the CPU: slow, and the measure of what a GPU should give.
@@ -97,7 +103,7 @@ impl Passes {
         let engine = Engine::new(config.declare()?)?;
         // Views are drawn behind the frame, from what would be freed by then.
         let engine = if config.debug_view { engine.keep_transients() } else { engine };
-        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into() })
+        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into(), next: None })
     }
 
     fn upload(&mut self, frame: &FrameInputs) -> Result<()> {
@@ -124,6 +130,10 @@ impl Backend for Passes {
 
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs> {
         self.upload(frame)?;
+        if self.next != Some(frame.index) {
+            self.runner.restart_at(frame.index);
+        }
+        self.next = Some(frame.index.wrapping_add(1));
         self.runner.run(&frame.params, &frame.tuning)?;
         let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
         // Surfaces and volume are the picture together.

@@ -16,6 +16,8 @@ type Rows = [[f32; 4]; 4];
 /// One frame's camera. Matrices are column-major for column vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
+    /// What the frame counted as in the engine that it was captured from; its number where that is not told.
+    pub index: u64,
     /// World to view.
     pub view_from_world: Rows,
     /// View to clip space, y down, depth 0..1, unjittered.
@@ -43,6 +45,8 @@ pub struct SequenceFile {
     pub config: CapturedConfig,
     /// Tunables.
     pub tuning: BTreeMap<String, f32>,
+    /// Checksum of the whole text.
+    pub checksum: u32,
     /// Values that are not finite reach the filter: a capture shows what an engine gave it.
     pub verbatim: bool,
 }
@@ -63,6 +67,7 @@ struct Json {
 #[derive(Deserialize)]
 struct JsonFrame {
     i: Option<u64>,
+    index: Option<u64>,
     view: Rows,
     proj: Rows,
     #[serde(default)]
@@ -115,6 +120,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     for (index, frame) in json.frames.iter().enumerate() {
         let number = frame.i.unwrap_or(index as u64);
         let camera = Camera {
+            index: frame.index.unwrap_or(number),
             view_from_world: transposed(&frame.view),
             clip_from_view: transposed(&frame.proj),
             jitter: frame.jitter,
@@ -129,5 +135,6 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     }
     let text_of = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
-    Ok(SequenceFile { cameras, conventions, config: json.config, tuning: json.tuning, verbatim: json.verbatim })
+    let checksum = crc32fast::hash(text.as_bytes());
+    Ok(SequenceFile { cameras, conventions, config: json.config, tuning: json.tuning, checksum, verbatim: json.verbatim })
 }

@@ -39,6 +39,9 @@ pub enum ToolError {
     /// An output that is already there.
     #[error("{}: exists already; --force overwrites it, --resume keeps finished frames and makes the missing ones", path.display())]
     Exists { path: PathBuf },
+    /// A finished frame of another run.
+    #[error("{}: {problem}. Resume with the options of that run, overwrite its frames with --force, or choose another folder with -o", path.display())]
+    OtherOptions { path: PathBuf, problem: String },
     /// A file or folder cannot be written.
     #[error("{}: cannot be written: {source}{}", path.display(), write_hint(source))]
     Write { path: PathBuf, source: std::io::Error },
@@ -61,7 +64,9 @@ pub enum ToolError {
 
 fn write_hint(source: &std::io::Error) -> &'static str {
     match source.kind() {
-        std::io::ErrorKind::StorageFull => ". Free some space, then continue with --resume",
+        std::io::ErrorKind::StorageFull | std::io::ErrorKind::QuotaExceeded | std::io::ErrorKind::FileTooLarge => {
+            ". Free some space, then continue with --resume"
+        }
         std::io::ErrorKind::PermissionDenied | std::io::ErrorKind::ReadOnlyFilesystem => ". Choose another folder with -o",
         _ => "",
     }
@@ -76,6 +81,14 @@ impl ToolError {
     /// The error of writing, for `map_err`.
     pub fn write(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
         move |source| Self::Write { path: path.to_owned(), source }
+    }
+
+    /// The error of making a file of the result, for `map_err`.
+    pub fn publish(path: &Path) -> impl FnOnce(std::io::Error) -> Self + '_ {
+        move |source| match source.kind() {
+            std::io::ErrorKind::AlreadyExists => Self::Exists { path: path.to_owned() },
+            _ => Self::Write { path: path.to_owned(), source },
+        }
     }
 
     /// A file that is no usable EXR.

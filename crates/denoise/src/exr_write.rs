@@ -4,12 +4,14 @@ use crate::error::{Result, ToolError};
 use crate::exr_header::ExrHeader;
 use crate::exr_read::{self, Samples};
 use crate::panics::caught;
+use crate::record::Record;
+use atrous_files::Existing;
 use exr::compression::Compression;
 use exr::image::{AnyChannel, AnyChannels, Blocks, Encoding, FlatSamples, Image, Layer};
 use exr::meta::attribute::LineOrder;
 use exr::prelude::{SmallVec, Text, Vec2, WritableImage};
 use std::io::{Cursor, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Names of the channels of the output.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,26 +24,28 @@ pub struct OutputChannels {
     pub half: bool,
 }
 
-/// Writes bytes under a temporary name beside `path` and renames the file, so that no reader sees half a file and a failure keeps
-/// what was there.
-pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
-    let name = path.file_name().and_then(|n| n.to_str()).unwrap_or("output");
-    let part = path.with_file_name(format!(".{name}.part"));
-    let written = std::fs::File::create(&part).and_then(|mut file| {
-        file.write_all(bytes)?;
-        // Some file systems find out that they are full only now.
-        file.sync_all()
-    });
-    let result = written.and_then(|()| std::fs::rename(&part, path));
-    result.map_err(|source| {
-        // What is returned says more than a failure to tidy up would.
-        let _ = std::fs::remove_file(&part);
-        ToolError::Write { path: path.to_owned(), source }
-    })
+/// Makes a file of the result of some bytes.
+pub fn publish(path: &Path, existing: Existing, bytes: &[u8]) -> Result<()> {
+    atrous_files::publish(path, existing, |file| file.write_all(bytes)).map_err(ToolError::publish(path))
 }
 
-/// Writes a frame: linear radiance, with the metadata of `header`.
-pub fn write(path: &Path, header: &ExrHeader, names: &OutputChannels, radiance: &[[f32; 3]], alpha: Option<&[f32]>) -> Result<()> {
+/// A frame to be written.
+pub struct Content<'a> {
+    /// Header of the input, for its metadata.
+    pub header: &'a ExrHeader,
+    /// Channels.
+    pub names: &'a OutputChannels,
+    /// Options.
+    pub record: &'a Record,
+    /// Linear radiance.
+    pub radiance: &'a [[f32; 3]],
+    /// Alpha of the input.
+    pub alpha: Option<&'a [f32]>,
+}
+
+/// Writes a frame.
+pub fn write(path: &Path, existing: Existing, content: &Content<'_>) -> Result<()> {
+    let &Content { header, names, record, radiance, alpha } = content;
     let problem = |problem: String| ToolError::Encode { path: path.to_owned(), problem };
     let mut list: SmallVec<[AnyChannel<FlatSamples>; 4]> = SmallVec::new();
     for set in &names.colours {
@@ -54,6 +58,7 @@ pub fn write(path: &Path, header: &ExrHeader, names: &OutputChannels, radiance: 
         list.extend(channel(name, names.half, alpha.iter().copied()));
     }
     let mut attributes = header.parts.first().cloned().unwrap_or_default();
+    attributes.other.extend(record.attribute());
     attributes.layer_position = header.shared.display_window.position;
     let encoding = Encoding {
         compression: compression(header.compressions.first().copied()),
@@ -65,7 +70,7 @@ pub fn write(path: &Path, header: &ExrHeader, names: &OutputChannels, radiance: 
     let mut bytes = Cursor::new(Vec::new());
     let written = caught(|| image.write().non_parallel().to_buffered(&mut bytes)).map_err(problem)?;
     written.map_err(|e| problem(e.to_string()))?;
-    write_atomically(path, &bytes.into_inner())
+    publish(path, existing, &bytes.into_inner())
 }
 
 fn channel(name: &str, half: bool, values: impl Iterator<Item = f32>) -> Option<AnyChannel<FlatSamples>> {
@@ -100,7 +105,5 @@ pub fn read_back(path: &Path, names: &OutputChannels) -> Result<Vec<[f32; 3]>> {
 /// Makes the folder for the output and proves that files can be made in it, before minutes are spent on frames.
 pub fn prepare_folder(folder: &Path) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(ToolError::write(folder))?;
-    let probe: PathBuf = folder.join(".denoise.part");
-    std::fs::File::create(&probe).map_err(ToolError::write(folder))?;
-    std::fs::remove_file(&probe).map_err(ToolError::write(folder))
+    atrous_files::check_writable(folder).map_err(ToolError::write(folder))
 }

@@ -22,6 +22,8 @@ const MAX_TRANSFORMS: u64 = 10_000_000 * size_of::<InstanceTransform>() as u64;
 pub struct FrameInputs {
     /// Number in the name of the file.
     pub number: u64,
+    /// What it counts as: the number that the choice of re-shaded pixels depends on.
+    pub index: u64,
     /// Per-frame parameters.
     pub params: FrameParams,
     /// Input images by the names that the library has for them.
@@ -78,6 +80,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let (number, tuning, instance_transforms) = (files.number, setup.tuning(files.number)?, transforms(&files.colour)?);
     Ok(FrameInputs {
         number,
+        index: camera.map_or(number, |camera| camera.index),
         params,
         tuning,
         instance_transforms,

@@ -25,6 +25,8 @@ mod panics;
 mod pictures;
 pub mod pipeline;
 pub mod plan;
+pub mod record;
+pub mod results;
 pub mod roles;
 pub mod saver;
 pub mod score;

@@ -1,86 +1,63 @@
-//! PNG: previews, strips, views and plots.
+//! PNG: strips, plots, and how they are written.
 
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::score::{FrameScore, ScoreBook};
-use atrous::DebugView;
+use atrous_files::Existing;
 use atrous_picture::{LinePlot, Picture, PictureError, Region, Strip};
 use std::path::Path;
 
 /// Size of a plot.
 const PLOT: [u32; 2] = [900, 300];
 
-fn save(path: &Path, picture: std::result::Result<Picture, PictureError>) -> Result<()> {
-    picture.and_then(|p| p.write_png(path)).map_err(failed(path))
-}
+/// A picture, or the reason why there is none.
+pub type Drawn = std::result::Result<Picture, PictureError>;
 
-fn failed(path: &Path) -> impl Fn(PictureError) -> ToolError + '_ {
-    |e| match e {
-        PictureError::File { source, .. } => ToolError::Write { path: path.to_owned(), source },
+/// Writes a picture.
+pub fn save(path: &Path, existing: Existing, drawn: Drawn) -> Result<()> {
+    let written = drawn.and_then(|picture| match existing {
+        Existing::Kept => picture.write_new_png(path),
+        Existing::Replaced => picture.write_png(path),
+    });
+    written.map_err(|e| match e {
+        PictureError::File { source, .. } => ToolError::publish(path)(source),
         other => ToolError::Encode { path: path.to_owned(), problem: other.to_string() },
-    }
-}
-
-/// A tone-mapped preview.
-pub fn preview(path: &Path, extent: [u32; 2], radiance: &[[f32; 3]], exposure: f32) -> Result<()> {
-    save(path, Picture::from_linear(extent[0], extent[1], radiance, exposure))
+    })
 }
 
 /// Noisy, denoised and, where there is one, reference, side by side with a detail of each.
-pub fn strip(
-    path: &Path,
-    title: &str,
-    frame: &FrameInputs,
-    radiance: &[[f32; 3]],
-    score: Option<&FrameScore>,
-    exposure: f32,
-) -> Result<()> {
+pub fn strip(title: &str, frame: &FrameInputs, radiance: &[[f32; 3]], score: Option<&FrameScore>, exposure: f32) -> Drawn {
     let [width, height] = frame.params.render_extent;
     let picture = |pixels: &[[f32; 3]]| Picture::from_linear(width, height, pixels, exposure);
     let label = |name: &str, rmse: Option<f64>| rmse.map_or(name.to_owned(), |e| format!("{name}\nRMSE {e:.4}"));
-    let render = || {
-        let mut strip = Strip::new(format!("{title}, frame {}", frame.number))
-            .panel(label("noisy", score.map(|s| s.noisy.rmse)), picture(&frame.noisy)?)
-            .panel(label("denoised", score.map(|s| s.denoised.rmse)), picture(radiance)?);
-        if let Some(reference) = &frame.reference {
-            strip = strip.panel("reference", picture(reference)?);
-        }
-        let (w, h) = ((width / 5).max(1), (height / 5).max(1));
-        strip.inset(Region { x: (width - w) / 2, y: (height - h) / 2, width: w, height: h }).render()
-    };
-    save(path, render())
-}
-
-/// One file a view: `STEM_history_length.png`, ...
-pub fn views(folder: &Path, stem: &str, views: &[(DebugView, Picture)]) -> Result<()> {
-    for (view, picture) in views {
-        let path = folder.join(format!("{stem}_{}.png", view.name()));
-        picture.write_png(&path).map_err(failed(&path))?;
+    let mut strip = Strip::new(format!("{title}, frame {}", frame.number))
+        .panel(label("noisy", score.map(|s| s.noisy.rmse)), picture(&frame.noisy)?)
+        .panel(label("denoised", score.map(|s| s.denoised.rmse)), picture(radiance)?);
+    if let Some(reference) = &frame.reference {
+        strip = strip.panel("reference", picture(reference)?);
     }
-    Ok(())
+    let (w, h) = ((width / 5).max(1), (height / 5).max(1));
+    strip.inset(Region { x: (width - w) / 2, y: (height - h) / 2, width: w, height: h }).render()
 }
 
 /// One plot below the other: each metric over the frames, noisy and denoised.
-pub fn plots(path: &Path, book: &ScoreBook, preset: &str) -> Result<()> {
-    let render = || {
-        let titles = ["RMSE, linear radiance", "SSIM, tone-mapped", "temporal error, tone-mapped"];
-        let pick = [0, 3, 4];
-        let mut panels = Vec::new();
-        for (title, metric) in titles.iter().zip(pick) {
-            let of = |f: &dyn Fn(&FrameScore) -> [f64; 5]| book.frames.iter().map(|s| f(s)[metric]).collect::<Vec<f64>>();
-            let plot = LinePlot::new(*title).size(PLOT[0], PLOT[1]);
-            let plot = plot.series(preset, of(&|s| s.denoised.values())).series("noisy", of(&|s| s.noisy.values()));
-            match plot.render() {
-                // A single frame has no temporal error.
-                Err(PictureError::NothingToPlot(_)) => {}
-                panel => panels.push(panel?),
-            }
+pub fn plots(book: &ScoreBook, preset: &str) -> Drawn {
+    let titles = ["RMSE, linear radiance", "SSIM, tone-mapped", "temporal error, tone-mapped"];
+    let pick = [0, 3, 4];
+    let mut panels = Vec::new();
+    for (title, metric) in titles.iter().zip(pick) {
+        let of = |f: &dyn Fn(&FrameScore) -> [f64; 5]| book.frames.iter().map(|s| f(s)[metric]).collect::<Vec<f64>>();
+        let plot = LinePlot::new(*title).size(PLOT[0], PLOT[1]);
+        let plot = plot.series(preset, of(&|s| s.denoised.values())).series("noisy", of(&|s| s.noisy.values()));
+        match plot.render() {
+            // A single frame has no temporal error.
+            Err(PictureError::NothingToPlot(_)) => {}
+            panel => panels.push(panel?),
         }
-        let mut sheet = Picture::filled(PLOT[0], PLOT[1] * panels.len().max(1) as u32, [255; 3])?;
-        for (row, panel) in panels.iter().enumerate() {
-            sheet.paste(panel, 0, PLOT[1] * row as u32);
-        }
-        Ok(sheet)
-    };
-    save(path, render())
+    }
+    let mut sheet = Picture::filled(PLOT[0], PLOT[1] * panels.len().max(1) as u32, [255; 3])?;
+    for (row, panel) in panels.iter().enumerate() {
+        sheet.paste(panel, 0, PLOT[1] * row as u32);
+    }
+    Ok(sheet)
 }

@@ -11,7 +11,7 @@ use std::sync::mpsc::{sync_channel, Receiver, SyncSender};
 /// Frames that wait between two threads.
 const QUEUE: usize = 2;
 
-/// A frame that was filtered, or that only has to be scored (`None`).
+/// A frame that was filtered, or that is finished already (`None`).
 pub struct Finished {
     /// The step of the plan.
     pub step: Step,
@@ -59,7 +59,7 @@ fn filter(queue: Receiver<Loaded>, backend: &mut dyn Backend, views: bool, done:
     for (step, inputs) in queue {
         let inputs = inputs?;
         let outputs = match step.action {
-            Action::Score => None,
+            Action::Read => None,
             Action::Write | Action::KeepHistory => Some(backend.denoise(&inputs, views && step.action == Action::Write)?),
         };
         if done.send(Finished { step, inputs, outputs }).is_err() {

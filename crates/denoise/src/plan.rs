@@ -1,8 +1,8 @@
-//! The plan of a run: frames that are filtered, written or only scored; resuming.
+//! The plan of a run: frames that are filtered, written or only read; resuming.
 
 use crate::error::{Result, ToolError};
-use crate::exr_read;
 use crate::frame_files::FrameFiles;
+use crate::results::{self, Expected, Extras};
 use std::path::{Path, PathBuf};
 
 /// The treatment of a frame.
@@ -12,8 +12,8 @@ pub enum Action {
     Write,
     /// Finished already; filtered again, since the history of later frames needs it, and not written.
     KeepHistory,
-    /// Finished already; only scored.
-    Score,
+    /// Finished already; only scored, or shown.
+    Read,
 }
 
 /// One frame of the run.
@@ -36,20 +36,17 @@ pub struct Existing {
     pub resume: bool,
     /// Finished frames before the first missing one that are filtered again for the sake of the history.
     pub warm_up: usize,
-    /// Finished frames are wanted for the score.
-    pub score: bool,
-}
-
-/// The path of a frame's result: the name of its colour, in the output folder.
-pub fn output_path(folder: &Path, files: &FrameFiles) -> PathBuf {
-    folder.join(files.colour.file_name().unwrap_or(std::ffi::OsStr::new("frame.exr"))).with_extension("exr")
+    /// Files beside the frames. For a score every finished frame is read again.
+    pub extras: Extras,
+    /// The finished frame that is wanted for a picture.
+    pub shown: Option<u64>,
 }
 
 /// Plans a run.
-pub fn plan(frames: Vec<FrameFiles>, folder: &Path, extent: [u32; 2], existing: Existing) -> Result<Vec<Step>> {
+pub fn plan(frames: Vec<FrameFiles>, folder: &Path, expected: &Expected, existing: Existing) -> Result<Vec<Step>> {
     let mut steps = Vec::new();
     for files in frames {
-        let output = output_path(folder, &files);
+        let output = results::frame(folder, &files);
         let inputs = || std::iter::once(&files.colour).chain(files.guides.iter().map(|g| &g.1));
         if inputs().any(|input| same_file(&output, input)) {
             return Err(ToolError::Usage(format!(
@@ -57,28 +54,25 @@ pub fn plan(frames: Vec<FrameFiles>, folder: &Path, extent: [u32; 2], existing: 
                 output.display()
             )));
         }
-        let finished = output.symlink_metadata().is_ok();
-        if finished && !existing.force && !existing.resume {
+        if !existing.force && !existing.resume && output.symlink_metadata().is_ok() {
             return Err(ToolError::Exists { path: output });
         }
-        // A file that cannot be read is not finished.
-        let finished = finished && existing.resume && exr_read::read_header(&output).is_ok_and(|h| h.extent == extent);
-        steps.push(Step { files, output, action: if finished { Action::Score } else { Action::Write } });
+        let finished = existing.resume && expected.is_finished(&output)?;
+        steps.push(Step { files, output, action: if finished { Action::Read } else { Action::Write } });
     }
-    let Some(first) = steps.iter().position(|s| s.action == Action::Write) else {
-        return Ok(if existing.score { steps } else { Vec::new() });
-    };
-    let Some(last) = steps.iter().rposition(|s| s.action == Action::Write) else { return Ok(steps) };
-    let start = first.saturating_sub(existing.warm_up);
-    for step in &mut steps[start..last] {
-        if step.action == Action::Score {
-            step.action = Action::KeepHistory;
+    if !existing.force && !existing.resume {
+        let frames: Vec<PathBuf> = steps.iter().map(|s| s.output.clone()).collect();
+        if let Some(path) = existing.extras.existing(folder, &frames) {
+            return Err(ToolError::Exists { path });
         }
     }
-    if !existing.score {
-        steps.truncate(last + 1);
-        steps.drain(..start);
+    let is_written = |s: &Step| s.action == Action::Write;
+    if let (Some(first), Some(last)) = (steps.iter().position(is_written), steps.iter().rposition(is_written)) {
+        let start = first.saturating_sub(existing.warm_up);
+        let between = steps[start..last].iter_mut().filter(|s| s.action == Action::Read);
+        between.for_each(|step| step.action = Action::KeepHistory);
     }
+    steps.retain(|s| s.action != Action::Read || existing.extras.score || existing.shown == Some(s.files.number));
     Ok(steps)
 }
 

@@ -1,14 +1,18 @@
 //! Steps behind the filter: a frame is written, previewed, scored, counted.
 
-use crate::error::Result;
-use crate::exr_write::{self, OutputChannels};
+use crate::error::{Result, ToolError};
+use crate::exr_write::{self, Content, OutputChannels};
 use crate::layouts::Layout;
 use crate::mapping::Mapping;
 use crate::pictures;
 use crate::pipeline::{Finished, Sink};
 use crate::plan::Action;
+use crate::record::Record;
+use crate::results;
 use crate::roles::Role;
 use crate::score::ScoreBook;
+use atrous_files::Existing;
+use atrous_picture::Picture;
 use indicatif::ProgressBar;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -18,6 +22,10 @@ use std::path::PathBuf;
 pub struct Wanted {
     /// Output folder.
     pub folder: PathBuf,
+    /// The treatment of files that are there already.
+    pub existing: Existing,
+    /// Options, for the headers of the frames.
+    pub record: Record,
     /// Channels of the output.
     pub channels: OutputChannels,
     /// Previews.
@@ -75,45 +83,48 @@ impl Saver {
         }
     }
 
-    fn pictures(&mut self, finished: &Finished, radiance: &[[f32; 3]]) -> Result<()> {
-        let Wanted { folder, exposure, .. } = &self.wanted;
-        let stem = finished.step.output.file_stem().and_then(|s| s.to_str()).unwrap_or("frame").to_owned();
-        let extent = finished.inputs.params.render_extent;
+    fn pictures(&self, finished: &Finished, radiance: &[[f32; 3]]) -> Result<()> {
+        let Wanted { existing, exposure, .. } = self.wanted;
+        let frame = &finished.step.output;
+        let [width, height] = finished.inputs.params.render_extent;
         if self.wanted.png {
-            pictures::preview(&folder.join(format!("{stem}.png")), extent, radiance, *exposure)?;
+            pictures::save(&results::preview(frame), existing, Picture::from_linear(width, height, radiance, exposure))?;
         }
-        match &finished.outputs {
-            Some(outputs) if !outputs.views.is_empty() => {
-                let views = folder.join("views");
-                std::fs::create_dir_all(&views).map_err(crate::error::ToolError::write(&views))?;
-                pictures::views(&views, &stem, &outputs.views)
-            }
-            _ => Ok(()),
+        for (view, picture) in finished.outputs.iter().flat_map(|outputs| &outputs.views) {
+            let path = results::view(frame, *view);
+            let folder = path.parent().unwrap_or(&path);
+            std::fs::create_dir_all(folder).map_err(ToolError::write(folder))?;
+            pictures::save(&path, existing, Ok(picture.clone()))?;
         }
+        Ok(())
     }
 }
 
 impl Sink for Saver {
     fn take(&mut self, mut finished: Finished) -> Result<()> {
         self.warn(&finished);
+        let shown = self.wanted.strip == Some(finished.inputs.number);
         let filtered = finished.outputs.as_mut().map(|o| std::mem::take(&mut o.radiance));
         let radiance = match (finished.step.action, filtered) {
             (Action::Write, Some(mut radiance)) => {
                 self.bad_results += clean(&mut radiance);
-                let alpha = finished.inputs.alpha.as_deref();
-                exr_write::write(&finished.step.output, &finished.inputs.header, &self.wanted.channels, &radiance, alpha)?;
+                let Wanted { channels, existing, record, .. } = &self.wanted;
+                let (header, alpha) = (&finished.inputs.header, finished.inputs.alpha.as_deref());
+                let content = Content { header, names: channels, record, radiance: &radiance, alpha };
+                exr_write::write(&finished.step.output, *existing, &content)?;
                 self.written += 1;
                 self.pictures(&finished, &radiance)?;
                 radiance
             }
-            // Scored as it was written, which is the same as filtered anew, but for the warm-up.
-            _ if self.wanted.score => exr_write::read_back(&finished.step.output, &self.wanted.channels)?,
+            // Scored and shown as it was written, which is the same as filtered anew, but for the warm-up.
+            _ if self.wanted.score || shown => exr_write::read_back(&finished.step.output, &self.wanted.channels)?,
             _ => Vec::new(),
         };
         let score = if self.wanted.score { self.book.add(&finished.inputs, &radiance)? } else { None };
-        if self.wanted.strip == Some(finished.inputs.number) && !radiance.is_empty() {
-            let path = self.wanted.folder.join("strip.png");
-            pictures::strip(&path, &self.wanted.preset, &finished.inputs, &radiance, score.as_ref(), self.wanted.exposure)?;
+        if shown {
+            let Wanted { folder, existing, preset, exposure, .. } = &self.wanted;
+            let strip = pictures::strip(preset, &finished.inputs, &radiance, score.as_ref(), *exposure);
+            pictures::save(&results::strip(folder), *existing, strip)?;
         }
         self.taken += 1;
         self.progress.inc(1);

@@ -5,6 +5,7 @@ use crate::frame::FrameInputs;
 use crate::motion::{self, SurfaceMotion};
 use atrous::config::Conventions;
 use atrous::FrameParams;
+use atrous_files::Existing;
 use atrous_picture::{Column, PictureError, TextTable};
 use atrous_quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 use serde::Serialize;
@@ -189,8 +190,8 @@ fn measure(
 }
 
 /// Writes `scores.json`.
-pub fn write_json(path: &Path, value: &serde_json::Value) -> Result<()> {
+pub fn write_json(path: &Path, existing: Existing, value: &serde_json::Value) -> Result<()> {
     let text =
         serde_json::to_string_pretty(value).map_err(|e| ToolError::Encode { path: path.to_owned(), problem: e.to_string() })?;
-    crate::exr_write::write_atomically(path, text.as_bytes())
+    crate::exr_write::publish(path, existing, text.as_bytes())
 }

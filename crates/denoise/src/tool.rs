@@ -5,15 +5,18 @@ use crate::check;
 use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_write;
-use crate::frame_files;
+use crate::frame_files::{self, FrameFiles};
 use crate::pictures;
 use crate::pipeline;
-use crate::plan::{self, Existing, Step};
+use crate::plan::{self, Step};
+use crate::record::Record;
+use crate::results::{self, Expected, Extras};
 use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
 use crate::score::{self, ScoreBook, NO_FLIP};
 use crate::setup::Setup;
 use atrous::Config;
+use atrous_files::Existing;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
 
@@ -29,17 +32,8 @@ pub fn run(cli: &Cli) -> Result<()> {
     if cli.check {
         return check::print(&check::run(&frames, &setup)?);
     }
-    if cli.score && !setup.mapping.has(Role::Reference) {
-        return Err(ToolError::Usage(
-            "--score needs a reference; name its channels with --channel reference=LAYER, or leave --score out".into(),
-        ));
-    }
-    if !(cli.exposure.is_finite() && cli.exposure > 0.0) {
-        return Err(ToolError::Usage(format!("--exposure is {}; it must be above 0", cli.exposure)));
-    }
-    let last = frames.last().map_or(0, |f| f.number);
-    let existing = Existing { force: cli.force, resume: cli.resume, warm_up: cli.warm_up, score: cli.score };
-    let steps = plan::plan(frames, cli.output(), setup.config.allocated_extent, existing)?;
+    let wanted = wanted(cli, &setup, &frames)?;
+    let steps = plan(cli, &setup, frames, &wanted)?;
     exr_write::prepare_folder(cli.output())?;
     if steps.is_empty() {
         eprintln!("all frames are finished");
@@ -50,15 +44,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     if !cli.quiet {
         eprintln!("{} on {device}", setup.config.preset.title());
     }
-    let wanted = Wanted {
-        folder: cli.output().to_owned(),
-        channels: output_channels(&setup.mapping, !cli.float),
-        png: cli.png,
-        strip: cli.strip.map(|frame| frame.unwrap_or(last)),
-        score: cli.score,
-        exposure: cli.exposure,
-        preset: setup.config.preset.title().into(),
-    };
+    let existing = wanted.existing;
     let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
     let start = Instant::now();
     let result = pipeline::run(&steps, &setup, &mut backend, cli.views, &mut saver);
@@ -67,9 +53,45 @@ pub fn run(cli: &Cli) -> Result<()> {
     summary(cli, &saver, start.elapsed().as_secs_f64(), steps.len());
     result?;
     if cli.score {
-        scores(cli, setup.config.preset.title(), &saver.book, &device)?;
+        scores(cli, setup.config.preset.title(), existing, &saver.book, &device)?;
     }
     Ok(())
+}
+
+/// The outputs that the options ask for.
+fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
+    if cli.score && !setup.mapping.has(Role::Reference) {
+        return Err(ToolError::Usage(
+            "--score needs a reference; name its channels with --channel reference=LAYER, or leave --score out".into(),
+        ));
+    }
+    if !(cli.exposure.is_finite() && cli.exposure > 0.0) {
+        return Err(ToolError::Usage(format!("--exposure is {}; it must be above 0", cli.exposure)));
+    }
+    let [first, last] = [frames.first(), frames.last()].map(|f| f.map_or(0, |f| f.number));
+    let strip = cli.strip.map(|frame| frame.unwrap_or(last));
+    if let Some(absent) = strip.filter(|strip| frames.iter().all(|f| f.number != *strip)) {
+        return Err(ToolError::Usage(format!("--strip {absent}: there is no such frame; the frames are {first} to {last}")));
+    }
+    Ok(Wanted {
+        folder: cli.output().to_owned(),
+        existing: if cli.force || cli.resume { Existing::Replaced } else { Existing::Kept },
+        record: Record::new(setup, cli)?,
+        channels: output_channels(&setup.mapping, !cli.float),
+        png: cli.png,
+        strip,
+        score: cli.score,
+        exposure: cli.exposure,
+        preset: setup.config.preset.title().into(),
+    })
+}
+
+fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> Result<Vec<Step>> {
+    let extras = Extras { png: cli.png, views: cli.views, strip: cli.strip.is_some(), score: cli.score };
+    let existing = plan::Existing { force: cli.force, resume: cli.resume, warm_up: cli.warm_up, extras, shown: wanted.strip };
+    let expected =
+        Expected { extent: setup.config.allocated_extent, channels: wanted.channels.clone(), record: wanted.record.clone() };
+    plan::plan(frames, cli.output(), &expected, existing)
 }
 
 fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {
@@ -107,7 +129,7 @@ fn summary(cli: &Cli, saver: &Saver, seconds: f64, steps: usize) {
     }
 }
 
-fn scores(cli: &Cli, preset: &str, book: &ScoreBook, device: &str) -> Result<()> {
+fn scores(cli: &Cli, preset: &str, existing: Existing, book: &ScoreBook, device: &str) -> Result<()> {
     if book.frames.is_empty() {
         eprintln!("no frame has a reference: nothing was scored");
         return Ok(());
@@ -120,6 +142,7 @@ fn scores(cli: &Cli, preset: &str, book: &ScoreBook, device: &str) -> Result<()>
     if !cli.quiet {
         eprintln!("{NO_FLIP}");
     }
-    score::write_json(&cli.output().join("scores.json"), &book.json(preset, device))?;
-    pictures::plots(&cli.output().join("scores.png"), book, preset)
+    let [json, plots] = results::scores(cli.output());
+    score::write_json(&json, existing, &book.json(preset, device))?;
+    pictures::save(&plots, existing, pictures::plots(book, preset))
 }

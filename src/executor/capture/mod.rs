@@ -122,7 +122,7 @@ impl Capturing {
         let (Some(slot), Some(writer)) = (self.slots.get_mut(&slot), &mut self.writer) else { return };
         let Some(frame) = slot.frame.take() else { return };
         let copies = std::mem::take(&mut slot.copies);
-        let number = frame.index - self.first_index.unwrap_or(frame.index);
+        let number = frame.index.wrapping_sub(self.first_index.unwrap_or(frame.index));
         let result = if std::mem::take(&mut slot.complete) {
             let inputs = slot.buffers.iter_mut().filter_map(|(name, buffer)| {
                 let Copied { format, bytes, .. } = copies.iter().find(|c| c.name == *name)?;
@@ -131,7 +131,7 @@ impl Capturing {
             let (buffers, images): (Vec<_>, Vec<_>) = inputs.partition(|input| input.format == vk::Format::UNDEFINED);
             let transforms: Option<Vec<_>> = buffers.first().map(|b| bytemuck::allocation::pod_collect_to_vec(b.texels));
             let (params, tuning, instance_transforms) = (&frame.params, &frame.tuning, transforms.as_deref());
-            writer.write_numbered(number, &InputFrame { params, tuning, images: &images, instance_transforms })
+            writer.write_numbered(number, &InputFrame { index: frame.index, params, tuning, images: &images, instance_transforms })
         } else {
             let problem =
                 format!("frame {number} was begun, and not all of its phases were recorded; record each phase of each frame");

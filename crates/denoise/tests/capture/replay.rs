@@ -13,6 +13,7 @@ use std::path::Path;
 
 pub const TESTS: &[DeviceTest] = &[
     ("a_replay_gives_the_same_bits", a_replay_gives_the_same_bits),
+    ("a_capture_from_the_middle_is_replayed", a_capture_from_the_middle_is_replayed),
     ("a_part_of_larger_images_is_captured_alone", a_part_of_larger_images_is_captured_alone),
     ("conventions_tunables_and_resets_are_replayed", conventions_tunables_and_resets_are_replayed),
     ("values_that_are_not_finite_are_replayed", values_that_are_not_finite_are_replayed),
@@ -111,6 +112,30 @@ fn a_replay_gives_the_same_bits() {
         let (setup, _) = load(folder.path());
         assert_eq!((setup.config.signals, setup.config.object_normal), (config.signals, config.object_normal));
     }
+}
+
+/// Which pixels are re-shaded depends on how many frames the engine has counted.
+fn a_capture_from_the_middle_is_replayed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+    let config = Config { preset: Preset::Asvgf, ..Config::new(EXTENT) };
+    let mut s = session(&config);
+    s.restart_at(41);
+    let mut pictures = Vec::new();
+    for i in 0..2 + FRAMES {
+        if i == 2 {
+            s.invalidate();
+            s.capture(folder.path(), FRAMES).expect("a capture");
+        }
+        upload(&mut s, &scene.frame(i, i));
+        s.run(&FrameParams { reshaded: true, ..scene.params(i) }, &Tuning::for_preset(config.preset)).expect("a frame");
+        let picture = s.download("denoised_radiance").expect("a picture");
+        pictures.push(picture.into_iter().map(|[r, g, b, _]| [r, g, b, 1.0]).collect());
+    }
+    s.finish_capture().expect("written");
+    assert_replays(folder.path(), &pictures[2..]);
+    let (_, frames) = load(folder.path());
+    assert_eq!(frames.iter().map(|f| f.index).collect::<Vec<_>>(), [43, 44, 45, 46]);
 }
 
 fn a_part_of_larger_images_is_captured_alone() {

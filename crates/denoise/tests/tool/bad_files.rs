@@ -141,18 +141,3 @@ fn a_folder_that_cannot_be_written() {
     let message = denoise(input.path(), &file, &[]).expect_err("a file is no folder").to_string();
     assert!(message.contains("frame_0000.exr"), "{message}");
 }
-
-#[cfg(target_os = "linux")]
-#[test]
-fn a_full_disk_keeps_what_is_finished() {
-    let (input, output) = (sequence(3), tempfile::tempdir().expect("a temporary folder"));
-    // What is written under the temporary name of frame 1 goes to a device that is always full.
-    let part = output.path().join(".frame_0001.exr.part");
-    std::os::unix::fs::symlink("/dev/full", part).expect("a link");
-    let error = denoise(input.path(), output.path(), &[]).expect_err("full");
-    let message = error.to_string();
-    assert!(message.contains("frame_0001.exr") && message.contains("--resume"), "{message}");
-    assert!(frame_path(output.path(), 0).exists() && !frame_path(output.path(), 1).exists());
-    denoise(input.path(), output.path(), &["--resume"]).expect("resumed");
-    assert!((0..3).all(|n| frame_path(output.path(), n).exists()));
-}

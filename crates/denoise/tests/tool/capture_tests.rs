@@ -81,7 +81,7 @@ fn every_convention_and_texel_arrives_as_it_was() {
         let params = FrameParams { jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new([2, 1]) };
         let tuning = Tuning { alpha: 0.05, ..Tuning::default() };
         let mut writer = SequenceWriter::new(folder.path(), &config.declare().expect("valid")).expect("a writer");
-        let input = InputFrame { params: &params, tuning: &tuning, images: &images, instance_transforms: None };
+        let input = InputFrame { index: 0, params: &params, tuning: &tuning, images: &images, instance_transforms: None };
         writer.write_frame(&input).expect("written");
         let files = frame_files::find(&[folder.path().to_owned()]).expect("frames");
         let setup = Setup::new(&files, &Options::default()).expect("a set-up");

@@ -9,7 +9,9 @@ mod memory;
 mod name_tests;
 #[cfg(unix)]
 mod odd_files;
+mod output_tests;
 mod reading;
+mod resume_tests;
 mod runs;
 mod samples;
 mod sequence_tests;

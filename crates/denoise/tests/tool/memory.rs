@@ -6,10 +6,13 @@ use atrous_denoise::error::Result;
 use atrous_denoise::frame::FrameInputs;
 use atrous_denoise::frame_files;
 use atrous_denoise::pipeline::{self, Finished, Sink};
-use atrous_denoise::plan::{self, Existing};
+use atrous_denoise::plan;
+use atrous_denoise::record::Record;
+use atrous_denoise::results::Expected;
 use atrous_denoise::saver::{output_channels, Saver, Wanted};
 use atrous_denoise::score::ScoreBook;
 use atrous_denoise::setup::{Options, Setup};
+use atrous_files::Existing;
 
 /// Gives the input back.
 struct Copy;
@@ -59,10 +62,14 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
     let setup = Setup::new(&frames, &Options::default()).expect("a layout");
     assert_eq!(setup.config.allocated_extent, [64, 36]);
-    let steps = plan::plan(frames, output.path(), [64, 36], Existing::default()).expect("a plan");
+    let (record, channels) = (Record::default(), output_channels(&setup.mapping, true));
+    let expected = Expected { extent: [64, 36], channels: channels.clone(), record: record.clone() };
+    let steps = plan::plan(frames, output.path(), &expected, plan::Existing::default()).expect("a plan");
     let wanted = Wanted {
         folder: output.path().to_owned(),
-        channels: output_channels(&setup.mapping, true),
+        existing: Existing::Kept,
+        record,
+        channels,
         png: false,
         strip: None,
         score: true,

@@ -1,0 +1,84 @@
+//! The options that a frame was made with, in the header of its file: `--resume` mixes no two of them.
+
+use crate::cli::Cli;
+use crate::error::{Result, ToolError};
+use crate::exr_header::ExrHeader;
+use crate::setup::Setup;
+use exr::meta::attribute::AttributeValue;
+use exr::prelude::Text;
+use serde_json::{json, Map, Value};
+
+/// Name of the attribute.
+const ATTRIBUTE: &str = "atrousDenoise";
+
+/// Everything that changes what a run writes for a frame, but for the frames themselves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Record(Map<String, Value>);
+
+impl Record {
+    /// The record of a run.
+    ///
+    /// # Errors
+    /// [`ToolError::Usage`] for what JSON cannot hold.
+    pub fn new(setup: &Setup, cli: &Cli) -> Result<Self> {
+        let config = serde_json::to_value(setup.config).map_err(|e| ToolError::Usage(e.to_string()))?;
+        let channels: Map<String, Value> =
+            setup.mapping.roles.iter().map(|(role, names)| (role.name().to_owned(), json!(names.join(",")))).collect();
+        let set: Map<String, Value> = cli.tunables.iter().map(|(name, value)| (name.clone(), json!(value))).collect();
+        let engine = if cli.device.as_deref() == Some("reference") { "reference" } else { "vulkan" };
+        let fields = json!({
+            "version": env!("CARGO_PKG_VERSION"),
+            "engine": engine,
+            "config": config,
+            "set": set,
+            "channel": channels,
+            "sequence.json, checksum": setup.sequence.as_ref().map(|s| s.checksum),
+            "float": cli.float,
+            "png": cli.png,
+            "exposure": cli.png.then_some(cli.exposure),
+            "views": cli.views,
+        });
+        Ok(Self(fields.as_object().cloned().unwrap_or_default()))
+    }
+
+    /// Name and value of the attribute.
+    pub fn attribute(&self) -> Option<(Text, AttributeValue)> {
+        let json = Value::Object(self.0.clone()).to_string();
+        // The format has one byte a character.
+        let mut ascii = String::new();
+        for c in json.chars() {
+            match c.is_ascii() {
+                true => ascii.push(c),
+                false => c.encode_utf16(&mut [0; 2]).iter().for_each(|unit| ascii += &format!("\\u{unit:04x}")),
+            }
+        }
+        Some((Text::new_or_none(ATTRIBUTE)?, AttributeValue::Text(Text::new_or_none(ascii)?)))
+    }
+
+    /// What is wrong with keeping a file beside files of this record, if anything is.
+    pub fn objection(&self, header: &ExrHeader) -> Option<String> {
+        let attribute = header.parts.first().and_then(|part| part.other.get(&Text::new_or_none(ATTRIBUTE)?));
+        let earlier = match attribute {
+            Some(AttributeValue::Text(text)) => serde_json::from_str(&text.to_string()).ok(),
+            _ => None,
+        };
+        let Some(earlier) = earlier else { return Some("does not say with which options it was made".to_owned()) };
+        let (there, now) = (flat(&earlier), flat(&Value::Object(self.0.clone())));
+        let absent = Value::Null;
+        let value = |of: &Map<String, Value>, key: &str| of.get(key).unwrap_or(&absent).clone();
+        let key = there.keys().chain(now.keys()).find(|key| value(&there, key) != value(&now, key))?;
+        Some(format!("was made with other options: `{key}` was {} and is {}", value(&there, key), value(&now, key)))
+    }
+}
+
+/// Fields of fields as `outer.inner`.
+fn flat(value: &Value) -> Map<String, Value> {
+    let mut fields = Map::new();
+    for (name, value) in value.as_object().into_iter().flatten() {
+        match value {
+            Value::Object(_) => fields.extend(flat(value).into_iter().map(|(inner, value)| (format!("{name}.{inner}"), value))),
+            value => _ = fields.insert(name.clone(), value.clone()),
+        }
+    }
+    fields
+}

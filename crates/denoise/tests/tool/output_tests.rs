@@ -1,0 +1,132 @@
+//! The folder of the results: nothing is overwritten unasked, and runs that write to it at once do not hurt each other.
+
+use crate::samples::{denoise, frame_path, sequence, Sample, Type};
+use atrous_denoise::error::ToolError;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Small and quick, with every kind of file.
+const QUICK: [&str; 6] = ["--preset", "eaw", "--png", "--score", "--strip", "--quiet"];
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a temporary folder")
+}
+
+/// Every file by name, with what is in it.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = std::fs::read_dir(folder).expect("a folder").flatten().filter(|e| e.path().is_file());
+    entries.map(|e| (e.file_name().to_string_lossy().into_owned(), std::fs::read(e.path()).expect("a file"))).collect()
+}
+
+fn program(input: &Path, output: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-denoise"));
+    command.args([input.as_os_str(), "-o".as_ref(), output.as_os_str(), "--device".as_ref(), "reference".as_ref()]);
+    command.args(more).stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+}
+
+#[test]
+fn eight_runs_at_once_leave_whole_files() {
+    let (input, alone) = (sequence(3), folder());
+    assert!(program(input.path(), alone.path(), &QUICK).status().expect("a run").success());
+    let expected = files(alone.path());
+    for force in [true, false] {
+        let shared = folder();
+        let options = [&QUICK[..], if force { &["--force"] } else { &[] }].concat();
+        let start = |_| program(input.path(), shared.path(), &options).spawn().expect("a run");
+        let runs: Vec<_> = (0..8).map(start).collect();
+        for run in runs {
+            let output = run.wait_with_output().expect("a run");
+            let message = String::from_utf8_lossy(&output.stderr);
+            // Without --force whoever comes second is told so.
+            assert!(output.status.success() || (!force && message.contains("exists already")), "{message}");
+        }
+        if force {
+            assert!(files(shared.path()) == expected);
+        }
+        for (name, bytes) in files(shared.path()) {
+            assert!(expected.get(&name) == Some(&bytes), "{name} is another, force {force}");
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn planted_links_are_not_followed() {
+    let (input, output, elsewhere) = (sequence(1), folder(), folder());
+    let victim = elsewhere.path().join("victim");
+    std::fs::write(&victim, "kept").expect("a file");
+    let names = ["frame_0000.exr", "frame_0000.png", "strip.png", "scores.json", "scores.png"];
+    for name in names {
+        for planted in [name.to_owned(), format!(".{name}.part")] {
+            std::os::unix::fs::symlink(&victim, output.path().join(planted)).expect("a link");
+        }
+    }
+    std::os::unix::fs::symlink(&victim, output.path().join(".denoise.part")).expect("a link");
+    denoise(input.path(), output.path(), &[&QUICK[..5], &["--force"]].concat()).expect("a run");
+    assert_eq!(std::fs::read_to_string(&victim).expect("a file"), "kept");
+    for name in names {
+        assert!(output.path().join(name).symlink_metadata().expect("a file").is_file(), "{name}");
+    }
+}
+
+#[test]
+fn pictures_and_scores_are_not_overwritten_unasked() {
+    let input = sequence(2);
+    for (name, option) in [
+        ("frame_0001.png", "--png"),
+        ("strip.png", "--strip"),
+        ("scores.json", "--score"),
+        ("scores.png", "--score"),
+        ("views/frame_0001_variance.png", "--views"),
+    ] {
+        let output = folder();
+        let path = output.path().join(name);
+        std::fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        std::fs::write(&path, "kept").expect("a file");
+        let error = denoise(input.path(), output.path(), &[option]).expect_err("exists");
+        assert!(matches!(&error, ToolError::Exists { path } if path.ends_with(name)), "{error}");
+        assert_eq!(std::fs::read_to_string(&path).expect("a file"), "kept");
+        assert!(!frame_path(output.path(), 0).exists(), "{option}: refused before a frame is filtered");
+        denoise(input.path(), output.path(), &[option, "--force"]).expect("overwritten");
+        assert_ne!(std::fs::read(&path).expect("a file"), b"kept");
+    }
+}
+
+#[test]
+fn a_strip_is_of_a_frame_that_there_is() {
+    let (input, output) = (sequence(2), folder());
+    let message = denoise(input.path(), output.path(), &["--strip", "999"]).expect_err("no such frame").to_string();
+    assert!(message.contains("--strip 999") && message.contains("0 to 1"), "{message}");
+    // Finished ones are shown, too.
+    denoise(input.path(), output.path(), &[]).expect("a run");
+    denoise(input.path(), output.path(), &["--resume", "--strip", "0"]).expect("a strip");
+    assert!(output.path().join("strip.png").is_file());
+}
+
+/// A limit for the size of a file stands in for a full disk.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_disk_without_room_keeps_what_is_finished() {
+    let (input, output) = (sequence(3), folder());
+    let even = |sample: Sample| sample.flat("R G B", Type::Float, 0.5);
+    even(Sample::new(64, 64)).write(&frame_path(input.path(), 0));
+    for number in 1..3 {
+        let uneven = move |x, y| crate::samples::noise(x, y, number);
+        Sample::new(64, 64)
+            .channel("R", Type::Float, uneven)
+            .flat("G B", Type::Float, 0.5)
+            .write(&frame_path(input.path(), number));
+    }
+    let more = ["--quiet", "--float", "--preset", "eaw", "--set", "sigma_rt=0.0001"];
+    let program = program(input.path(), output.path(), &more);
+    let mut limited = Command::new("sh");
+    limited.args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$0\" \"$@\""]).arg(program.get_program()).args(program.get_args());
+    let run = limited.output().expect("a run");
+    let message = String::from_utf8_lossy(&run.stderr);
+    assert!(!run.status.success() && message.contains("frame_0001.exr") && message.contains("--resume"), "{message}");
+    assert_eq!(files(output.path()).into_keys().collect::<Vec<_>>(), ["frame_0000.exr"]);
+    denoise(input.path(), output.path(), &[&more[1..], &["--resume"]].concat()).expect("resumed");
+    assert_eq!(files(output.path()).len(), 3);
+}
