@@ -148,9 +148,3 @@ fn a_scene_of_nothing_is_an_error() {
     let no_scene = br#"{"asset":{"version":"2.0"}}"#;
     assert!(trouble(&file("no_scene.gltf", no_scene)).contains("no scene"));
 }
-
-#[test]
-fn nodes_in_a_circle_are_an_error() {
-    let circle = br#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[0]}]}"#;
-    assert!(trouble(&file("circle.gltf", circle)).contains("in a circle"));
-}

@@ -17,6 +17,29 @@ pub fn check_positions(root: &gltf::json::Root) -> Result<(), String> {
     Ok(())
 }
 
+/// Most corners and indices, of all meshes and of all nodes with a mesh: some ten million triangles.
+const ELEMENT_LIMIT: usize = 1 << 25;
+
+/// What is to be read, and to be drawn, has a limit: primitives may share their data and nodes their meshes, so that a small file can
+/// ask for much.
+pub fn check_amount(document: &gltf::Document) -> Result<(), String> {
+    let of_primitive = |primitive: Primitive<'_>| {
+        let accessors = [primitive.get(&Semantic::Positions), primitive.indices()];
+        accessors.into_iter().flatten().map(|accessor| accessor.count()).fold(0, usize::saturating_add)
+    };
+    let of_mesh = |mesh: gltf::Mesh<'_>| mesh.primitives().map(of_primitive).fold(0, usize::saturating_add);
+    let meshes: Vec<usize> = document.meshes().map(of_mesh).collect();
+    let drawn = document.nodes().filter_map(|node| meshes.get(node.mesh()?.index()).copied());
+    for (what, amount) in
+        [("meshes", meshes.iter().copied().fold(0, usize::saturating_add)), ("nodes", drawn.fold(0, usize::saturating_add))]
+    {
+        if amount > ELEMENT_LIMIT {
+            return Err(format!("its {what} have {amount} corners and indices together, where {ELEMENT_LIMIT} are allowed"));
+        }
+    }
+    Ok(())
+}
+
 /// Every buffer view lies within its buffer: the crate cuts pictures out of them without looking.
 pub fn check_views(document: &gltf::Document, buffers: &[gltf::buffer::Data]) -> Result<(), String> {
     for view in document.views() {
@@ -72,6 +95,10 @@ fn check_accessor(accessor: &Accessor<'_>, name: &str, buffers: &[gltf::buffer::
     let view = accessor.view().ok_or_else(|| format!("{name} has no buffer view"))?;
     let buffer = buffers.get(view.buffer().index()).ok_or_else(|| format!("{name} refers to a missing buffer"))?;
     let stride = view.stride().unwrap_or(accessor.size());
+    if stride < accessor.size() {
+        let size = accessor.size();
+        return Err(format!("{name} has elements of {size} bytes every {stride} bytes (byteStride), so that they overlap"));
+    }
     // Checked arithmetic: the numbers come from the file.
     let end = accessor
         .count()

@@ -3,18 +3,21 @@
 //! Left out: animation, skins, morph targets, normal maps, transparency, sparse accessors. What has neither a light nor
 //! an emitter gets a sun and a sky; what has no camera gets one that sees all of it.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use glam::{vec3, Mat4, Vec3};
 
-use super::gltf_bounds::{check_positions, check_primitive, check_views};
-use super::gltf_parts::{image, lamp, material, mesh, view};
+use super::gltf_bounds::{check_amount, check_positions, check_primitive, check_views};
+use super::gltf_nodes::check_trees;
+use super::gltf_parts::{lamp, material, mesh, view};
+use super::gltf_sources;
 use super::{Environment, Lamp, Placement, Scene, View};
 use crate::error::{Error, Result};
 
 const WHOLE_FILE: &str = "It must be a whole glTF 2.0 file (.glb or .gltf): export or download it again";
 
-/// Deeper trees of nodes than this are taken for a cycle.
+/// Deepest tree of nodes: it is walked by recursion.
 const NODE_DEPTH_LIMIT: usize = 128;
 
 /// What goes wrong inside a file: the problem, and what to do about it.
@@ -26,18 +29,17 @@ pub fn load(path: &Path) -> Result<Scene> {
 }
 
 fn read(path: &Path) -> std::result::Result<Scene, Problem> {
-    let (document, buffers, images) = import(path)?;
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let (document, buffers) = import(path, folder)?;
     let name = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or("gltf");
     let mut scene = Scene::new(name, View { eye: Vec3::Z, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 0.8 });
-    for data in &images {
-        scene.textures.push(image(data)?);
-    }
+    scene.textures = gltf_sources::textures(&document, folder, &buffers)?;
     // glTF's default material stands last.
     for source in document.materials() {
         scene.add_material(material(&source)?);
     }
     let default_material = scene.add_material(super::Material::plastic(Vec3::splat(0.8), 0.6));
-    let mut reader = Reader { buffers: &buffers, scene, default_material, camera: None };
+    let mut reader = Reader { buffers: &buffers, scene, default_material, camera: None, read: HashMap::new() };
     let root = document.default_scene().or_else(|| document.scenes().next());
     let root = root.ok_or(("it has no scene".to_string(), "Export it again with at least one scene"))?;
     for node in root.nodes() {
@@ -46,19 +48,21 @@ fn read(path: &Path) -> std::result::Result<Scene, Problem> {
     reader.finish()
 }
 
-type Imported = (gltf::Document, Vec<gltf::buffer::Data>, Vec<gltf::image::Data>);
-
-/// What `gltf::import` does, with a check before its validation, which indexes without looking.
-fn import(path: &Path) -> std::result::Result<Imported, Problem> {
-    let bytes = std::fs::read(path).map_err(|error| import_problem(gltf::Error::Io(error)))?;
+/// What `gltf::import` does, but for pictures, with checks before its validation, which indexes without looking, and before it reads
+/// other files.
+fn import(path: &Path, folder: &Path) -> std::result::Result<(gltf::Document, Vec<gltf::buffer::Data>), Problem> {
+    let bytes =
+        atrous_files::read_regular(path, gltf_sources::MOST_BYTES).map_err(|error| import_problem(gltf::Error::Io(error)))?;
     let parsed = gltf::Gltf::from_slice_without_validation(&bytes).map_err(import_problem)?;
     let json = parsed.document.into_json();
     check_positions(&json).map_err(|problem| (problem, WHOLE_FILE))?;
+    check_trees(&json).map_err(|problem| (problem, "Export it again, with every node in one place of its scene"))?;
     let document = gltf::Document::from_json(json).map_err(import_problem)?;
-    let buffers = gltf::import_buffers(&document, path.parent(), parsed.blob).map_err(import_problem)?;
+    check_amount(&document).map_err(|problem| (problem, "Choose a simpler scene"))?;
+    gltf_sources::check(&document, folder)?;
+    let buffers = gltf::import_buffers(&document, Some(folder), parsed.blob).map_err(import_problem)?;
     check_views(&document, &buffers).map_err(|problem| (problem, WHOLE_FILE))?;
-    let images = gltf::import_images(&document, path.parent(), &buffers).map_err(import_problem)?;
-    Ok((document, buffers, images))
+    Ok((document, buffers))
 }
 
 struct Reader<'a> {
@@ -66,12 +70,14 @@ struct Reader<'a> {
     scene: Scene,
     default_material: usize,
     camera: Option<View>,
+    /// Meshes of ours by mesh and primitive of the file: nodes share them. None for points and lines.
+    read: HashMap<(usize, usize), Option<usize>>,
 }
 
 impl Reader<'_> {
     fn node(&mut self, node: &gltf::Node<'_>, parent: Mat4, depth: usize) -> std::result::Result<(), Problem> {
         if depth > NODE_DEPTH_LIMIT {
-            let problem = format!("its nodes are nested deeper than {NODE_DEPTH_LIMIT} levels, or in a circle");
+            let problem = format!("its nodes are nested deeper than {NODE_DEPTH_LIMIT} levels");
             return Err((problem, "Export it again with a flatter tree of nodes"));
         }
         let world = parent * Mat4::from_cols_array_2d(&node.transform().matrix());
@@ -99,16 +105,27 @@ impl Reader<'_> {
         primitive: &gltf::Primitive<'_>,
         world: Mat4,
     ) -> std::result::Result<(), Problem> {
+        let key = (source.index(), primitive.index());
+        let mesh = match self.read.get(&key) {
+            Some(mesh) => *mesh,
+            None => {
+                let mesh = self.mesh(source, primitive)?;
+                *self.read.entry(key).or_insert(mesh)
+            }
+        };
+        let Some(mesh) = mesh else { return Ok(()) };
+        let material = primitive.material().index().unwrap_or(self.default_material);
+        self.scene.add_instance(mesh, material, Placement::Fixed(glam::Affine3A::from_mat4(world)));
+        Ok(())
+    }
+
+    /// Reads a primitive for the first of its nodes.
+    fn mesh(&mut self, source: &gltf::Mesh<'_>, primitive: &gltf::Primitive<'_>) -> std::result::Result<Option<usize>, Problem> {
         let label = format!("mesh {}, primitive {}", source.index(), primitive.index());
         check_primitive(primitive, self.buffers).map_err(|problem| {
             (format!("{label}: {problem}"), "The file is damaged or was cut short: export or download it again")
         })?;
-        let material = primitive.material().index().unwrap_or(self.default_material);
-        if let Some(mesh) = mesh(&label, primitive, self.buffers)? {
-            let mesh = self.scene.add_mesh(mesh);
-            self.scene.add_instance(mesh, material, Placement::Fixed(glam::Affine3A::from_mat4(world)));
-        }
-        Ok(())
+        Ok(mesh(&label, primitive, self.buffers)?.map(|mesh| self.scene.add_mesh(mesh)))
     }
 
     fn finish(mut self) -> std::result::Result<Scene, Problem> {
@@ -148,7 +165,7 @@ fn framing_view(scene: &Scene) -> View {
     View { eye: target + distance * vec3(0.5, 0.35, 0.8).normalize(), target, up: Vec3::Y, vertical_fov }
 }
 
-fn import_problem(error: gltf::Error) -> Problem {
+pub(super) fn import_problem(error: gltf::Error) -> Problem {
     let remedy = match &error {
         gltf::Error::Io(io) if io.kind() != std::io::ErrorKind::UnexpectedEof => {
             "Check the path, and that the files it refers to are beside it"
