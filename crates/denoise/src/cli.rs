@@ -62,11 +62,11 @@ pub struct Cli {
     #[arg(long)]
     pub float: bool,
 
-    /// Overwrite existing results
+    /// Overwrite existing frames, pictures and scores
     #[arg(long, conflicts_with = "resume")]
     pub force: bool,
 
-    /// Keep finished frames and make the missing ones
+    /// Keep finished frames and make the missing ones, with the same options
     #[arg(long)]
     pub resume: bool,
 

@@ -15,6 +15,9 @@ pub enum ToolError {
     /// A header that asks for more memory than any frame needs.
     #[error("{}: the header claims {claim}; the limit is {limit}. The file is corrupt, or crop the frames first", path.display())]
     TooLarge { path: PathBuf, claim: String, limit: String },
+    /// A run that does not fit into memory.
+    #[error("{}: {}x{} pixels need about {needed} MiB ({parts}), and {available} MiB can be had ({limit}). Crop the frames, leave channels out with --channel ROLE=none, or free memory; where the picture is not as large as that, its header is corrupt", path.display(), extent[0], extent[1])]
+    Memory { path: PathBuf, extent: [u32; 2], needed: u64, parts: String, available: u64, limit: &'static str },
     /// A frame with another size than the first.
     #[error("{}: {}x{} pixels, but the first frame has {}x{}; all frames of a sequence must have one size", path.display(), given[0], given[1], expected[0], expected[1])]
     FrameSize { path: PathBuf, given: [u32; 2], expected: [u32; 2] },

@@ -47,6 +47,8 @@ pub struct ExrHeader {
     pub part_sizes: Vec<[usize; 2]>,
     /// Compression of each part.
     pub compressions: Vec<exr::compression::Compression>,
+    /// Bytes that decoding takes at most, beside the planes that come out.
+    pub reading: u64,
 }
 
 /// An open file whose header was read and checked.
@@ -114,10 +116,19 @@ fn check(path: &Path, headers: &[Header], file_bytes: u64) -> Result<ExrHeader> 
             format!("it is truncated: {file_bytes} bytes cannot hold the {chunks} blocks of its header"),
         ));
     }
-    Ok(describe(headers))
+    Ok(describe(headers, file_bytes))
 }
 
-fn describe(headers: &[Header]) -> ExrHeader {
+/// The file, or all of its blocks where that is less, and those that are decoded on every core.
+fn reading(headers: &[Header], file_bytes: u64) -> u64 {
+    let sum: u64 = headers.iter().map(|h| h.max_pixel_file_bytes() as u64).fold(0, u64::saturating_add);
+    let block = headers.iter().map(|h| h.max_block_byte_size() as u64).max().unwrap_or_default();
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get() as u64);
+    // Each thread has a block and what it is made of; as many wait.
+    file_bytes.min(sum).saturating_add(block.saturating_mul(4 * threads))
+}
+
+fn describe(headers: &[Header], file_bytes: u64) -> ExrHeader {
     let shared = headers[0].shared_attributes.clone();
     let window = shared.display_window;
     let mut channels = Vec::new();
@@ -140,5 +151,6 @@ fn describe(headers: &[Header]) -> ExrHeader {
         parts: headers.iter().map(|h| h.own_attributes.clone()).collect(),
         part_sizes: headers.iter().map(|h| [h.layer_size.0, h.layer_size.1]).collect(),
         compressions: headers.iter().map(|h| h.compression).collect(),
+        reading: reading(headers, file_bytes),
     }
 }

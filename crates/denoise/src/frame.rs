@@ -5,7 +5,8 @@ use crate::error::{Result, ToolError};
 use crate::exr_header::ExrHeader;
 use crate::frame_files::FrameFiles;
 use crate::frame_images::{rgb, Channels, Texels};
-use crate::frame_source;
+use crate::frame_source::{self, First};
+use crate::memory;
 use crate::roles::Role;
 use crate::setup::{is_about_previous, Setup};
 use atrous::config::Preset;
@@ -51,7 +52,8 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     let reshaded = matches!(setup.config.preset, Preset::Asvgf | Preset::Stabilize);
     let wanted: BTreeSet<&str> =
         setup.mapping.roles.iter().filter(|r| reshaded || !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
-    let planes = frame_source::read(files, setup.config.allocated_extent, |name| wanted.contains(name))?;
+    let first = First { extent: setup.config.allocated_extent, reading: memory::reading_limit(setup) };
+    let planes = frame_source::read(files, &first, |name| wanted.contains(name))?;
     // The reference may be sparse: rendering it takes long.
     let optional = |role: Role| is_about_previous(role) || role == Role::Reference;
     setup.mapping.check(&files.colour, &planes.header, optional)?;

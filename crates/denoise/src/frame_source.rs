@@ -14,6 +14,19 @@ fn prefixed(layer: &str, name: &str) -> String {
     format!("{layer}.{}", name.rsplit('.').next().unwrap_or(name))
 }
 
+/// Facts of the first frame that hold for all others.
+#[derive(Clone, Copy, Debug)]
+pub struct First {
+    /// Width and height.
+    pub extent: [u32; 2],
+    /// Bytes that decoding a file of a frame may take.
+    pub reading: u64,
+}
+
+fn mib(bytes: u64) -> String {
+    format!("{} MiB of blocks of pixels", bytes >> 20)
+}
+
 fn check_extent(path: &Path, given: [u32; 2], expected: [u32; 2]) -> Result<()> {
     match given == expected {
         true => Ok(()),
@@ -27,19 +40,27 @@ pub fn header(files: &FrameFiles) -> Result<ExrHeader> {
     for (layer, path) in &files.guides {
         let guide = exr_read::read_header(path)?;
         check_extent(path, guide.extent, all.extent)?;
+        // One file is read after the other.
+        all.reading = all.reading.max(guide.reading);
         all.channels.extend(guide.channels.into_iter().map(|c| Channel { name: prefixed(layer, &c.name), ..c }));
     }
     Ok(all)
 }
 
 /// The wanted channels of all files, with the header of the colour.
-pub fn read(files: &FrameFiles, expected: [u32; 2], wanted: impl Fn(&str) -> bool) -> Result<Planes> {
+pub fn read(files: &FrameFiles, first: &First, wanted: impl Fn(&str) -> bool) -> Result<Planes> {
     // Before the pixels are read: a larger frame may be one that does not fit into memory.
-    check_extent(&files.colour, exr_read::read_header(&files.colour)?.extent, expected)?;
+    for path in std::iter::once(&files.colour).chain(files.guides.iter().map(|g| &g.1)) {
+        let header = exr_read::read_header(path)?;
+        check_extent(path, header.extent, first.extent)?;
+        if header.reading > first.reading {
+            let (claim, limit) = (mib(header.reading), mib(first.reading));
+            return Err(ToolError::TooLarge { path: path.clone(), claim, limit: format!("{limit}, by the first frame") });
+        }
+    }
     let mut all = exr_read::read(&files.colour, |c| wanted(&c.name))?;
     for (layer, path) in &files.guides {
         let guide = exr_read::read(path, |c| wanted(&prefixed(layer, &c.name)))?;
-        check_extent(path, guide.header.extent, expected)?;
         all.samples.extend(guide.samples.into_iter().map(|(name, samples)| (prefixed(layer, &name), samples)));
         all.header.channels.extend(guide.header.channels.into_iter().map(|c| Channel { name: prefixed(layer, &c.name), ..c }));
     }

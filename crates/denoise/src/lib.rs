@@ -20,6 +20,7 @@ mod frame_images;
 mod frame_source;
 pub mod layouts;
 pub mod mapping;
+pub mod memory;
 pub mod motion;
 mod panics;
 mod pictures;

@@ -50,6 +50,8 @@ pub struct Setup {
     tunables: Vec<(String, f32)>,
     /// Lines to print.
     pub report: Vec<String>,
+    /// Bytes that decoding a file of the first frame takes.
+    pub reading: u64,
 }
 
 /// Measured gradients beat everything; without them the noisy image itself must tell that the light changed.
@@ -113,7 +115,14 @@ impl Setup {
         if header.windows_differ {
             report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
         }
-        Ok(Self { mapping, config, sequence: sequence.map(|(_, file)| file), tunables: options.tunables.clone(), report })
+        Ok(Self {
+            mapping,
+            config,
+            sequence: sequence.map(|(_, file)| file),
+            tunables: options.tunables.clone(),
+            report,
+            reading: header.reading,
+        })
     }
 
     /// Pixels of a frame.

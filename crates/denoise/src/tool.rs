@@ -6,9 +6,10 @@ use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_write;
 use crate::frame_files::{self, FrameFiles};
+use crate::memory::{self, Demands, Need};
 use crate::pictures;
 use crate::pipeline;
-use crate::plan::{self, Step};
+use crate::plan::{self, Action, Step};
 use crate::record::Record;
 use crate::results::{self, Expected, Extras};
 use crate::roles::Role;
@@ -18,6 +19,7 @@ use crate::setup::Setup;
 use atrous::Config;
 use atrous_files::Existing;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::path::Path;
 use std::time::Instant;
 
 /// Runs the tool with its options.
@@ -29,11 +31,14 @@ pub fn run(cli: &Cli) -> Result<()> {
         eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());
         setup.report.iter().for_each(|line| eprintln!("{line}"));
     }
+    let first = frames[0].colour.clone();
     if cli.check {
+        fits(&setup, &first, &Demands { frames: 2, ..Demands::default() })?;
         return check::print(&check::run(&frames, &setup)?);
     }
     let wanted = wanted(cli, &setup, &frames)?;
     let steps = plan(cli, &setup, frames, &wanted)?;
+    fits(&setup, &first, &demands(cli, &steps))?;
     exr_write::prepare_folder(cli.output())?;
     if steps.is_empty() {
         eprintln!("all frames are finished");
@@ -92,6 +97,22 @@ fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> R
     let expected =
         Expected { extent: setup.config.allocated_extent, channels: wanted.channels.clone(), record: wanted.record.clone() };
     plan::plan(frames, cli.output(), &expected, existing)
+}
+
+fn demands(cli: &Cli, steps: &[Step]) -> Demands {
+    Demands {
+        frames: steps.len(),
+        filtered: steps.iter().any(|step| step.action != Action::Read),
+        reference: cli.device.as_deref() == Some("reference"),
+        score: cli.score,
+        pictures: cli.png || cli.strip.is_some(),
+        views: cli.views,
+    }
+}
+
+/// Refuses what does not fit into memory, by the name of the file whose size it is.
+fn fits(setup: &Setup, first: &Path, demands: &Demands) -> Result<()> {
+    Need::new(setup, demands)?.check(first, setup.config.allocated_extent, memory::free())
 }
 
 fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {

@@ -141,3 +141,52 @@ fn a_folder_that_cannot_be_written() {
     let message = denoise(input.path(), &file, &[]).expect_err("a file is no folder").to_string();
     assert!(message.contains("frame_0000.exr"), "{message}");
 }
+
+/// Some hundred bytes whose display window has 67 million pixels are a legal file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_small_file_of_a_huge_picture_is_refused_by_name() {
+    let (input, output) = (tempfile::tempdir().expect("a temporary folder"), tempfile::tempdir().expect("a temporary folder"));
+    let path = input.path().join("huge.exr");
+    let side = samples::bounds(0, 0, 8192, 8192);
+    Sample { display: side, ..Sample::new(1, 1) }.flat("R G B", Type::Float, 0.5).write(&path);
+    assert!(path.metadata().expect("a file").len() < 1000);
+    for more in [&["--quiet"][..], &["--quiet", "--device", "reference"]] {
+        let program = samples::program(&path, output.path(), more);
+        let run = samples::limited(&program, "ulimit -v 8388608").output().expect("a run");
+        let message = String::from_utf8_lossy(&run.stderr);
+        assert_eq!(run.status.code(), Some(1), "{message}");
+        for word in ["huge.exr", "8192x8192", "MiB", "Crop"] {
+            assert!(message.contains(word), "{message}");
+        }
+    }
+    // A smaller limit is met by a smaller picture, and it is said who set it.
+    samples::frame(0).write(&path);
+    let run = samples::limited(&samples::program(&path, output.path(), &["--quiet"]), "ulimit -v 204800").output().expect("a run");
+    let message = String::from_utf8_lossy(&run.stderr);
+    assert!(run.status.code() == Some(1) && message.contains("ulimit -v") && message.contains("32x18"), "{message}");
+}
+
+/// What decoding a later frame takes cannot be told from the first, so that it has a limit.
+#[test]
+fn a_later_frame_of_much_larger_blocks_is_refused_by_name() {
+    let input = sequence(2);
+    let path = frame_path(input.path(), 1);
+    let data = samples::bounds(0, 0, 16384, 1024);
+    let header = Sample { data: samples::bounds(0, 0, 8, 8), tile: Some(8), ..samples::frame(1) };
+    header.write(&path);
+    let mut bytes =
+        with_window(&std::fs::read(&path).expect("a file"), "dataWindow", [0, 0, data.size.0 as i32 - 1, data.size.1 as i32 - 1]);
+    let key = b"tiles\0tiledesc\0";
+    let at = bytes.windows(key.len()).position(|w| w == key).expect("the attribute") + key.len() + 4;
+    for (i, side) in [16384u32, 1024].iter().enumerate() {
+        bytes[at + 4 * i..at + 4 * i + 4].copy_from_slice(&side.to_le_bytes());
+    }
+    std::fs::write(&path, bytes).expect("a file");
+    let output = tempfile::tempdir().expect("a temporary folder");
+    let message = denoise(input.path(), output.path(), &[]).expect_err("large blocks").to_string();
+    assert!(
+        message.contains("frame_0001.exr") && message.contains("blocks of pixels") && message.contains("first frame"),
+        "{message}"
+    );
+}

@@ -1,13 +1,14 @@
 //! The folder of the results: nothing is overwritten unasked, and runs that write to it at once do not hurt each other.
 
-use crate::samples::{denoise, frame_path, sequence, Sample, Type};
+use crate::samples::{denoise, frame_path, limited, program, sequence, Sample, Type};
 use atrous_denoise::error::ToolError;
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 /// Small and quick, with every kind of file.
-const QUICK: [&str; 6] = ["--preset", "eaw", "--png", "--score", "--strip", "--quiet"];
+const QUICK: [&str; 5] = ["--preset", "eaw", "--png", "--score", "--strip"];
+/// And for the program itself.
+const ALONE: [&str; 3] = ["--quiet", "--device", "reference"];
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a temporary folder")
@@ -19,21 +20,14 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     entries.map(|e| (e.file_name().to_string_lossy().into_owned(), std::fs::read(e.path()).expect("a file"))).collect()
 }
 
-fn program(input: &Path, output: &Path, more: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-denoise"));
-    command.args([input.as_os_str(), "-o".as_ref(), output.as_os_str(), "--device".as_ref(), "reference".as_ref()]);
-    command.args(more).stdout(Stdio::null()).stderr(Stdio::piped());
-    command
-}
-
 #[test]
 fn eight_runs_at_once_leave_whole_files() {
     let (input, alone) = (sequence(3), folder());
-    assert!(program(input.path(), alone.path(), &QUICK).status().expect("a run").success());
+    assert!(program(input.path(), alone.path(), &[&QUICK[..], &ALONE].concat()).status().expect("a run").success());
     let expected = files(alone.path());
     for force in [true, false] {
         let shared = folder();
-        let options = [&QUICK[..], if force { &["--force"] } else { &[] }].concat();
+        let options = [&QUICK[..], &ALONE, if force { &["--force"] } else { &[] }].concat();
         let start = |_| program(input.path(), shared.path(), &options).spawn().expect("a run");
         let runs: Vec<_> = (0..8).map(start).collect();
         for run in runs {
@@ -64,7 +58,7 @@ fn planted_links_are_not_followed() {
         }
     }
     std::os::unix::fs::symlink(&victim, output.path().join(".denoise.part")).expect("a link");
-    denoise(input.path(), output.path(), &[&QUICK[..5], &["--force"]].concat()).expect("a run");
+    denoise(input.path(), output.path(), &[&QUICK[..], &["--force"]].concat()).expect("a run");
     assert_eq!(std::fs::read_to_string(&victim).expect("a file"), "kept");
     for name in names {
         assert!(output.path().join(name).symlink_metadata().expect("a file").is_file(), "{name}");
@@ -119,14 +113,12 @@ fn a_disk_without_room_keeps_what_is_finished() {
             .flat("G B", Type::Float, 0.5)
             .write(&frame_path(input.path(), number));
     }
-    let more = ["--quiet", "--float", "--preset", "eaw", "--set", "sigma_rt=0.0001"];
-    let program = program(input.path(), output.path(), &more);
-    let mut limited = Command::new("sh");
-    limited.args(["-c", "trap '' XFSZ; ulimit -f 16; exec \"$0\" \"$@\""]).arg(program.get_program()).args(program.get_args());
-    let run = limited.output().expect("a run");
+    let more = ["--float", "--preset", "eaw", "--set", "sigma_rt=0.0001"];
+    let program = program(input.path(), output.path(), &[&more[..], &ALONE].concat());
+    let run = limited(&program, "trap '' XFSZ; ulimit -f 16").output().expect("a run");
     let message = String::from_utf8_lossy(&run.stderr);
     assert!(!run.status.success() && message.contains("frame_0001.exr") && message.contains("--resume"), "{message}");
     assert_eq!(files(output.path()).into_keys().collect::<Vec<_>>(), ["frame_0000.exr"]);
-    denoise(input.path(), output.path(), &[&more[1..], &["--resume"]].concat()).expect("resumed");
+    denoise(input.path(), output.path(), &[&more[..], &["--resume"]].concat()).expect("resumed");
     assert_eq!(files(output.path()).len(), 3);
 }

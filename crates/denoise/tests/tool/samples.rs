@@ -5,6 +5,7 @@ use exr::image::{AnyChannel, AnyChannels, Blocks, Encoding, FlatSamples, Image, 
 use exr::meta::attribute::{IntegerBounds, LineOrder};
 use exr::prelude::{ImageAttributes, LayerAttributes, SmallVec, Text, Vec2, WritableImage};
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
 /// Type of the samples of a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -129,6 +130,21 @@ pub fn sequence(count: u32) -> tempfile::TempDir {
 
 pub fn frame_path(folder: &Path, number: u32) -> PathBuf {
     folder.join(format!("frame_{number:04}.exr"))
+}
+
+/// The program itself with these arguments.
+pub fn program(input: &Path, output: &Path, more: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-denoise"));
+    command.arg(input).arg("-o").arg(output).args(more).stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+}
+
+/// The same behind a command of the shell: `ulimit`, ...
+pub fn limited(program: &Command, limit: &str) -> Command {
+    let mut shell = Command::new("sh");
+    shell.arg("-c").arg(format!("{limit}; exec \"$0\" \"$@\"")).arg(program.get_program()).args(program.get_args());
+    shell.stdout(Stdio::null()).stderr(Stdio::piped());
+    shell
 }
 
 /// Runs the tool on the CPU with these arguments.
