@@ -4,6 +4,7 @@ mod bad_files;
 mod capture_tests;
 mod check_tests;
 mod fuzz;
+mod json_fuzz;
 mod layout_tests;
 mod memory;
 mod name_tests;
