@@ -108,7 +108,7 @@ fn two_captures_in_one_folder_are_not_mixed() {
     write(&mut first, &params, &images(&NEEDED, &bytes)).expect("written");
     let files = || names_in(folder.path()).into_iter().map(|name| std::fs::read(folder.path().join(name)).expect("a file"));
     let before: Vec<_> = files().collect();
-    let message = write(&mut second, &params, &images(&NEEDED, &vec![1; 6 * 16])).expect_err("another capture").to_string();
+    let message = write(&mut second, &params, &images(&NEEDED, &[1; 6 * 16])).expect_err("another capture").to_string();
     assert!(message.contains("frame_0000.exr") && message.contains("Choose a folder"), "{message}");
     assert!(files().eq(before));
 }
