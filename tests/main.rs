@@ -26,6 +26,7 @@ mod pattern;
 mod percentile;
 mod pipelines;
 mod properties;
+mod readback;
 mod resize;
 mod sequences;
 mod support;
@@ -67,6 +68,7 @@ fn main() {
         Group { name: "pattern", tests: pattern::TESTS, needs_device: true },
         Group { name: "percentile", tests: percentile::TESTS, needs_device: true },
         Group { name: "pipelines", tests: pipelines::TESTS, needs_device: true },
+        Group { name: "readback", tests: readback::TESTS, needs_device: true },
         Group { name: "resize", tests: resize::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },

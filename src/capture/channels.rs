@@ -1,6 +1,7 @@
 //! Channels of the inputs in a file: the names of this project's data sets, which `atrous-denoise` knows.
 
 use crate::config::MotionDepth;
+use atrous_texel::Plane;
 use exr::image::FlatSamples;
 
 /// A layer of a file: its name, and planes with theirs.
@@ -46,9 +47,13 @@ const OTHER_DENOISED: &str = "other_denoised";
 
 impl Layer {
     /// The layer of an input. Components that a texture lacks are written as 0, since a shader reads them so.
-    pub fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<FlatSamples>, pixels: usize) -> Self {
+    pub fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<Plane>, pixels: usize) -> Self {
         let (name, components) = names(input, motion_depth);
-        let mut planes = planes.into_iter();
+        let mut planes = planes.into_iter().map(|plane| match plane {
+            Plane::Half(samples) => FlatSamples::F16(samples),
+            Plane::Float(samples) => FlatSamples::F32(samples),
+            Plane::Uint(samples) => FlatSamples::U32(samples),
+        });
         let mut plane = || planes.next().unwrap_or_else(|| FlatSamples::F32(vec![0.0; pixels]));
         Self { name: name.to_owned(), planes: components.iter().map(|c| (*c, plane())).collect() }
     }

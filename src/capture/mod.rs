@@ -25,16 +25,14 @@
 //! The render extent and the set of images must hold for the whole capture; tunables and `instance_transforms` may change.
 
 mod channels;
-mod decode;
 mod exr_file;
 mod sequence_json;
-
-pub(crate) use decode::{texel_bytes, ALLOWED};
 
 use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
 use crate::error::Error;
 use crate::reference::InstanceTransform;
 use ash::vk;
+use atrous_texel::Texel;
 use channels::Layer;
 use sequence_json::Head;
 use std::collections::BTreeMap;
@@ -186,12 +184,13 @@ impl SequenceWriter {
 
     fn layer(&self, name: &str, image: &InputImage<'_>, extent: [u32; 2]) -> Result<Layer, Error> {
         let rule = self.declaration.find(name).map(|id| self.declaration.resource(id).shape);
-        let (Some(bytes), Some(Shape::Image { format, divisor })) = (texel_bytes(image.format), rule) else {
+        let (Some(texel), Some(Shape::Image { format, divisor })) = (Texel::of(image.format), rule) else {
             return Err(refused_format(name, image.format));
         };
         if !format.accepts(image.format) {
             return Err(refused_format(name, image.format));
         }
+        let bytes = texel.bytes();
         let [width, height] = extent.map(|side| side.div_ceil(divisor));
         let needed = width as usize * height as usize * bytes;
         if image.texels.len() != needed {
@@ -204,8 +203,13 @@ impl SequenceWriter {
         for (to, from) in texels.chunks_exact_mut(extent[0] as usize * bytes).zip(image.texels.chunks_exact(row)) {
             to[..row].copy_from_slice(from);
         }
-        let planes = decode::planes(image.format, &texels).unwrap_or_default();
-        Ok(Layer::of_input(name, self.declaration.setup().conventions.motion_depth, planes, (extent[0] * extent[1]) as usize))
+        let planes = texel.planes(&texels);
+        Ok(Layer::of_input(
+            name,
+            self.declaration.setup().conventions.motion_depth,
+            planes,
+            extent[0] as usize * extent[1] as usize,
+        ))
     }
 
     pub(crate) fn error(&self, problem: String) -> Error {
@@ -214,7 +218,7 @@ impl SequenceWriter {
 }
 
 fn refused_format(name: &str, given: vk::Format) -> Error {
-    Error::Format { resource: name.to_owned(), given, allowed: ALLOWED.to_owned() }
+    Error::Format { resource: name.to_owned(), given, allowed: format!("for a capture {}", atrous_texel::ACCEPTED) }
 }
 
 #[cfg(test)]

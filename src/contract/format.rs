@@ -2,6 +2,7 @@
 
 use crate::shaders::Component;
 use ash::vk;
+use atrous_texel::{Class, Texel};
 
 /// The formats that an image may have.
 ///
@@ -41,33 +42,12 @@ impl std::fmt::Display for ImageFormat {
     }
 }
 
-/// The numeric class that a shader sees, `None` for formats that no input of ours can have (signed integers, multi-planar, unknown
-/// ones).
+/// The numeric class that a shader sees; `None` for formats that no image of ours can have.
 pub(crate) fn component_of(format: vk::Format) -> Option<Component> {
-    use vk::Format as F;
-    match format {
-        F::R8_UINT | F::R16_UINT | F::R32_UINT | F::R8G8_UINT | F::R16G16_UINT | F::R32G32_UINT => Some(Component::Uint),
-        F::R8G8B8A8_UINT | F::R16G16B16A16_UINT | F::R32G32B32A32_UINT | F::A2B10G10R10_UINT_PACK32 => Some(Component::Uint),
-        F::R8_UNORM | F::R8_SNORM | F::R8G8_UNORM | F::R8G8_SNORM | F::R8G8B8A8_UNORM | F::R8G8B8A8_SNORM => Some(Component::Float),
-        F::R8G8B8A8_SRGB | F::B8G8R8A8_UNORM | F::B8G8R8A8_SRGB => Some(Component::Float),
-        F::R16_UNORM | F::R16_SNORM | F::R16G16_UNORM | F::R16G16_SNORM | F::R16G16B16A16_UNORM => Some(Component::Float),
-        F::R16G16B16A16_SNORM | F::R16_SFLOAT | F::R16G16_SFLOAT | F::R16G16B16_SFLOAT => Some(Component::Float),
-        F::R16G16B16A16_SFLOAT | F::R32_SFLOAT | F::R32G32_SFLOAT | F::R32G32B32_SFLOAT => Some(Component::Float),
-        F::R32G32B32A32_SFLOAT | F::B10G11R11_UFLOAT_PACK32 | F::E5B9G9R9_UFLOAT_PACK32 => Some(Component::Float),
-        F::A2B10G10R10_UNORM_PACK32 | F::A2R10G10B10_UNORM_PACK32 | F::A2B10G10R10_SNORM_PACK32 => Some(Component::Float),
-        F::D16_UNORM | F::D32_SFLOAT | F::X8_D24_UNORM_PACK32 => Some(Component::Float),
-        F::D24_UNORM_S8_UINT | F::D32_SFLOAT_S8_UINT => Some(Component::Float),
-        _ => None,
-    }
-}
-
-/// Bytes of one texel of a format that we declare ourselves.
-pub(crate) fn bytes_per_texel(format: vk::Format) -> u64 {
-    match format {
-        vk::Format::R32_UINT | vk::Format::R32_SFLOAT | vk::Format::R8G8B8A8_UNORM => 4,
-        vk::Format::R32G32B32A32_SFLOAT | vk::Format::R32G32B32A32_UINT => 16,
-        _ => 8,
-    }
+    Texel::of(format).map(|texel| match texel.class() {
+        Class::Float => Component::Float,
+        Class::Uint => Component::Uint,
+    })
 }
 
 #[cfg(test)]

@@ -27,8 +27,6 @@ pub use debug_view::DebugView;
 pub(crate) use declaration::life;
 pub use declaration::{Declaration, PassDecl, Phase, Use, UseFrame};
 pub(crate) use dispatch::{Dispatch, Grid, Parameter, Slot, Work};
-#[cfg(feature = "executor")]
-pub(crate) use format::bytes_per_texel;
 pub(crate) use format::component_of;
 pub use format::ImageFormat;
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};

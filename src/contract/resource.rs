@@ -2,6 +2,7 @@
 
 use super::ImageFormat;
 use ash::vk;
+use atrous_texel::Texel;
 
 /// The owner of a resource and the life of its content.
 ///
@@ -88,11 +89,12 @@ impl ResourceDecl {
         }
     }
 
-    /// Bytes of one copy, texels alone: what a device adds for alignment is not in it.
+    /// Bytes of one copy, texels alone: what a device adds for alignment is not in it. 0 for a format that no image of ours can have.
     pub fn bytes(&self, allocated_extent: [u32; 2]) -> u64 {
         match (self.shape, self.extent(allocated_extent)) {
             (Shape::Image { format, .. }, Some([w, h])) => {
-                u64::from(w) * u64::from(h) * super::format::bytes_per_texel(format.preferred())
+                let texel = Texel::of(format.preferred()).map_or(0, |texel| texel.bytes() as u64);
+                u64::from(w) * u64::from(h) * texel
             }
             (Shape::Buffer { size }, _) => size,
             (Shape::Image { .. }, None) => 0,

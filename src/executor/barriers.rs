@@ -142,7 +142,7 @@ impl Barriers {
                 self.images.push(
                     vk::ImageMemoryBarrier2::default()
                         .image(image.image)
-                        .subresource_range(vk::ImageSubresourceRange { aspect_mask: image.aspect(), ..WHOLE })
+                        .subresource_range(vk::ImageSubresourceRange { aspect_mask: image.aspects(), ..WHOLE })
                         .src_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
                         .dst_queue_family_index(vk::QUEUE_FAMILY_IGNORED)
                         .src_stage_mask(now.stage)

@@ -3,11 +3,12 @@
 use super::barriers::buffer_barrier;
 use super::scope::Scope;
 use super::storage::{Object, Storage, StoredImage};
-use super::transfer::{to_floats, whole_image};
+use super::transfer::region;
 use super::Executor;
-use crate::contract::{bytes_per_texel, FrameContext, Lifetime, ResourceId, UseFrame};
+use crate::contract::{FrameContext, Lifetime, ResourceId, UseFrame};
 use crate::error::Error;
 use ash::vk;
+use atrous_texel::Texel;
 
 /// Format and size of a copy of a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,9 +20,11 @@ pub struct Readback {
 }
 
 impl Readback {
-    /// Texels as floats, whatever the format; missing components are 0.
+    /// Texels as floats, whatever the format; missing components are 0. Words of a buffer are whole numbers. What is left behind
+    /// the last whole texel is left out.
     pub fn to_floats(&self, bytes: &[u8]) -> Vec<[f32; 4]> {
-        to_floats(self.format, bytes)
+        let format = if self.format == vk::Format::UNDEFINED { vk::Format::R32_UINT } else { self.format };
+        Texel::of(format).map_or(Vec::new(), |texel| texel.to_floats(bytes))
     }
 }
 
@@ -29,13 +32,14 @@ impl Executor {
     /// The format and size that a copy of a resource will have.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input that nothing is bound to.
+    /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input that nothing is bound to; [`Error::Format`] for an image whose
+    /// texels have no known size.
     pub fn readback(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<Readback, Error> {
         let (id, copy) = self.locate(name, frame, which)?;
         let storage = self.memory.storages.storage(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
         Ok(match storage.object {
-            Object::Image(StoredImage { format, extent: [width, height], .. }) => {
-                Readback { format, bytes: u64::from(width) * u64::from(height) * bytes_per_texel(format) }
+            Object::Image(image @ StoredImage { format, extent: [width, height], .. }) => {
+                Readback { format, bytes: u64::from(width) * u64::from(height) * image.texel_bytes(name)? }
             }
             Object::Buffer { size, .. } => Readback { format: vk::Format::UNDEFINED, bytes: size },
         })
@@ -92,9 +96,9 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Stora
     // SAFETY: `cmd` is recording; image or buffer is live and in the state of a copy's source, and `buffer` has room for all of it.
     unsafe {
         match storage.object {
-            Object::Image(StoredImage { image, extent, .. }) => {
+            Object::Image(StoredImage { image, format, extent, .. }) => {
                 let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
-                device.cmd_copy_image_to_buffer(cmd, image, layout, buffer, &[whole_image(extent)]);
+                device.cmd_copy_image_to_buffer(cmd, image, layout, buffer, &[region(format, extent)]);
             }
             Object::Buffer { buffer: from, size } => {
                 let region = vk::BufferCopy { src_offset: 0, dst_offset: 0, size };

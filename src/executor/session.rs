@@ -3,7 +3,7 @@
 use super::barriers::Barriers;
 use super::headless::HeadlessDevice;
 use super::session_objects::{Commands, OwnedImage};
-use super::transfer::{to_floats, Staging};
+use super::transfer::Staging;
 use super::{Executor, ExecutorOptions, PassTime, Readback};
 use crate::contract::{DebugView, Declaration, FrameContext, FrameParams, Tuning, UseFrame};
 use crate::error::Error;
@@ -152,7 +152,7 @@ impl Session {
     /// # Errors
     /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame or where nothing is bound.
     pub fn download(&mut self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
-        self.download_copy(name, UseFrame::Current).map(|(format, bytes)| to_floats(format, &bytes))
+        self.download_copy(name, UseFrame::Current).map(|(copy, bytes)| copy.to_floats(&bytes))
     }
 
     /// Raw texels of an output, a history or a transient, of either copy of a history: the bytes that [`Self::download`] makes
@@ -164,16 +164,16 @@ impl Session {
         self.download_copy(name, frame).map(|(_, bytes)| bytes)
     }
 
-    fn download_copy(&mut self, name: &str, which: UseFrame) -> Result<(vk::Format, Vec<u8>), Error> {
+    fn download_copy(&mut self, name: &str, which: UseFrame) -> Result<(Readback, Vec<u8>), Error> {
         let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;
-        let Readback { format, bytes } = self.executor.readback(name, &frame, which)?;
-        self.stage(bytes)?;
+        let copy = self.executor.readback(name, &frame, which)?;
+        self.stage(copy.bytes)?;
         self.submit(|session, cmd| {
             let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
             // SAFETY: the command buffer is recording; the staging buffer is live and large enough.
             unsafe { session.executor.record_copy(cmd, &frame, name, which, buffer) }
         })?;
-        Ok((format, self.stage(bytes)?.bytes()[..bytes as usize].to_vec()))
+        Ok((copy, self.stage(copy.bytes)?.bytes()[..copy.bytes as usize].to_vec()))
     }
 
     /// Captures the next `frames` frames: see [`Executor::capture`]. Frames of [`Self::run_traced`] are not captured.

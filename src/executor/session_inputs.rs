@@ -5,9 +5,9 @@ use super::scope::Scope;
 use super::session::Session;
 use super::session_objects::OwnedImage;
 use super::storage::Storage;
-use super::transfer::{whole_image, Staging, UPLOADED};
+use super::transfer::{region, Staging, UPLOADED};
 use super::HostImage;
-use crate::contract::{bytes_per_texel, Shape};
+use crate::contract::Shape;
 use crate::error::Error;
 use ash::vk;
 use std::sync::Arc;
@@ -44,8 +44,8 @@ impl Session {
             let (given, needed) = (format!("{} bytes", bytes.len()), format!("{needed} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
         }
-        let format = format.preferred();
-        self.upload_image(name, format, bytes.len() / bytes_per_texel(format) as usize, bytes)
+        let [width, height] = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
+        self.upload_image(name, format.preferred(), width as usize * height as usize, bytes)
     }
 
     /// Sets an input buffer.
@@ -97,7 +97,7 @@ impl Session {
                 buffer_barrier(device, cmd, buffer, copied, Scope::COPY_SOURCE);
                 session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
                 let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
-                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[whole_image(extent)]);
+                device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[region(format, extent)]);
                 session.barriers.single(device, cmd, &mut storage, UPLOADED, true);
             }
             Ok(())

@@ -4,7 +4,9 @@ use super::scope::Scope;
 use super::HostImage;
 use crate::binding::Binding;
 use crate::contract::{component_of, Access, Component, Declaration, ResourceId, Span};
+use crate::error::Error;
 use ash::vk;
+use atrous_texel::Texel;
 
 /// A physical image with its view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,14 +24,17 @@ impl StoredImage {
     }
 
     /// Every aspect: barriers name all of them.
-    pub fn aspect(&self) -> vk::ImageAspectFlags {
-        match self.format {
-            vk::Format::D16_UNORM | vk::Format::D32_SFLOAT | vk::Format::X8_D24_UNORM_PACK32 => vk::ImageAspectFlags::DEPTH,
-            vk::Format::D24_UNORM_S8_UINT | vk::Format::D32_SFLOAT_S8_UINT => {
-                vk::ImageAspectFlags::DEPTH | vk::ImageAspectFlags::STENCIL
-            }
-            _ => vk::ImageAspectFlags::COLOR,
-        }
+    pub fn aspects(&self) -> vk::ImageAspectFlags {
+        Texel::of(self.format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects())
+    }
+
+    /// Bytes of a texel in a copy of the image of this resource.
+    pub fn texel_bytes(&self, resource: &str) -> Result<u64, Error> {
+        let texel = Texel::of(self.format).ok_or_else(|| {
+            let allowed = format!("for a copy {}", atrous_texel::ACCEPTED);
+            Error::Format { resource: resource.to_owned(), given: self.format, allowed }
+        })?;
+        Ok(texel.bytes() as u64)
     }
 }
 

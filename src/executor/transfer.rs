@@ -1,10 +1,9 @@
 //! Getting texels in and out through a staging buffer.
 
-use super::barriers::WHOLE;
 use super::scope::Scope;
 use crate::error::Error;
 use ash::vk;
-use half::f16;
+use atrous_texel::Texel;
 
 /// A host-visible buffer, mapped for its whole life.
 pub(crate) struct Staging {
@@ -85,16 +84,11 @@ impl Drop for Staging {
     }
 }
 
-/// A whole image, tightly packed.
-pub(crate) fn whole_image(extent: [u32; 2]) -> vk::BufferImageCopy {
-    vk::BufferImageCopy::default()
-        .image_subresource(vk::ImageSubresourceLayers {
-            aspect_mask: WHOLE.aspect_mask,
-            mip_level: 0,
-            base_array_layer: 0,
-            layer_count: 1,
-        })
-        .image_extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
+/// The top left part of an image, tightly packed in a buffer; of a depth-stencil image the depth.
+pub(crate) fn region(format: vk::Format, [width, height]: [u32; 2]) -> vk::BufferImageCopy {
+    let aspect_mask = Texel::of(format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.copied_aspect());
+    let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
+    vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 })
 }
 
 /// The scope of an input behind a session's uploads and before the frame's passes.
@@ -103,16 +97,3 @@ pub(crate) const UPLOADED: Scope = Scope {
     access: vk::AccessFlags2::SHADER_SAMPLED_READ,
     layout: vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL,
 };
-
-/// Texels as floats, whatever the format; missing components are 0.
-pub(crate) fn to_floats(format: vk::Format, bytes: &[u8]) -> Vec<[f32; 4]> {
-    match format {
-        vk::Format::R16G16B16A16_SFLOAT => {
-            bytemuck::cast_slice::<u8, [u16; 4]>(bytes).iter().map(|t| t.map(|b| f16::from_bits(b).to_f32())).collect()
-        }
-        vk::Format::R32G32B32A32_SFLOAT => bytemuck::cast_slice(bytes).to_vec(),
-        vk::Format::R16G16B16A16_UINT => bytemuck::cast_slice::<u8, [u16; 4]>(bytes).iter().map(|t| t.map(f32::from)).collect(),
-        vk::Format::R32_SFLOAT => bytemuck::cast_slice::<u8, f32>(bytes).iter().map(|&v| [v, 0.0, 0.0, 0.0]).collect(),
-        _ => bytemuck::cast_slice::<u8, u32>(bytes).iter().map(|&v| [v as f32, 0.0, 0.0, 0.0]).collect(),
-    }
-}

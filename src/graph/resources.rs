@@ -1,7 +1,7 @@
 //! Images and buffers of a graph: names, formats, lifetimes, and who reads the previous copy.
 
 use super::{Feedback, GradientSamples, Graph, History, Image, Port, Radiance, ResourceState};
-use crate::contract::{Component, ImageFormat, Lifetime, ResourceDecl, ResourceId, Shape};
+use crate::contract::{component_of, Component, ImageFormat, Lifetime, ResourceDecl, ResourceId, Shape};
 use ash::vk;
 
 /// Linear HDR colour with a fourth value.
@@ -47,7 +47,13 @@ impl Graph {
     /// [`super::StageCall`].
     pub fn transient(&mut self, name: &str, format: vk::Format, divisor: u32) -> Image {
         let name = self.scoped(name, "");
-        self.image(name, ImageFormat::Exactly(format), divisor, Lifetime::Transient)
+        if component_of(format).is_none() {
+            self.fail("transient", &name, format!("its format is {format:?}; give {}", atrous_texel::ACCEPTED));
+        }
+        if divisor == 0 {
+            self.fail("transient", &name, "its divisor is 0; give 1 for a texel a pixel, or the side of a stratum".to_owned());
+        }
+        self.image(name, ImageFormat::Exactly(format), divisor.max(1), Lifetime::Transient)
     }
 
     /// Makes the history that an accumulation of these signals leaves for the next frame. Make it before the nodes that read the

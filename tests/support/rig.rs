@@ -16,6 +16,7 @@ pub struct Rig {
     pub commands: Vec<vk::CommandBuffer>,
     /// Inputs by name.
     pub images: BTreeMap<String, vk::Image>,
+    owned: Vec<vk::Image>,
     pub gpu: Arc<HeadlessDevice>,
     pool: vk::CommandPool,
     views: Vec<vk::ImageView>,
@@ -27,6 +28,10 @@ impl Rig {
     /// Binds every input but `instance_transforms`, optional ones as well.
     pub fn new(gpu: Arc<HeadlessDevice>, config: &Config, commands: u32) -> Self {
         let options = ExecutorOptions { extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC, ..Default::default() };
+        Self::with_options(gpu, config, commands, options)
+    }
+
+    pub fn with_options(gpu: Arc<HeadlessDevice>, config: &Config, commands: u32, options: ExecutorOptions) -> Self {
         let device = gpu.device();
         // SAFETY: the device is live, has synchronization2, and outlives the executor and the pool.
         let (executor, pool, commands) = unsafe {
@@ -39,7 +44,7 @@ impl Rig {
             (Executor::new(gpu.host(), config.declare().expect("valid"), options).expect("executor"), pool, commands)
         };
         let (views, buffers, memory) = (Vec::new(), Vec::new(), Vec::new());
-        let mut rig = Self { executor, commands, images: BTreeMap::new(), gpu, pool, views, buffers, memory };
+        let mut rig = Self { executor, commands, images: BTreeMap::new(), owned: Vec::new(), gpu, pool, views, buffers, memory };
         rig.bind_inputs();
         rig
     }
@@ -52,12 +57,62 @@ impl Rig {
             let extent = decl.extent(declaration.allocated_extent()).expect("an image");
             let wide = vk::Format::R32G32B32A32_SFLOAT;
             let format = if format.accepts(wide) { wide } else { format.preferred() };
-            let image = self.image(&decl.name, format, extent, decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST);
+            let aspect = vk::ImageAspectFlags::COLOR;
+            let usage = decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;
+            let image = self.image(&decl.name, format, extent, aspect, usage);
             self.executor.bind_image(&decl.name, image).expect(&decl.name);
         }
     }
 
-    fn image(&mut self, name: &str, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags) -> HostImage {
+    /// Light of every pixel after [`Self::fill_inputs`].
+    pub const LIGHT: f32 = 0.5;
+
+    /// Fills every input with one value: a lit wall that does not move.
+    pub fn fill_inputs(&mut self) {
+        let images = self.images.clone();
+        self.submit(|rig, cmd| {
+            for (name, image) in images {
+                let colour = match name.as_str() {
+                    "surface_id" => vk::ClearColorValue { uint32: [1; 4] },
+                    "depth" | "scattering_depth" => vk::ClearColorValue { float32: [5.0; 4] },
+                    "normal" | "object_normal" => vk::ClearColorValue { float32: [0.0, 0.0, 1.0, 0.0] },
+                    "motion" | "forward_motion" | "emission" | "sparse_gradient" => vk::ClearColorValue { float32: [0.0; 4] },
+                    _ => vk::ClearColorValue { float32: [Self::LIGHT; 4] },
+                };
+                let (stage, access, layout) = UPLOADED;
+                let barrier = vk::ImageMemoryBarrier2::default()
+                    .image(image)
+                    .subresource_range(whole())
+                    .dst_stage_mask(stage)
+                    .dst_access_mask(access)
+                    .new_layout(layout);
+                let device = rig.gpu.device();
+                // SAFETY: the command buffer is recording; the image is live, and brought to the layout named.
+                unsafe {
+                    device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().image_memory_barriers(&[barrier]));
+                    device.cmd_clear_color_image(cmd, image, layout, &colour, &[whole()]);
+                }
+            }
+        });
+    }
+
+    /// Another extent, with new inputs.
+    pub fn resize(&mut self, extent: [u32; 2]) {
+        // SAFETY: every submission was waited for.
+        unsafe { self.executor.resize(extent) }.expect("another extent");
+        self.bind_inputs();
+        self.fill_inputs();
+    }
+
+    /// An image that lives as long as the rig, with a view of one aspect.
+    pub fn image(
+        &mut self,
+        name: &str,
+        format: vk::Format,
+        extent: [u32; 2],
+        aspect: vk::ImageAspectFlags,
+        usage: vk::ImageUsageFlags,
+    ) -> HostImage {
         let gpu = self.gpu.clone();
         let info = vk::ImageCreateInfo::default()
             .image_type(vk::ImageType::TYPE_2D)
@@ -73,12 +128,32 @@ impl Rig {
             let memory = self.allocate(gpu.device().get_image_memory_requirements(image), vk::MemoryPropertyFlags::empty());
             gpu.device().bind_image_memory(image, memory, 0).expect("memory");
             let info = vk::ImageViewCreateInfo::default().image(image).view_type(vk::ImageViewType::TYPE_2D).format(format);
-            (image, gpu.device().create_image_view(&info.subresource_range(whole()), None).expect("view"))
+            let range = vk::ImageSubresourceRange { aspect_mask: aspect, ..whole() };
+            (image, gpu.device().create_image_view(&info.subresource_range(range), None).expect("view"))
         };
         self.images.insert(name.to_owned(), image);
+        self.owned.push(image);
         self.views.push(view);
         let (stage, access, layout) = UPLOADED;
         HostImage { image, view, format, extent, layout, stage, access }
+    }
+
+    /// Records into the first command buffer, submits it, and waits.
+    pub fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer)) {
+        let gpu = self.gpu.clone();
+        let (device, cmd) = (gpu.device(), self.commands[0]);
+        // SAFETY: the command buffer is idle, since each submission is waited for; everything it names lives as long as the rig.
+        unsafe {
+            device.begin_command_buffer(cmd, &vk::CommandBufferBeginInfo::default()).expect("begin");
+            record(self, cmd);
+            device.end_command_buffer(cmd).expect("end");
+            let queue = gpu.queue();
+            let commands = [cmd];
+            device
+                .queue_submit(*queue, &[vk::SubmitInfo::default().command_buffers(&commands)], vk::Fence::null())
+                .expect("submit");
+            device.queue_wait_idle(*queue).expect("wait");
+        }
     }
 
     /// A mapped buffer that copies read and write.
@@ -120,7 +195,7 @@ impl Drop for Rig {
         unsafe {
             let _ = device.device_wait_idle();
             self.views.iter().for_each(|&view| device.destroy_image_view(view, None));
-            self.images.values().for_each(|&image| device.destroy_image(image, None));
+            self.owned.iter().for_each(|&image| device.destroy_image(image, None));
             self.buffers.iter().for_each(|&buffer| device.destroy_buffer(buffer, None));
             self.memory.iter().for_each(|&memory| device.free_memory(memory, None));
             device.destroy_command_pool(self.pool, None);

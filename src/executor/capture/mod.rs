@@ -3,7 +3,7 @@
 
 use super::transfer::Staging;
 use super::Executor;
-use crate::capture::{texel_bytes, InputFrame, InputImage, SequenceWriter, ALLOWED};
+use crate::capture::{InputFrame, InputImage, SequenceWriter};
 use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, ResourceId, Tuning};
 use crate::error::Error;
 use crate::reference::InstanceTransform;
@@ -231,7 +231,7 @@ impl Executor {
         let declaration = self.denoiser.declaration();
         for (id, name) in inputs(declaration) {
             if let Some(image) = self.memory.storages.storage(id, 0).and_then(|storage| storage.image()) {
-                check_format(name, image.format)?;
+                image.texel_bytes(name)?;
             }
         }
         let writer = SequenceWriter::new(folder, self.denoiser.declaration())?;
@@ -266,9 +266,4 @@ fn inputs(declaration: &Declaration) -> impl Iterator<Item = (ResourceId, &str)>
         .map(ResourceId)
         .zip(declaration.resources())
         .filter_map(|(id, r)| matches!(r.lifetime, Lifetime::Input { .. }).then_some((id, r.name.as_str())))
-}
-
-/// Bytes of a texel.
-fn check_format(name: &str, format: vk::Format) -> Result<usize, Error> {
-    texel_bytes(format).ok_or_else(|| Error::Format { resource: name.to_owned(), given: format, allowed: ALLOWED.to_owned() })
 }

@@ -5,6 +5,7 @@ use crate::contract::{Phase, Shape};
 use crate::executor::barriers::buffer_barrier;
 use crate::executor::scope::Scope;
 use crate::executor::storage::{Object, Storage, StoredImage};
+use crate::executor::transfer::region;
 
 impl Executor {
     /// Copies the inputs that no later phase reads.
@@ -38,8 +39,8 @@ impl Executor {
         let divisor = if let Shape::Image { divisor, .. } = shape { divisor } else { 1 };
         let extent = frame.render_extent.map(|side| side.div_ceil(divisor));
         let (format, bytes) = match storage.object {
-            Object::Image(StoredImage { format, .. }) => {
-                (format, extent[0] as usize * extent[1] as usize * check_format(name, format)?)
+            Object::Image(image @ StoredImage { format, .. }) => {
+                (format, extent[0] as usize * extent[1] as usize * image.texel_bytes(name)? as usize)
             }
             Object::Buffer { size, .. } => (vk::Format::UNDEFINED, size as usize / TRANSFORM_BYTES * TRANSFORM_BYTES),
         };
@@ -79,11 +80,8 @@ unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Storage, ext
             return;
         }
     };
-    let [width, height] = extent;
-    // Of a depth-stencil image the depth.
-    let aspect_mask = image.aspect() & !vk::ImageAspectFlags::STENCIL;
-    let layers = vk::ImageSubresourceLayers { aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
-    let region = vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 });
     // SAFETY: `cmd` is recording; the image is live and in the layout of a copy's source, and the buffer has room for its texels.
-    unsafe { device.cmd_copy_image_to_buffer(cmd, image.image, Scope::COPY_SOURCE.layout, buffer, &[region]) };
+    unsafe {
+        device.cmd_copy_image_to_buffer(cmd, image.image, Scope::COPY_SOURCE.layout, buffer, &[region(image.format, extent)])
+    };
 }
