@@ -1,9 +1,10 @@
 //! Records a declaration into a host's command buffers: the Vulkan objects of its passes, and nothing else.
 
 use crate::binding::{absent_gradients, check_bindings, descriptor, present, Binding};
-use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, FrameState, Grid, Parameter, Tuning, Work};
+use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
 use crate::device::Device;
 use crate::error::Error;
+use crate::frame_life::{check_slot, FrameLife};
 use crate::pipeline::{Bindable, Descriptor, Pipelines};
 use crate::requirements::Requirements;
 use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
@@ -14,7 +15,7 @@ use ash::vk;
 /// Drop it only after the GPU work that was recorded with it is complete.
 pub struct Denoiser {
     declaration: Declaration,
-    state: FrameState,
+    life: FrameLife,
     device: ash::Device,
     pipelines: Pipelines,
     /// Limits of the physical device, which another extent has to keep as well.
@@ -46,7 +47,7 @@ impl Denoiser {
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
         let (device, limits) = (device.clone(), properties.limits);
-        Ok(Self { declaration, state: FrameState::default(), device, pipelines, limits, warned: false })
+        Ok(Self { life: FrameLife::new(&declaration), declaration, device, pipelines, limits, warned: false })
     }
 
     /// Declares everything for images of another extent, and keeps every pipeline and descriptor set: the passes are the same. The
@@ -73,7 +74,7 @@ impl Denoiser {
     /// Goes on with what [`Self::resized`] gave.
     pub(crate) fn adopt(&mut self, declaration: Declaration) {
         self.declaration = declaration;
-        self.state.resize();
+        self.life.resize();
     }
 
     /// Resources and passes.
@@ -81,12 +82,13 @@ impl Denoiser {
         &self.declaration
     }
 
-    /// Starts a frame.
+    /// Starts a frame. It drops all history, for [`ResetReason::Created`](crate::ResetReason::Created), where the frame before was
+    /// begun and not recorded up to its last write to a history: record each frame before the next is begun.
     ///
     /// # Errors
     /// Errors of [`FrameState::begin`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
-        let frame = self.state.begin(self.declaration.setup(), params, tuning)?;
+        let frame = self.life.begin(&self.declaration, params, tuning)?;
         if self.declaration.reshades() && !params.reshaded && frame.reset.is_none() {
             self.warn_of_missing_gradients("FrameParams::reshaded is false: the host does not re-shade `gradient_samples`");
         }
@@ -103,12 +105,12 @@ impl Denoiser {
 
     /// The next frame drops all history: after the host re-created images.
     pub fn invalidate(&mut self) {
-        self.state.invalidate();
+        self.life.invalidate();
     }
 
     /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`].
     pub fn restart_at(&mut self, index: u64) {
-        self.state.restart_at(index);
+        self.life.restart_at(index);
     }
 
     /// Gives the passes that run a shader other code, and keeps the history. Whether there are such passes. The old code stays
@@ -135,7 +137,8 @@ impl Denoiser {
     /// (and thereby the state of `VK_EXT_descriptor_heap`).
     ///
     /// # Errors
-    /// [`Error::Bindings`] or [`Error::NotBound`] when `bindings` do not fit the pass; nothing is recorded then.
+    /// [`Error::Bindings`] or [`Error::NotBound`] when `bindings` do not fit the pass, [`Error::FrameSlot`] when the frame has a slot
+    /// beyond the last; nothing is recorded then.
     ///
     /// # Safety
     /// - `cmd` is recording, outside a render pass, for a queue family with `COMPUTE`, on the device of [`Denoiser::new`].
@@ -174,6 +177,7 @@ impl Denoiser {
         let Some(decl) = self.declaration.passes.get(pass) else {
             return Err(Error::Bindings { pass: format!("index {pass}"), given: bindings.len(), needed: 0 });
         };
+        check_slot(&self.declaration, frame)?;
         check_bindings(&self.declaration, decl, bindings)?;
         match &decl.work {
             // SAFETY: `cmd` is recording outside a render pass, and every binding honours its use; their kinds were checked.
@@ -183,6 +187,7 @@ impl Denoiser {
             // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
             Work::Dispatch(dispatch) => unsafe { self.dispatch(cmd, frame, pass, dispatch, bindings, bound)? },
         }
+        self.life.recorded(pass);
         if let Some(name) = absent_gradients(&self.declaration, pass, bindings) {
             self.warn_of_missing_gradients(&format!("nothing is bound to `{name}`"));
         }

@@ -17,6 +17,7 @@ mod error;
 #[cfg(feature = "executor")]
 pub mod executor;
 mod frame_constants;
+mod frame_life;
 #[forbid(unsafe_code)]
 pub mod graph;
 #[cfg(feature = "hot-reload")]

@@ -152,7 +152,8 @@ impl Requirements {
         Ok(())
     }
 
-    /// Checks what [`Self::check_executor`] does, and that the host enabled it on the device that it created.
+    /// Checks what [`Self::check_executor`] does, and that the device that the host created has the calls of it. A device of Vulkan
+    /// 1.3 has them whether or not its feature was enabled, and Vulkan cannot be asked for that: enabling it is left to the host.
     ///
     /// # Errors
     /// [`Error::Unsupported`] says what to create the device with.

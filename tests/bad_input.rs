@@ -1,8 +1,9 @@
 //! Input that is wrong: a clear error, or a defined picture; never a panic, never a value that is not finite.
 
 use super::support::{self, assert_valid, frame, gpu, scene::Guides, scene::Scene, session};
-use atrous::config::Signals;
+use atrous::config::{Conventions, Signals};
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Validation};
+use atrous::graph::Graph;
 use atrous::{Binding, Config, Denoiser, Error, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
 
@@ -16,6 +17,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_required_input_that_is_not_bound_is_named", a_required_input_that_is_not_bound_is_named),
     ("bindings_that_do_not_fit_are_refused_before_recording", bindings_that_do_not_fit_are_refused_before_recording),
     ("frame_parameters_out_of_range_are_named", frame_parameters_out_of_range_are_named),
+    ("a_background_depth_that_is_no_distance_is_named", a_background_depth_that_is_no_distance_is_named),
     ("a_device_that_does_not_exist_lists_those_that_do", a_device_that_does_not_exist_lists_those_that_do),
     ("a_device_without_what_is_needed_is_told_so", a_device_without_what_is_needed_is_told_so),
     ("values_that_are_not_finite_are_counted_and_stop_here", values_that_are_not_finite_are_counted_and_stop_here),
@@ -117,6 +119,21 @@ fn frame_parameters_out_of_range_are_named() {
     let error = s.run(&good, &Tuning { sigma_n: f32::NAN, ..Tuning::default() }).expect_err("tuning").to_string();
     assert!(error.contains("sigma_n is NaN"), "{error}");
     s.run(&good, &Tuning::default()).expect("nothing was changed by what was refused");
+}
+
+fn a_background_depth_that_is_no_distance_is_named() {
+    for given in [f32::NAN, -1.0, 0.0, f32::NEG_INFINITY] {
+        let conventions = Conventions { background_depth: given, ..Conventions::default() };
+        let config = Config { conventions, ..Config::new([8, 8]) };
+        for error in [config.validate(), config.declare().map(drop), config.setup().validate()] {
+            let message = error.expect_err("refused").to_string();
+            assert!(message.contains(&format!("background_depth is {given}")) && message.contains("above 0"), "{message}");
+        }
+        let graph = Graph::new([8, 8]).conventions(conventions).finish();
+        assert!(matches!(graph, Err(Error::Conventions { .. })), "{given}");
+    }
+    let far = Conventions { background_depth: f32::INFINITY, ..Conventions::default() };
+    Config { conventions: far, ..Config::new([8, 8]) }.declare().expect("no such distance");
 }
 
 fn a_device_that_does_not_exist_lists_those_that_do() {

@@ -1,8 +1,9 @@
 //! What a capture refuses, and how it ends.
 
-use super::support::{assert_valid, scene::Scene, session, upload};
+use super::support::rig::Rig;
+use super::support::{assert_valid, gpu, scene::Scene, session, upload};
 use atrous::executor::{Executor, Session};
-use atrous::{Config, Tuning};
+use atrous::{Config, FrameParams, Phase, Tuning};
 use atrous_harness::DeviceTest;
 use std::path::Path;
 
@@ -11,6 +12,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_capture_can_end_early_and_another_can_follow", a_capture_can_end_early_and_another_can_follow),
     ("a_failure_ends_the_capture_and_not_the_frame", a_failure_ends_the_capture_and_not_the_frame),
     ("a_resize_ends_a_capture", a_resize_ends_a_capture),
+    ("a_frame_that_was_only_begun_is_not_waited_for", a_frame_that_was_only_begun_is_not_waited_for),
     ("what_is_outstanding_is_written_when_the_session_ends", what_is_outstanding_is_written_when_the_session_ends),
 ];
 
@@ -106,6 +108,30 @@ fn a_resize_ends_a_capture() {
     let message = s.finish_capture().expect_err("two are lacking").to_string();
     assert!(message.contains("part") && message.contains("2 frames") && message.contains("resized"), "{message}");
     assert_eq!(frames_in(&part), 3);
+    assert_valid();
+}
+
+fn a_frame_that_was_only_begun_is_not_waited_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut rig = Rig::new(gpu(), &Config::new(EXTENT), 1);
+    rig.fill_inputs();
+    rig.executor.capture(folder.path(), 2).expect("a capture");
+    for is_recorded in [false, true, false, false, true, true] {
+        let frame = rig.executor.begin_frame(&FrameParams::new(EXTENT), &Tuning::default()).expect("a frame");
+        if is_recorded {
+            rig.submit(|rig, cmd| {
+                for phase in Phase::ALL {
+                    // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
+                    unsafe { rig.executor.record(cmd, &frame, phase) }.expect("recorded");
+                }
+            });
+        }
+    }
+    assert_eq!(rig.executor.frames_to_capture(), 0);
+    // SAFETY: every submission was waited for.
+    assert_eq!(unsafe { rig.executor.finish_capture() }, Ok(2));
+    assert_eq!(frames_in(folder.path()), 2);
+    assert!(folder.path().join("frame_0000.exr").exists());
     assert_valid();
 }
 

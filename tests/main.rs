@@ -14,6 +14,7 @@ mod declarations;
 mod documents;
 mod eaw;
 mod firefly;
+mod frame_life;
 mod gradients;
 mod graphs;
 mod host_header;
@@ -61,6 +62,7 @@ fn main() {
         Group { name: "eaw", tests: eaw::TESTS, needs_device: true },
         Group { name: "firefly", tests: firefly::TESTS, needs_device: true },
         Group { name: "input_sets", tests: input_sets::TESTS, needs_device: true },
+        Group { name: "frame_life", tests: frame_life::TESTS, needs_device: true },
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },

@@ -1,6 +1,7 @@
 //! Encodings of a host's depth, normals and motion.
 
 use crate::choice::choices;
+use crate::error::Error;
 
 choices! {
     /// Encoding of `depth`.
@@ -130,5 +131,16 @@ impl Default for Conventions {
             motion_depth: MotionDepth::default(),
             view_forward: ViewForward::default(),
         }
+    }
+}
+
+impl Conventions {
+    /// Checks the one number among them.
+    ///
+    /// # Errors
+    /// [`Error::Conventions`] for a `background_depth` that is not above 0.
+    pub fn validate(&self) -> Result<(), Error> {
+        let given = self.background_depth;
+        (given > 0.0).then_some(()).ok_or(Error::Conventions { name: "background_depth", given })
     }
 }

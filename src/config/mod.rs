@@ -116,7 +116,7 @@ impl Config {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`Error::Extent`] or [`Error::Config`] for the first field that is out of range.
+    /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         let ranges = [
@@ -129,7 +129,7 @@ impl Config {
                 return Err(Error::Config { name, given, min, max });
             }
         }
-        Ok(())
+        self.conventions.validate()
     }
 
     /// Whether a volume is filtered.

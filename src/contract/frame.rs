@@ -13,7 +13,8 @@ choices! {
     /// The reason why all history is dropped for one frame.
     #[non_exhaustive]
     pub enum ResetReason {
-        /// The first frame after creation or [`FrameState::invalidate`]; forced, so a host need not report it.
+        /// The first frame after creation, after [`FrameState::invalidate`], or after one that was begun and not recorded; forced, so a
+        /// host need not report it.
         Created = 1 => "created",
         /// The camera jumped.
         CameraCut = 2 => "camera_cut",

@@ -23,14 +23,14 @@ impl Setup {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`Error::Extent`] or [`Error::Config`] for the first field that is out of range.
+    /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         let (given, min, max) = (self.frames_in_flight, 1, 8);
         if !(min..=max).contains(&given) {
             return Err(Error::Config { name: "frames_in_flight", given, min, max });
         }
-        Ok(())
+        self.conventions.validate()
     }
 }
 

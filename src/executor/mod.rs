@@ -32,6 +32,7 @@ use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, Phase, R
 use crate::denoiser::Denoiser;
 use crate::device::Device;
 use crate::error::Error;
+use crate::frame_life::check_slot;
 use crate::requirements::Requirements;
 use ash::vk;
 use barriers::Barriers;
@@ -184,6 +185,7 @@ impl Executor {
     /// complete; bound images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in
     /// order. The frame was begun since the last [`Self::resize`].
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
+        check_slot(self.denoiser.declaration(), frame)?;
         #[cfg(feature = "capture")]
         // SAFETY: work recorded earlier with the frame's slot is complete, so that nothing writes to the buffers of its capture.
         unsafe {

@@ -106,7 +106,7 @@ impl Session {
     /// Errors of [`Executor::begin_frame`] and [`Executor::record`].
     pub fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let frame = self.executor.begin_frame(params, tuning)?;
-        self.frame = Some(frame);
+        self.frame = None;
         self.submit(|session, cmd| {
             for phase in crate::Phase::ALL {
                 // SAFETY: the command buffer is recording, and every earlier frame was waited for.
@@ -114,6 +114,7 @@ impl Session {
             }
             Ok(())
         })?;
+        self.frame = Some(frame);
         Ok(frame)
     }
 
@@ -209,7 +210,12 @@ impl Session {
         self.staging.as_mut().ok_or(Error::OutOfMemory { what: "a staging buffer".into(), bytes: size })
     }
 
+    /// Records, submits and waits. Where that fails, the next frame drops all history: what was recorded has not run.
     pub(super) fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
+        self.submit_and_wait(record).inspect_err(|_| self.executor.invalidate())
+    }
+
+    fn submit_and_wait(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
         let Commands { cmd, fence, .. } = self.commands;
         let gpu = self.gpu.clone();
         let device = gpu.device();

@@ -3,7 +3,7 @@
 //!
 //! `ATROUS_GRAPH_SEEDS=40..90` takes other seeds than the twelve that are tested always. A failure names its seed.
 
-mod dice;
+pub mod dice;
 pub mod inputs;
 pub mod random;
 

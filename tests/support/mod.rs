@@ -3,6 +3,7 @@
 pub mod examples;
 pub mod host;
 pub mod rig;
+pub mod soak;
 pub mod spy;
 
 pub use atrous_synthetic::scene::{self, pixels, random, rmse};

@@ -87,7 +87,6 @@ impl Capturing {
             return;
         }
         self.remaining -= 1;
-        self.first_index.get_or_insert(frame.index);
         // A reset that the denoiser forced is one for the replay, too.
         let params = FrameParams { reset: frame.reset, ..*params };
         self.begun.push_back(Frame { index: frame.index, params, tuning: *tuning });
@@ -104,8 +103,11 @@ impl Capturing {
         }
         match self.begun.iter().position(|f| f.index == frame.index) {
             Some(at) => {
+                // Frames that were begun and never recorded are captured from among those that follow.
+                self.remaining += self.begun.drain(..at).count() as u32;
+                self.first_index.get_or_insert(frame.index);
                 let slot = self.slots.entry(frame.slot).or_default();
-                (slot.frame, slot.last_index) = (self.begun.remove(at), frame.index);
+                (slot.frame, slot.last_index) = (self.begun.pop_front(), frame.index);
             }
             // The capture is over as far as this slot goes: its buffers are idle, unless an earlier phase of this very frame uses
             // them.

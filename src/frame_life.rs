@@ -1,0 +1,72 @@
+//! The life of the frames of a denoiser: one is the history of the next where it was recorded, and not where it was only begun.
+
+use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, PassDecl, Tuning};
+use crate::error::Error;
+
+/// The memory of the frame before, and how far the frame that was begun last has come.
+pub(crate) struct FrameLife {
+    state: FrameState,
+    /// Passes of which each has to be recorded before the frame can be history: all up to the last that writes one.
+    needed: Vec<bool>,
+    /// Passes of the frame that was begun last that are still to be recorded.
+    missing: Vec<bool>,
+    warned: bool,
+}
+
+impl FrameLife {
+    pub fn new(declaration: &Declaration) -> Self {
+        let is_history = |u: &crate::Use| u.access.writes() && declaration.resource(u.resource).lifetime.is_history();
+        let passes = declaration.passes();
+        let end = passes.iter().rposition(|pass| pass.uses.iter().any(is_history)).map_or(0, |last| last + 1);
+        // A host may leave a view out of a frame; nothing reads it.
+        let is_needed = |(index, pass): (usize, &PassDecl)| index < end && !pass.draws_view();
+        let needed: Vec<bool> = passes.iter().enumerate().map(is_needed).collect();
+        Self { state: FrameState::default(), missing: vec![false; needed.len()], needed, warned: false }
+    }
+
+    /// Starts a frame, which drops all history where the frame before was not recorded.
+    pub fn begin(&mut self, declaration: &Declaration, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        let mut state = self.state.clone();
+        let is_whole = !self.missing.contains(&true);
+        if !is_whole {
+            state.invalidate();
+        }
+        let frame = state.begin(declaration.setup(), params, tuning)?;
+        if !is_whole && !std::mem::replace(&mut self.warned, true) {
+            log::warn!(
+                "atrous: frame {} drops all history, since passes of the frame before were not recorded; record each frame whole before the \
+                 next is begun",
+                frame.index
+            );
+        }
+        self.state = state;
+        self.missing.clone_from(&self.needed);
+        Ok(frame)
+    }
+
+    /// Notes that a pass was recorded.
+    pub fn recorded(&mut self, pass: usize) {
+        self.missing[pass] = false;
+    }
+
+    pub fn invalidate(&mut self) {
+        self.state.invalidate();
+    }
+
+    pub fn restart_at(&mut self, index: u64) {
+        self.state.restart_at(index);
+        self.missing.fill(false);
+    }
+
+    pub fn resize(&mut self) {
+        self.state.resize();
+        self.missing.fill(false);
+    }
+}
+
+/// The slot of a frame is one of those that there are.
+pub(crate) fn check_slot(declaration: &Declaration, frame: &FrameContext) -> Result<(), Error> {
+    let frames_in_flight = declaration.setup().frames_in_flight;
+    let given = frame.slot;
+    (given < frames_in_flight).then_some(()).ok_or(Error::FrameSlot { given, frames_in_flight })
+}
