@@ -8,7 +8,7 @@ use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, Resource
 use crate::error::Error;
 use crate::reference::InstanceTransform;
 use ash::vk;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 mod recording;
@@ -22,7 +22,8 @@ pub(super) struct Capturing {
     remaining: u32,
     /// The frame that the sequence starts with.
     first_index: Option<u64>,
-    begun: VecDeque<Frame>,
+    /// The frame that was begun last, until it is recorded.
+    begun: Option<Frame>,
     /// Copies in flight, by frame slot.
     slots: BTreeMap<u32, Slot>,
     /// The error that ended the capture, for [`Executor::finish_capture`].
@@ -71,7 +72,7 @@ impl Capturing {
             writer: None,
             remaining: 0,
             first_index: None,
-            begun: VecDeque::new(),
+            begun: None,
             slots: BTreeMap::new(),
             failure: None,
         }
@@ -79,17 +80,19 @@ impl Capturing {
 
     /// Frames that were asked for and are not written yet.
     fn outstanding(&self) -> u32 {
-        self.remaining + self.begun.len() as u32 + self.slots.values().filter(|s| s.frame.is_some()).count() as u32
+        self.remaining + u32::from(self.begun.is_some()) + self.slots.values().filter(|s| s.frame.is_some()).count() as u32
     }
 
     pub fn begin_frame(&mut self, frame: &FrameContext, params: &FrameParams, tuning: &Tuning) {
+        // One that was begun and never recorded does not count.
+        self.remaining += u32::from(self.begun.take().is_some());
         if self.remaining == 0 {
             return;
         }
         self.remaining -= 1;
         // A reset that the denoiser forced is one for the replay, too.
         let params = FrameParams { reset: frame.reset, ..*params };
-        self.begun.push_back(Frame { index: frame.index, params, tuning: *tuning });
+        self.begun = Some(Frame { index: frame.index, params, tuning: *tuning });
     }
 
     /// Writes the frame that was recorded with this slot before, and makes the slot that of this frame.
@@ -101,17 +104,15 @@ impl Capturing {
             // SAFETY: GPU work recorded with the slot for earlier frames is complete, so that nothing writes to its buffers.
             unsafe { self.write(frame.slot) };
         }
-        match self.begun.iter().position(|f| f.index == frame.index) {
-            Some(at) => {
-                // Frames that were begun and never recorded are captured from among those that follow.
-                self.remaining += self.begun.drain(..at).count() as u32;
+        match self.begun.take_if(|f| f.index == frame.index) {
+            Some(begun) => {
                 self.first_index.get_or_insert(frame.index);
                 let slot = self.slots.entry(frame.slot).or_default();
-                (slot.frame, slot.last_index) = (self.begun.pop_front(), frame.index);
+                (slot.frame, slot.last_index) = (Some(begun), frame.index);
             }
             // The capture is over as far as this slot goes: its buffers are idle, unless an earlier phase of this very frame uses
             // them.
-            None if self.remaining == 0 && self.begun.is_empty() => {
+            None if self.remaining == 0 && self.begun.is_none() => {
                 self.slots.retain(|slot, s| *slot != frame.slot || s.frame.is_some() || s.last_index == frame.index);
             }
             None => {}
@@ -149,7 +150,7 @@ impl Capturing {
         log::error!("atrous: the capture ends early: {error}");
         self.failure.get_or_insert(error);
         self.remaining = 0;
-        self.begun.clear();
+        self.begun = None;
         for slot in self.slots.values_mut() {
             slot.frame = None;
             slot.copies.clear();
@@ -189,7 +190,7 @@ impl Capturing {
     unsafe fn finish(&mut self) -> Result<u32, Error> {
         // SAFETY: all GPU work that was recorded is complete.
         unsafe { self.write_all() };
-        self.begun.clear();
+        self.begun = None;
         (self.remaining, self.first_index) = (0, None);
         let written = self.writer.take().map_or(0, |w| w.frames_written());
         self.failure.take().map_or(Ok(written), Err)
