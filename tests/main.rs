@@ -17,6 +17,7 @@ mod firefly;
 mod frame_life;
 mod gradients;
 mod graphs;
+mod hazards;
 mod host_header;
 mod hosts;
 #[cfg(feature = "hot-reload")]
@@ -29,6 +30,7 @@ mod pipelines;
 mod properties;
 mod readback;
 mod resize;
+mod schedules;
 mod sequences;
 mod support;
 mod sync_validation;
@@ -50,6 +52,7 @@ fn main() {
         Group { name: "contract", tests: contract::TESTS, needs_device: false },
         Group { name: "declarations", tests: declarations::TESTS, needs_device: false },
         Group { name: "documents", tests: documents::TESTS, needs_device: false },
+        Group { name: "hazards", tests: hazards::TESTS, needs_device: true },
         Group { name: "host_header", tests: host_header::TESTS, needs_device: false },
         Group { name: "hosts", tests: hosts::TESTS, needs_device: true },
         #[cfg(feature = "hot-reload")]
@@ -72,6 +75,7 @@ fn main() {
         Group { name: "pipelines", tests: pipelines::TESTS, needs_device: true },
         Group { name: "readback", tests: readback::TESTS, needs_device: true },
         Group { name: "resize", tests: resize::TESTS, needs_device: true },
+        Group { name: "schedules", tests: schedules::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },

@@ -38,6 +38,18 @@ impl Inputs {
         Self { images, surface_id, transforms }
     }
 
+    /// What a host binds: texels of the images by name, `None` for one that is left out.
+    pub fn images(&self) -> impl Iterator<Item = (&str, Option<Vec<u8>>)> {
+        let bytes = |texels: &Option<Vec<[f32; 4]>>| texels.as_ref().map(|t| bytemuck::cast_slice(t).to_vec());
+        let ids = self.surface_id.as_ref().map(|ids| ("surface_id", Some(bytemuck::cast_slice(ids).to_vec())));
+        self.images.iter().map(move |(name, texels)| (name.as_str(), bytes(texels))).chain(ids)
+    }
+
+    /// The buffer `instance_transforms`, where it is bound.
+    pub fn transforms(&self) -> Option<Vec<u8>> {
+        self.transforms.as_ref().map(|t| bytemuck::cast_slice(t).to_vec())
+    }
+
     pub fn give_session(&self, s: &mut Session) -> Result<(), Error> {
         for (name, texels) in &self.images {
             match texels {
