@@ -95,7 +95,7 @@ impl Host {
 }
 
 fn a_frame_that_was_not_recorded_is_no_history() {
-    for preset in Preset::ALL {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Volume] {
         for recorded in [&[][..], &[Phase::BeforeLighting]] {
             let what = format!("{preset:?}, {recorded:?} recorded");
             let mut host = Host::new(preset);
@@ -200,7 +200,7 @@ fn any_life_of_frames_follows_the_model() {
     for (seed, preset) in (0..).zip(Preset::ALL) {
         let (mut host, mut dice) = (Host::new(preset), Dice::new(seed));
         let mut model = Model { index: 0, reset: Some(ResetReason::Created), is_whole: true };
-        let steps = soak::times(24);
+        let steps = soak::times(16);
         let mut last = Vec::new();
         for _ in 0..steps {
             last.push(step(&mut host, &mut model, &mut dice));

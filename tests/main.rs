@@ -3,6 +3,7 @@
 //! One program, with the harness of `crates/harness`: a machine without a device counts these tests as ignored, and says so.
 
 mod allocation;
+mod attack;
 mod bad_input;
 mod bench;
 #[cfg(feature = "capture")]
@@ -47,6 +48,7 @@ fn main() {
     }
     let groups = [
         Group { name: "allocation", tests: allocation::TESTS, needs_device: true },
+        Group { name: "attack", tests: attack::TESTS, needs_device: true },
         Group { name: "bench", tests: bench::TESTS, needs_device: false },
         Group { name: "bench", tests: bench::DEVICE_TESTS, needs_device: true },
         Group { name: "contract", tests: contract::TESTS, needs_device: false },

@@ -2,7 +2,7 @@
 
 use ash::vk;
 use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice, HostImage};
-use atrous::{Config, Lifetime, ResourceId, Shape};
+use atrous::{Config, Device, Lifetime, ResourceId, Shape};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -21,7 +21,8 @@ pub struct Rig {
     pool: vk::CommandPool,
     views: Vec<vk::ImageView>,
     buffers: Vec<vk::Buffer>,
-    memory: Vec<vk::DeviceMemory>,
+    image_memory: Vec<vk::DeviceMemory>,
+    buffer_memory: Vec<vk::DeviceMemory>,
 }
 
 impl Rig {
@@ -32,6 +33,11 @@ impl Rig {
     }
 
     pub fn with_options(gpu: Arc<HeadlessDevice>, config: &Config, commands: u32, options: ExecutorOptions) -> Self {
+        Self::on(gpu.clone().host(), gpu, config, commands, options)
+    }
+
+    /// Has the executor on other functions of the device.
+    pub fn on(host: Device<'_>, gpu: Arc<HeadlessDevice>, config: &Config, commands: u32, options: ExecutorOptions) -> Self {
         let device = gpu.device();
         // SAFETY: the device is live, has synchronization2, and outlives the executor and the pool.
         let (executor, pool, commands) = unsafe {
@@ -41,10 +47,21 @@ impl Rig {
             let pool = device.create_command_pool(&info, None).expect("pool");
             let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(commands);
             let commands = device.allocate_command_buffers(&info).expect("command buffers");
-            (Executor::new(gpu.host(), config.declare().expect("valid"), options).expect("executor"), pool, commands)
+            (Executor::new(host, config.declare().expect("valid"), options).expect("executor"), pool, commands)
         };
-        let (views, buffers, memory) = (Vec::new(), Vec::new(), Vec::new());
-        let mut rig = Self { executor, commands, images: BTreeMap::new(), owned: Vec::new(), gpu, pool, views, buffers, memory };
+        let (views, buffers) = (Vec::new(), Vec::new());
+        let mut rig = Self {
+            executor,
+            commands,
+            images: BTreeMap::new(),
+            owned: Vec::new(),
+            gpu,
+            pool,
+            views,
+            buffers,
+            image_memory: Vec::new(),
+            buffer_memory: Vec::new(),
+        };
         rig.bind_inputs();
         rig
     }
@@ -99,7 +116,10 @@ impl Rig {
     /// Another extent, with new inputs.
     pub fn resize(&mut self, extent: [u32; 2]) {
         // SAFETY: every submission was waited for.
-        unsafe { self.executor.resize(extent) }.expect("another extent");
+        unsafe {
+            self.executor.resize(extent).expect("another extent");
+            self.destroy_inputs();
+        }
         self.bind_inputs();
         self.fill_inputs();
     }
@@ -126,6 +146,7 @@ impl Rig {
         let (image, view) = unsafe {
             let image = gpu.device().create_image(&info, None).expect("image");
             let memory = self.allocate(gpu.device().get_image_memory_requirements(image), vk::MemoryPropertyFlags::empty());
+            self.image_memory.push(memory);
             gpu.device().bind_image_memory(image, memory, 0).expect("memory");
             let info = vk::ImageViewCreateInfo::default().image(image).view_type(vk::ImageViewType::TYPE_2D).format(format);
             let range = vk::ImageSubresourceRange { aspect_mask: aspect, ..whole() };
@@ -166,6 +187,7 @@ impl Rig {
             let buffer = gpu.device().create_buffer(&info, None).expect("buffer");
             let visible = vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT;
             let memory = self.allocate(gpu.device().get_buffer_memory_requirements(buffer), visible);
+            self.buffer_memory.push(memory);
             gpu.device().bind_buffer_memory(buffer, memory, 0).expect("memory");
             self.buffers.push(buffer);
             let mapped = gpu.device().map_memory(memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty()).expect("mapped");
@@ -173,31 +195,43 @@ impl Rig {
         }
     }
 
-    fn allocate(&mut self, needs: vk::MemoryRequirements, flags: vk::MemoryPropertyFlags) -> vk::DeviceMemory {
+    fn allocate(&self, needs: vk::MemoryRequirements, flags: vk::MemoryPropertyFlags) -> vk::DeviceMemory {
         let host = self.gpu.host();
         // SAFETY: the handles are live and belong together.
         let types = unsafe { host.instance.get_physical_device_memory_properties(host.physical_device) };
         let fits = |i: &u32| needs.memory_type_bits >> i & 1 == 1 && types.memory_types[*i as usize].property_flags.contains(flags);
         let index = (0..types.memory_type_count).find(fits).expect("a type of memory");
         let info = vk::MemoryAllocateInfo::default().allocation_size(needs.size).memory_type_index(index);
-        // SAFETY: the device is live, and the memory is freed with the rig.
-        let memory = unsafe { host.device.allocate_memory(&info, None) }.expect("memory");
-        self.memory.push(memory);
-        memory
+        // SAFETY: the device is live; who asks for the memory notes it, and it is freed with the rig.
+        unsafe { host.device.allocate_memory(&info, None) }.expect("memory")
+    }
+
+    /// Destroys the inputs.
+    ///
+    /// # Safety
+    /// The device does not use them.
+    unsafe fn destroy_inputs(&mut self) {
+        let device = self.gpu.device();
+        // SAFETY: ours, and not in use.
+        unsafe {
+            self.views.drain(..).for_each(|view| device.destroy_image_view(view, None));
+            self.owned.drain(..).for_each(|image| device.destroy_image(image, None));
+            self.image_memory.drain(..).for_each(|memory| device.free_memory(memory, None));
+        }
     }
 }
 
 impl Drop for Rig {
     fn drop(&mut self) {
-        let _queue = self.gpu.queue();
-        let device = self.gpu.device();
+        let gpu = self.gpu.clone();
+        let _queue = gpu.queue();
+        let device = gpu.device();
         // SAFETY: ours; the device is idle.
         unsafe {
             let _ = device.device_wait_idle();
-            self.views.iter().for_each(|&view| device.destroy_image_view(view, None));
-            self.owned.iter().for_each(|&image| device.destroy_image(image, None));
+            self.destroy_inputs();
             self.buffers.iter().for_each(|&buffer| device.destroy_buffer(buffer, None));
-            self.memory.iter().for_each(|&memory| device.free_memory(memory, None));
+            self.buffer_memory.iter().for_each(|&memory| device.free_memory(memory, None));
             device.destroy_command_pool(self.pool, None);
         }
     }

@@ -233,5 +233,7 @@ counted! {
     "image": create_image b"vkCreateImage" ImageCreateInfo Image, destroy_image b"vkDestroyImage";
     "view": create_image_view b"vkCreateImageView" ImageViewCreateInfo ImageView, destroy_image_view b"vkDestroyImageView";
     "buffer": create_buffer b"vkCreateBuffer" BufferCreateInfo Buffer, destroy_buffer b"vkDestroyBuffer";
+    "query pool": create_query_pool b"vkCreateQueryPool" QueryPoolCreateInfo QueryPool,
+        destroy_query_pool b"vkDestroyQueryPool";
     "memory": allocate_memory b"vkAllocateMemory" MemoryAllocateInfo DeviceMemory, free_memory b"vkFreeMemory";
 }
