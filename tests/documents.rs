@@ -11,6 +11,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),
     ("the_guide_has_the_memory_of_every_preset", the_guide_has_the_memory_of_every_preset),
     ("the_guide_has_what_each_access_means", the_guide_has_what_each_access_means),
+    ("each_promise_names_tests_that_exist", each_promise_names_tests_that_exist),
 ];
 
 const GUIDE: &str = include_str!("../docs/integrate.md");
@@ -108,6 +109,24 @@ fn the_guide_has_what_each_access_means() {
         let layout = if access == Access::Uniform { "none".to_owned() } else { format!("`{:?}`", image.layout) };
         format!("| `{access:?}` | `{:?}` | `{masks}` | {layout} |", scope.stage)
     }));
+}
+
+/// Every `group::test` of docs/reliability.md, where `*` is all of a group.
+fn each_promise_names_tests_that_exist() {
+    let promises = include_str!("../docs/reliability.md");
+    let quoted = promises.split('`').skip(1).step_by(2).filter_map(|code| code.split_once("::"));
+    let tests: Vec<_> = quoted
+        .filter(|(group, name)| format!("{group}{name}").chars().all(|c| c.is_ascii_lowercase() || "_*".contains(c)))
+        .collect();
+    assert!(tests.len() > 20, "{tests:?}");
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    for (group, name) in tests.into_iter().filter(|(group, _)| *group != "shaders") {
+        let source = [format!("{group}.rs"), format!("{group}/mod.rs")]
+            .iter()
+            .find_map(|path| std::fs::read_to_string(folder.join(path)).ok());
+        let source = source.unwrap_or_else(|| panic!("there is no group `{group}`"));
+        assert!(name == "*" || source.contains(&format!("(\"{name}\", ")), "there is no test `{group}::{name}`");
+    }
 }
 
 fn the_readme_shows_a_part_of_host_ash() {
