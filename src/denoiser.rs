@@ -86,7 +86,7 @@ impl Denoiser {
     /// begun and not recorded up to its last write to a history: record each frame before the next is begun.
     ///
     /// # Errors
-    /// Errors of [`FrameState::begin`].
+    /// Errors of [`FrameState::begin`](crate::FrameState::begin).
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let frame = self.life.begin(&self.declaration, params, tuning)?;
         if self.declaration.reshades() && !params.reshaded && frame.reset.is_none() {
