@@ -1,8 +1,10 @@
 #version 450
 // How far the history of a pixel is still true: 1 where light did not change, 0 where nothing of it is left.
 // Source: [ASVGF] 3.5, eq. 14: λ = |δ| / Δ, and its maximum over 3x3 pixels; confidence is 1 - λ.
-// In:  SOURCE 0: gradient, δ and Δ per stratum. SOURCE 1: confidence of the host per pixel. Out: history_confidence, 0..1.
+// In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
+//      take theirs that no gradient is known for. SOURCE 1: confidence of the host per pixel. Out: history_confidence, 0..1.
 // Constants: STRATUM_SIZE, with SOURCE 0.
+// optional: light_ratio, other_confidence
 // variants: SOURCE=0 SOURCE=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -12,32 +14,63 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #if SOURCE == 0
-#include "strata.glsl"
-
 layout(push_constant) uniform Push {
+    uint present;
     float gradient_scale;
 } push;
 
+#include "optional.glsl"
+#include "strata.glsl"
+
+const uint LIGHT_RATIO = 3u;
+const uint OTHER_CONFIDENCE = 4u;
+
 layout(set = 0, binding = 1) uniform texture2D gradient;
+layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
+layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
 #else
 layout(set = 0, binding = 1) uniform texture2D confidence;
 #endif
 layout(set = 0, binding = 2, r32f) uniform writeonly image2D history_confidence;
 
 #if SOURCE == 0
-float change_at(ivec2 s) {
+// Relative difference of the ratios of neighbouring strata, from which history is less true, and not at all: it is scaled between them.
+const float RATIO_TOLERANCE = 0.1;
+const float RATIO_LIMIT = 0.3;
+
+// The strata around a pixel.
+struct Surroundings {
+    float change;     // largest λ
+    float brightest;  // largest Δ
+    vec4 least;       // of light_ratio
+    vec4 largest;
+};
+
+void add_stratum(inout Surroundings around, ivec2 s) {
     vec2 value = texelFetch(gradient, s, 0).xy;
-    return value.y > 0.0 ? min(1.0, push.gradient_scale * abs(value.x) / value.y) : 0.0;
+    float change = value.y > 0.0 ? min(1.0, push.gradient_scale * abs(value.x) / value.y) : 0.0;
+    around.change = max(around.change, change);
+    around.brightest = max(around.brightest, value.y);
+    if (!is_present(LIGHT_RATIO)) return;
+    vec4 ratio = texelFetch(light_ratio, s, 0);
+    if (ratio.a < 0.0) return;
+    around.least = min(around.least, ratio);
+    around.largest = max(around.largest, ratio);
 }
 
 // The 3x3 pixels lie in at most four strata.
 float confidence_at(ivec2 p) {
     ivec2 first = max(p - 1, ivec2(0)) / int(STRATUM_SIZE);
     ivec2 last = min(p + 1, ivec2(frame.render_extent) - 1) / int(STRATUM_SIZE);
-    float change = 0.0;
+    Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
     for (int y = first.y; y <= last.y; ++y)
-        for (int x = first.x; x <= last.x; ++x) change = max(change, change_at(ivec2(x, y)));
-    return 1.0 - change;
+        for (int x = first.x; x <= last.x; ++x) add_stratum(around, ivec2(x, y));
+    if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return texelFetch(other_confidence, p, 0).x;
+    if (around.least.a > around.largest.a) return 1.0 - around.change;
+    vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
+    float difference = max(differences.r, max(differences.g, differences.b));
+    float coherence = around.least.a * clamp((RATIO_LIMIT - difference) / (RATIO_LIMIT - RATIO_TOLERANCE), 0.0, 1.0);
+    return 1.0 - around.change * (1.0 - coherence);
 }
 #else
 float confidence_at(ivec2 p) {

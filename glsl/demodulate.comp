@@ -3,9 +3,9 @@
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Out: filter_ping per signal: irradiance, 0 (-1 in holes).
 //      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared`, and of the albedo, for the
-//      temporal gradients of the next frame.
+//      temporal gradients of the next frame; and noisy_red_blue, for its ratio of light.
 // Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
-// optional: albedo, noisy_1, irradiance_1, compared_0, compared_1
+// optional: albedo, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue
 // variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -22,6 +22,7 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
+#include "kept_radiance.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -29,6 +30,7 @@ const uint ALBEDO = 3u;
 const uint NOISY_1 = 6u;
 const uint COMPARED_0 = 9u;
 const uint COMPARED_1 = 10u;
+const uint NOISY_RED_BLUE = 11u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
@@ -40,6 +42,7 @@ layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D irradiance_1;
 layout(set = 0, binding = 8, r32ui) uniform writeonly uimage2D noisy_luminance;
 layout(set = 0, binding = COMPARED_0) uniform texture2D compared_0;
 layout(set = 0, binding = COMPARED_1) uniform texture2D compared_1;
+layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D noisy_red_blue;
 #endif
 
 vec3 divisor_at(ivec2 p) {
@@ -67,17 +70,18 @@ void main() {
     vec3 divisor = divisor_at(p);
     vec3 radiance = texelFetch(noisy_0, p, 0).rgb;
     imageStore(irradiance_0, p, demodulated(radiance, divisor));
-    float l = radiance_luminance(radiance);
+    vec3 kept = kept_radiance(radiance);
     if (is_present(NOISY_1)) {
         radiance = texelFetch(noisy_1, p, 0).rgb;
         imageStore(irradiance_1, p, demodulated(radiance, divisor));
-        l += radiance_luminance(radiance);
+        kept += kept_radiance(radiance);
     }
 #if LUMINANCE
     if (is_present(COMPARED_0)) {
-        l = radiance_luminance(texelFetch(compared_0, p, 0).rgb);
-        if (is_present(COMPARED_1)) l += radiance_luminance(texelFetch(compared_1, p, 0).rgb);
+        kept = kept_radiance(texelFetch(compared_0, p, 0).rgb);
+        if (is_present(COMPARED_1)) kept += kept_radiance(texelFetch(compared_1, p, 0).rgb);
     }
-    imageStore(noisy_luminance, p, uvec4(packHalf2x16(vec2(min(l, 65504.0), albedo_luminance(divisor)))));
+    imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance(kept), albedo_luminance(divisor)))));
+    if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, p, uvec4(pack_halves(kept.rb)));
 #endif
 }

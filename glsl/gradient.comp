@@ -4,10 +4,11 @@
 // both; of a dense re-shaded image (SOURCE 1) all pixels of a stratum count, each at its place in the previous frame.
 // In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
 //      depth_gradient. Both: noisy_luminance of the previous frame, which demodulate.comp left. SOURCE 2: sparse_gradient of the host.
-// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide.
+// Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide. For the ratio of light: light_before and light_now, the mean radiance of
+//      the samples over the albedo's luminance; in light_before's alpha the mean of sqrt(before * now), summed over the components.
 // Constants: SOURCE, where the change comes from; STRATUM_SIZE.
 // optional: albedo, noisy_1, gradient_samples, reshaded_radiance, previous_guide, surface_motion, depth_gradient, sparse_gradient
-// optional: previous_luminance
+// optional: previous_luminance, previous_red_blue, light_before, light_now
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -24,6 +25,7 @@ layout(push_constant) uniform Push {
 #include "surface_motion.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
+#include "kept_radiance.glsl"
 #include "strata.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -37,6 +39,9 @@ const uint SURFACE_MOTION = 10u;
 const uint DEPTH_GRADIENT = 11u;
 const uint SPARSE_GRADIENT = 12u;
 const uint PREVIOUS_LUMINANCE = 13u;
+const uint PREVIOUS_RED_BLUE = 14u;
+const uint LIGHT_BEFORE = 15u;
+const uint LIGHT_NOW = 16u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
@@ -51,6 +56,9 @@ layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
 layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = SPARSE_GRADIENT) uniform texture2D sparse_gradient;
 layout(set = 0, binding = PREVIOUS_LUMINANCE) uniform utexture2D previous_luminance;
+layout(set = 0, binding = PREVIOUS_RED_BLUE) uniform utexture2D previous_red_blue;
+layout(set = 0, binding = LIGHT_BEFORE, rgba16f) uniform writeonly image2D light_before;
+layout(set = 0, binding = LIGHT_NOW, rgba16f) uniform writeonly image2D light_now;
 
 const uint FORWARD_PROJECTED = 0u;
 const uint RESHADED = 1u;
@@ -63,12 +71,14 @@ struct Sum {
     float mean;
     float squares;
     float surfaces;
+    vec4 before;
+    vec3 now;
 };
 
-float noisy_at(ivec2 p) {
-    float l = radiance_luminance(texelFetch(noisy_0, p, 0).rgb);
-    if (is_present(NOISY_1)) l += radiance_luminance(texelFetch(noisy_1, p, 0).rgb);
-    return min(l, 65504.0);
+vec3 noisy_at(ivec2 p) {
+    vec3 sum = kept_radiance(texelFetch(noisy_0, p, 0).rgb);
+    if (is_present(NOISY_1)) sum += kept_radiance(texelFetch(noisy_1, p, 0).rgb);
+    return sum;
 }
 
 float albedo_at(ivec2 p, bool background) {
@@ -76,15 +86,23 @@ float albedo_at(ivec2 p, bool background) {
     return albedo_luminance(divisor_of(texelFetch(albedo, p, 0).rgb));
 }
 
-// Both luminances are half floats by the same rounding: what did not change differs by 0.
-float as_half(float x) { return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x; }
+bool has_ratio() { return is_present(PREVIOUS_RED_BLUE) && is_present(LIGHT_BEFORE) && is_present(LIGHT_NOW); }
 
-void add_change(inout Sum sum, float now, ivec2 previous_pixel) {
+void add_light(inout Sum sum, vec3 before, vec3 now) {
+    sum.before += vec4(before, dot(sqrt(before * now), vec3(1.0)));
+    sum.now += now;
+}
+
+void add_change(inout Sum sum, vec3 radiance, ivec2 previous_pixel) {
     vec2 before = unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x);
-    float l = min(before.x * frame.exposure_ratio, 65504.0);
+    float l = min(before.x * frame.exposure_ratio, 65504.0), now = kept_luminance(radiance);
     sum.change += (now - l) / before.y;
     sum.brightest += max(now, l) / before.y;
     sum.samples += 1.0;
+    if (has_ratio()) {
+        vec2 red_blue = min(unpackHalf2x16(texelFetch(previous_red_blue, previous_pixel, 0).x) * frame.exposure_ratio, 65504.0);
+        add_light(sum, radiance_of(l, red_blue) / before.y, radiance_of(now, kept_red_blue(radiance)) / before.y);
+    }
 }
 
 // The pixel of the previous frame that showed this surface.
@@ -105,7 +123,7 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
-    if (is_finite(radiance)) add_change(sum, as_half(radiance_luminance(radiance)), j);
+    if (is_finite(radiance)) add_change(sum, kept_radiance(radiance), j);
 }
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
@@ -125,7 +143,7 @@ void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
     uvec2 extent = stratum_extent(s);
-    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
+    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), vec3(0.0));
     // The sample's own pixel stands for the stratum; else its middle, else its first surface.
     uint wanted = (extent.x - 1u) / 2u + (extent.y - 1u) / 2u * STRATUM_SIZE;
     GradientSample gradient_sample = GradientSample(ivec2(0), 0u, false);
@@ -141,14 +159,15 @@ void main() {
             ivec2 p = pixel_at(s, place);
             uvec4 packed = texelFetch(guide, p, 0);
             bool background = unpack_depth(packed) == 0.0;
-            vec2 texel = vec2(noisy_at(p), albedo_at(p, background));
+            vec3 radiance = noisy_at(p);
+            float a = albedo_at(p, background);
             if (background) continue;
             if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
-            float l = texel.x / texel.y;
+            float l = min(luminance(radiance), 65504.0) / a;
             sum.mean += l;
             sum.squares += l * l;
             sum.surfaces += 1.0;
-            if (sampled && place == wanted) add_change(sum, as_half(texel.x), gradient_sample.previous_pixel);
+            if (sampled && place == wanted) add_change(sum, radiance, gradient_sample.previous_pixel);
             if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
         }
     vec4 value = result(sum);
@@ -158,4 +177,8 @@ void main() {
     }
     imageStore(gradient, s, value);
     imageStore(gradient_guide, s, stands);
+    if (!has_ratio()) return;
+    float samples = max(sum.samples, 1.0);
+    imageStore(light_before, s, min(sum.before / samples, 65504.0));
+    imageStore(light_now, s, vec4(storable(sum.now / samples), 0.0));
 }

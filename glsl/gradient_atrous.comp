@@ -1,11 +1,16 @@
 #version 450
 // One iteration of the reconstruction of the temporal gradient: strata without a sample take it from their surroundings, noise goes.
 // Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
-// In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration.
-// Constants: STRATUM_SIZE.
+// In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration. With RATIO
+//      light_before and light_now as well, and out of the LAST iteration, instead of light_before, light_ratio: by which the light of each
+//      component changed, in alpha its coherence, -1 in the background (ours; docs/stages.md).
+// Constants: STRATUM_SIZE, LAST.
+// variants: RATIO=0 RATIO=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(constant_id = 1) const bool LAST = false;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -21,23 +26,57 @@ layout(push_constant) uniform Push {
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-// Storage images are read, not sampled ones, as in atrous.comp.
-layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D gradient_guide;
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D gradient_in;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D gradient_out;
+#if RATIO
+layout(set = 0, binding = 1) uniform utexture2D gradient_guide;
+layout(set = 0, binding = 3) uniform texture2D gradient_in;
+layout(set = 0, binding = 5) uniform texture2D before_in;
+layout(set = 0, binding = 6) uniform texture2D now_in;
+layout(set = 0, binding = 7, rgba16f) uniform writeonly image2D before_out;
+layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D now_out;
+#define texel_at(name, s) texelFetch(name, s, 0)
+#else
+// Storage images are read, not sampled ones, as in atrous.comp; with RATIO there would be more than the four that Vulkan guarantees.
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D gradient_guide;
+layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D gradient_in;
+#define texel_at(name, s) imageLoad(name, s)
+#endif
 
 const float LUMINANCE_EPSILON = 1e-4;
 
 ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
 
+#if RATIO
+// The spread of the ratio among samples, relative: what is below COHERENT is rounding, what is above INCOHERENT is no ratio.
+const float COHERENT = 0.1;
+const float INCOHERENT = 0.3;
+const float LARGEST_RATIO = 64.0;
+// Share of the brightest component, below which a component has no ratio of its own.
+const float RATIO_FLOOR = 1e-3;
+
+// By the inequality of Cauchy and Schwarz the mean of sqrt(before * now) is largest where now is before times one number, and falls short
+// of that by an eighth of the squared spread of the number.
+vec4 light_ratio(vec4 before, vec3 now) {
+    float largest = dot(sqrt(before.rgb * now), vec3(1.0));
+    float spread = largest > 0.0 ? sqrt(8.0 * max(0.0, 1.0 - before.a / largest)) : INCOHERENT;
+    float coherence = clamp((INCOHERENT - spread) / (INCOHERENT - COHERENT), 0.0, 1.0);
+    float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
+    return vec4(mix(vec3(1.0), min((now + least) / (before.rgb + least), LARGEST_RATIO), coherence), coherence);
+}
+#endif
+
 void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
-    vec4 centre = imageLoad(gradient_in, s);
-    uvec4 packed = imageLoad(gradient_guide, s);
+    vec4 centre = texel_at(gradient_in, s);
+    uvec4 packed = texel_at(gradient_guide, s);
     if (unpack_depth(packed) == 0.0) {
         imageStore(gradient_out, s, centre);
+#if RATIO
+        imageStore(before_out, s, LAST ? vec4(1.0, 1.0, 1.0, -1.0) : vec4(0.0));
+        imageStore(now_out, s, vec4(0.0));
+#endif
         return;
     }
     ivec2 p = pixel_of(s, packed);
@@ -45,20 +84,33 @@ void main() {
     float sharpness = LOG2_E / (push.sigma_l * centre.w + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
+#if RATIO
+    vec4 before = texel_at(before_in, s), now = texel_at(now_in, s);
+#endif
     int step_size = 1 << push.level;
     ivec2 last = ivec2(strata_of(frame.render_extent)) - 1;
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             if (x == 0 && y == 0) continue;
             ivec2 t = s + ivec2(x, y) * step_size, tap = clamp(t, ivec2(0), last);
-            uvec4 packed_t = imageLoad(gradient_guide, tap);
-            vec4 value = imageLoad(gradient_in, tap);
+            uvec4 packed_t = texel_at(gradient_guide, tap);
+            vec4 value = texel_at(gradient_in, tap);
             vec2 offset = vec2(pixel_of(tap, packed_t) - p);
             float geometry = log2_edge_weight(surface, packed_t, depth_sharpness(surface, offset));
             float weight = t == tap && unpack_depth(packed_t) != 0.0 ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;
+#if RATIO
+            before += weight * texel_at(before_in, tap);
+            now += weight * texel_at(now_in, tap);
+#endif
         }
     imageStore(gradient_out, s, vec4(sum, sqrt(variance)) / weight_sum);
+#if RATIO
+    before /= weight_sum;
+    now /= weight_sum;
+    imageStore(before_out, s, LAST ? light_ratio(before, now.rgb) : before);
+    imageStore(now_out, s, now);
+#endif
 }

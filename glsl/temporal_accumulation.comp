@@ -2,11 +2,12 @@
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame; object normals in the
-//      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel.
+//      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
 // In place: filter_ping, noisy irradiance to accumulated irradiance with the history length in alpha, own pixel only. Out: new_moments.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
-// REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image.
-// optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence
+// REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
+// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio.
+// optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -16,6 +17,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool VOLUME = false;
 layout(constant_id = 2) const bool REPAIR = false;
+layout(constant_id = 3) const bool SHARP = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -32,6 +34,7 @@ layout(push_constant) uniform Push {
 #include "moments.glsl"
 #include "luminance.glsl"
 #include "packed_image.glsl"
+#include "strata.glsl"
 #include "volume.glsl"
 
 const uint SURFACE_MOTION = 3u;
@@ -40,6 +43,7 @@ const uint VOLUME_MOTION = 5u;
 const uint OBJECT_NORMAL = 6u;
 const uint PREVIOUS_OBJECT_NORMAL = 7u;
 const uint HISTORY_CONFIDENCE = 8u;
+const uint LIGHT_RATIO = 17u;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 PACKED_IMAGE(2, previous_guide);
@@ -49,6 +53,7 @@ layout(set = 0, binding = VOLUME_MOTION) uniform utexture2D volume_motion;
 layout(set = 0, binding = OBJECT_NORMAL) uniform utexture2D object_normal;
 layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_object_normal;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
+layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 layout(set = 0, binding = 9) uniform texture2D history_0;
 PACKED_IMAGE(10, previous_moments_0);
 layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_0;
@@ -154,6 +159,37 @@ Gathered repair(vec2 start, vec2 position, Expected expected) {
     return sum;
 }
 
+ivec2 nearest_inside_previous(ivec2 q) { return clamp(q, ivec2(0), ivec2(frame.previous_render_extent) - 1); }
+
+// Catmull and Rom's weights of four taps in a row, `t` from the second to the third.
+vec4 cubic_weights(float t) {
+    return vec4(t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t));
+}
+
+// Replaces the irradiance that 2x2 taps gave, unless one of 4x4 is another surface.
+void sharpen(inout Gathered sum, ivec2 corner, vec2 f, Expected expected) {
+    vec4 x_weights = cubic_weights(f.x), y_weights = cubic_weights(f.y);
+    vec3 irradiance[SIGNALS];
+    for (int i = 0; i < SIGNALS; ++i) irradiance[i] = vec3(0.0);
+    bool whole = true;
+    // The outer taps lie up to two pixels away.
+    float slack = 2.0 * (abs(expected.gradient.x) + abs(expected.gradient.y));
+    [[dont_unroll]] for (int i = 0; i < 16; ++i) {
+        ivec2 tap = corner + ivec2(i % 4, i / 4) - 1;
+        float weight = x_weights[i % 4] * y_weights[i / 4];
+        whole = whole && refusal(tap, expected, slack) == REASON_NONE;
+        irradiance[0] += weight * texelFetch(history_0, nearest_inside_previous(tap), 0).rgb;
+#if SIGNALS == 2
+        irradiance[1] += weight * texelFetch(history_1, nearest_inside_previous(tap), 0).rgb;
+#endif
+    }
+    if (!whole) return;
+    for (int i = 0; i < SIGNALS; ++i) sum.signals[i].irradiance = sum.weight * max(irradiance[i], vec3(0.0));
+}
+
+// The sum of weights of 2x2 taps of which none was refused.
+const float WHOLE_WEIGHT = 0.999;
+
 // The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
 Gathered gather(vec2 position, Expected expected) {
     Gathered sum = nothing();
@@ -165,6 +201,7 @@ Gathered gather(vec2 position, Expected expected) {
         float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
         if (weight > 0.0 && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, weight);
     }
+    if (SHARP && !VOLUME && sum.weight > WHOLE_WEIGHT && f != vec2(0.0)) sharpen(sum, ivec2(corner), f, expected);
     if (sum.weight >= MIN_TAP_WEIGHT) return sum;
     sum = nothing();
     ivec2 nearest = ivec2(floor(position + 0.5));
@@ -207,18 +244,42 @@ float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFe
 
 float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
 
-vec3 blend(vec3 irradiance, History history, float history_length, float change, out Moments moments) {
-    float l = luminance(irradiance);
+// How much brighter each component of the light is than in the frame before, smooth between strata.
+vec3 light_ratio_at(ivec2 p) {
+    if (!is_present(LIGHT_RATIO)) return vec3(1.0);
+    vec2 position = (vec2(p) + 0.5) / float(STRATUM_SIZE) - 0.5, corner = floor(position), f = position - corner;
+    ivec2 last = ivec2(strata_of(frame.render_extent)) - 1;
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1);
+        float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+        vec4 ratio = texelFetch(light_ratio, clamp(ivec2(corner) + offset, ivec2(0), last), 0);
+        // Strata of the background have none.
+        if (ratio.a >= 0.0) sum += weight * vec4(ratio.rgb, 1.0);
+    }
+    return sum.a > 0.0 ? sum.rgb / sum.a : vec3(1.0);
+}
+
+// The history in the light of this frame, with its variance in the place of the second moment. A ratio of exposures may be as large as a
+// float: the clamps keep infinity minus infinity away.
+History in_light(History history, vec3 ratio) {
     float scale = frame.exposure_ratio;
-    float mean = history.mean * scale;
+    if (is_present(LIGHT_RATIO)) scale = min(scale * luminance(ratio), 1e38);
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
+    vec3 irradiance = storable(history.irradiance * ratio * frame.exposure_ratio);
+    return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0));
+}
+
+vec3 blend(vec3 irradiance, History history, float history_length, float change, out Moments moments) {
     float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / history_length);
-    float difference = l - mean;
-    moments.mean = mean + alpha_moments * difference;
-    moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
+    float difference = luminance(irradiance) - history.mean;
+    moments.mean = history.mean + alpha_moments * difference;
+    moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    return mix(history.irradiance * scale, irradiance, max(adapted(push.alpha, change), 1.0 / history_length));
+    float alpha = max(adapted(push.alpha, change), 1.0 / history_length);
+    // What is dropped leaves no rounding error behind.
+    return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;
 }
 
 void main() {
@@ -255,12 +316,13 @@ void main() {
     irradiance[1] = imageLoad(irradiance_1, p).rgb;
 #endif
     Moments moments[SIGNALS];
+    vec3 ratio = light_ratio_at(p);
     for (int i = 0; i < SIGNALS; ++i) {
         moments[i] = Moments(luminance(irradiance[i]), 0.0, 1.0, reason);
         if (sum.weight > 0.0) {
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
-            irradiance[i] = blend(irradiance[i], h, history_length, change, moments[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, ratio), history_length, change, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));

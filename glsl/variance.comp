@@ -4,7 +4,7 @@
 // In:  guide, depth_gradient, new_moments. In place: filter_ping: accumulated irradiance, its alpha from history length to deviation, own
 //      pixel only. Out: moments, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
-// past alone. VOLUME: weights by the depth of the surface behind alone; the background takes part.
+// past alone. AVERAGED: half-way to the deviation of the accumulated mean (ours). VOLUME: weights by the depth of the surface behind alone; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -14,6 +14,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const uint ESTIMATOR = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
+layout(constant_id = 3) const bool AVERAGED = false;
 
 layout(push_constant) uniform Push {
     float sigma_n;
@@ -21,6 +22,7 @@ layout(push_constant) uniform Push {
     float edge_falloff;
     float volume_sigma_z;
     float spatial_variance_frames;
+    float alpha;
 } push;
 
 #include "frame.glsl"
@@ -99,6 +101,11 @@ float combined(float temporal, vec2 sums, float history_length) {
     return sqrt(mix(temporal * temporal, spatial * spatial, share));
 }
 
+// Half-way, in factors, from the deviation of a sample to that of the mean of so many, whose smallest weight is alpha.
+float averaging(float history_length) {
+    return AVERAGED ? sqrt(sqrt(max(1.0 / history_length, push.alpha / (2.0 - push.alpha)))) : 1.0;
+}
+
 bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || history_length < push.spatial_variance_frames); }
 
 void main() {
@@ -123,6 +130,7 @@ void main() {
         spatial_moments(p, packed, sums);
         deviations = vec2(combined(deviations.x, sums[0], m.history_length), combined(deviations.y, sums[1], m.history_length));
     }
+    if (AVERAGED && !background) deviations *= averaging(m.history_length);
     deviations = min(deviations, 65504.0);
     imageStore(irradiance_0, p, vec4(value_0.rgb, deviations.x));
 #if SIGNALS == 2

@@ -20,6 +20,7 @@ fn configurations() -> Vec<(&'static str, Config)> {
     let apart = Config { signals: Signals::Apart, ..base };
     let asvgf = Config { preset: Preset::Asvgf, ..base };
     let percentile = Config { preset: Preset::Percentile, ..base };
+    let best = Config { preset: Preset::Best, ..base };
     let fast = Config { preset: Preset::Fast, ..base };
     let eaw = Config { preset: Preset::Eaw, ..base };
     let stabilize = Config { preset: Preset::Stabilize, ..base };
@@ -45,6 +46,8 @@ fn configurations() -> Vec<(&'static str, Config)> {
         ("percentile apart, object normals", Config { signals: Signals::Apart, object_normal: true, ..percentile }),
         ("percentile published", Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile }),
         ("percentile published apart", Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile }),
+        ("best", Config { debug_view: true, ..best }),
+        ("best reshaded, apart", Config { gradient_source: GradientSource::Reshaded, signals: Signals::Apart, ..best }),
         ("fast", fast),
         ("fast apart, fireflies", Config { signals: Signals::Apart, firefly_filter: true, ..fast }),
         ("eaw", eaw),

@@ -21,6 +21,7 @@ fn a_pixel_takes_no_more_bytes_than_promised() {
         (Config { preset: Preset::Fast, ..together }, 48.0),
         (Config { preset: Preset::Percentile, ..together }, 48.0),
         (Config { preset: Preset::Asvgf, ..together }, 56.0),
+        (Config { preset: Preset::Best, ..together }, 72.0),
         (apart, 80.0),
     ];
     for (config, promised) in promised {

@@ -8,6 +8,7 @@ use atrous_harness::DeviceTest;
 pub const TESTS: &[DeviceTest] = &[
     ("energy_stays_in_svgf", || energy_stays(Preset::Svgf)),
     ("energy_stays_in_asvgf", || energy_stays(Preset::Asvgf)),
+    ("energy_stays_in_best", || energy_stays(Preset::Best)),
     ("energy_stays_in_stabilize", || energy_stays(Preset::Stabilize)),
     ("energy_stays_in_percentile", || energy_stays(Preset::Percentile)),
     ("energy_stays_in_eaw", || energy_stays(Preset::Eaw)),
@@ -29,7 +30,7 @@ fn output(preset: Preset) -> &'static str {
 fn denoised(preset: Preset, filter: bool, frames: impl Iterator<Item = Guides>) -> Vec<[f32; 4]> {
     let config = Config { preset, firefly_filter: filter, gradient_source: GradientSource::Confidence, ..Config::new(EXTENT) };
     let mut s = session(&config);
-    // The preset `percentile` always filters: where it shall not, every luminance is usual.
+    // The presets `percentile` and `best` always filter: where they shall not, every luminance is usual.
     let firefly_bias = if filter { 0.0 } else { 65504.0 };
     let tuning = Tuning { firefly_bias, ..Tuning::for_preset(preset) };
     for guides in frames {
@@ -37,7 +38,7 @@ fn denoised(preset: Preset, filter: bool, frames: impl Iterator<Item = Guides>) 
         if preset == Preset::Stabilize {
             s.upload("other_denoised_radiance", &guides.noisy_radiance).expect("other_denoised_radiance");
         }
-        if matches!(preset, Preset::Asvgf | Preset::Stabilize) {
+        if matches!(preset, Preset::Asvgf | Preset::Best | Preset::Stabilize) {
             s.upload("confidence", &[[1.0; 4]; (EXTENT[0] * EXTENT[1]) as usize]).expect("confidence");
         }
         s.run(&Scene::new(EXTENT).params(0), &tuning).expect("frame");

@@ -12,6 +12,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_gradient_sample_is_not_one_in_the_next_frame", a_gradient_sample_is_not_one_in_the_next_frame),
     ("a_light_switched_on_in_the_dark_is_seen", a_light_switched_on_in_the_dark_is_seen),
     ("after_a_switch_the_error_is_less_than_half_that_of_svgf", after_a_switch_the_error_is_less_than_half_that_of_svgf),
+    ("history_follows_light_that_changes_as_a_whole", history_follows_light_that_changes_as_a_whole),
     ("a_static_scene_is_as_steady_as_with_svgf", a_static_scene_is_as_steady_as_with_svgf),
     ("without_reshading_history_is_trusted_and_it_is_said_once", without_reshading_history_is_trusted_and_it_is_said_once),
     ("a_local_change_stays_local", a_local_change_stays_local),
@@ -117,6 +118,34 @@ fn after_a_switch_the_error_is_less_than_half_that_of_svgf() {
             assert!(*asvgf <= 0.45 * svgf, "{asvgf} against {svgf}");
         }
     }
+}
+
+/// Where all light falls or rises together `best` keeps its history: its error after the switch is that of a long history, while A-SVGF
+/// begins anew. Without re-shaded samples it still drops what is no longer true.
+fn history_follows_light_that_changes_as_a_whole() {
+    for (before, after) in [(1.0, 0.2), (0.2, 1.0)] {
+        let scene = Scene::new(EXTENT);
+        let run = |preset: Preset, reshaded: bool| {
+            let mut host = host(preset);
+            let params = FrameParams { reshaded, ..scene.params(0) };
+            let mut last = None;
+            for i in 0..13 {
+                let light = if i < 12 { before } else { after };
+                last = Some(host.frame_with(&Scene { light, ..scene }, 0, &params));
+            }
+            let shaded = last.expect("frames");
+            (rmse(&shaded.denoised, &shaded.clean), shaded.confidence)
+        };
+        let ((asvgf, _), (best, confidence), (svgf, _)) =
+            (run(Preset::Asvgf, true), run(Preset::Best, true), run(Preset::Svgf, false));
+        let kept = confidence.iter().filter(|c| **c > 0.9).count() as f32 / confidence.len() as f32;
+        let (without, _) = run(Preset::Best, false);
+        println!("light {before} to {after}: A-SVGF {asvgf:.4}, best {best:.4} ({kept:.2} kept), without samples {without:.4}, SVGF {svgf:.4}");
+        assert!(kept > 0.5, "{kept}");
+        assert!(best <= 0.7 * asvgf, "{best} against {asvgf}");
+        assert!(without <= 0.6 * svgf, "{without} against {svgf}");
+    }
+    assert_valid();
 }
 
 fn params(scene: &Scene, preset: Preset) -> FrameParams {

@@ -13,9 +13,6 @@ vec3 divisor_of(vec3 albedo) {
     return albedo;
 }
 
-// For temporal gradients. What is not finite is black, as it is for the filters.
-float radiance_luminance(vec3 radiance) { return is_finite(radiance) ? luminance(storable(radiance)) : 0.0; }
-
 float albedo_luminance(vec3 divisor) { return luminance(min(divisor, 65504.0)); }
 
 #endif

@@ -20,11 +20,15 @@ pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader {
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("gradient"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("other_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("gradient_scale"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("gradient_scale"), offset: 4, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
@@ -209,6 +213,7 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
         ShaderBinding { number: 8, name: Cow::Borrowed("noisy_luminance"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 9, name: Cow::Borrowed("compared_0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 10, name: Cow::Borrowed("compared_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("noisy_red_blue"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -393,6 +398,9 @@ pub(crate) static GRADIENT: Shader = Shader {
         ShaderBinding { number: 11, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 12, name: Cow::Borrowed("sparse_gradient"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 13, name: Cow::Borrowed("previous_luminance"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 14, name: Cow::Borrowed("previous_red_blue"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("light_before"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("light_now"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -404,8 +412,8 @@ pub(crate) static GRADIENT: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
-pub(crate) static GRADIENT_ATROUS: Shader = Shader {
-    stage: Cow::Borrowed("gradient_atrous"), name: Cow::Borrowed("gradient_atrous"), spirv: Cow::Borrowed(include_bytes!("gradient_atrous.spv")), workgroup: [8, 8, 1],
+pub(crate) static GRADIENT_ATROUS_RATIO_0: Shader = Shader {
+    stage: Cow::Borrowed("gradient_atrous"), name: Cow::Borrowed("gradient_atrous_ratio_0"), spirv: Cow::Borrowed(include_bytes!("gradient_atrous_ratio_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
@@ -421,6 +429,32 @@ pub(crate) static GRADIENT_ATROUS: Shader = Shader {
         PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static GRADIENT_ATROUS_RATIO_1: Shader = Shader {
+    stage: Cow::Borrowed("gradient_atrous"), name: Cow::Borrowed("gradient_atrous_ratio_1"), spirv: Cow::Borrowed(include_bytes!("gradient_atrous_ratio_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("gradient_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("gradient_in"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("gradient_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("before_in"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("now_in"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("before_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("now_out"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
@@ -550,6 +584,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         ShaderBinding { number: 10, name: Cow::Borrowed("previous_moments_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 11, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 12, name: Cow::Borrowed("new_moments_0"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 17, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -563,6 +598,8 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
 pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
@@ -585,6 +622,7 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         ShaderBinding { number: 14, name: Cow::Borrowed("previous_moments_1"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 15, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 16, name: Cow::Borrowed("new_moments_1"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 17, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -598,6 +636,8 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("REPAIR"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SHARP"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
 pub(crate) static TONE_MAP: Shader = Shader {
@@ -633,10 +673,12 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("AVERAGED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
@@ -658,10 +700,12 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("AVERAGED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VOLUME_MOTION_RESOLVE_0: Shader = Shader {
@@ -709,4 +753,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -18,7 +18,7 @@ const STABLE: [(&str, u32, &str); 18] = [
     ("NormalEncoding", 0, "xyz xyz_unorm octahedral octahedral_unorm"),
     ("NormalSpace", 0, "world view"),
     ("PostProcess", 0, "none tone_map tone_map_taa"),
-    ("Preset", 0, "svgf asvgf stabilize percentile eaw volume fast"),
+    ("Preset", 0, "svgf asvgf stabilize percentile eaw volume fast best"),
     ("Sampling", 0, "full one_of_2x2 one_of_4x4"),
     ("Signals", 0, "together apart"),
     ("ViewForward", 0, "negative_z positive_z"),

@@ -52,6 +52,9 @@ choices! {
         /// The cheapest filter that follows light that changes: SVGF with 7 taps a level and the change test of
         /// [`Preset::Percentile`]. Needs nothing of the host that SVGF does not.
         Fast = 6 => "fast",
+        /// The filter of choice: [`Preset::Asvgf`] whose history follows light that changes as a whole, is not filtered and stays sharp
+        /// in motion; with the change test of [`Preset::Percentile`] wherever no gradient is known.
+        Best = 7 => "best",
     }
 
     /// Share of the pixels that have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
@@ -122,6 +125,7 @@ impl Preset {
             Self::Eaw => "EAW",
             Self::Volume => "volume",
             Self::Fast => "fast",
+            Self::Best => "best",
         }
     }
 }

@@ -191,6 +191,17 @@ impl Tuning {
             Preset::Svgf | Preset::Eaw | Preset::Volume => Self::default(),
             Preset::Fast => Self { alpha: 0.1, alpha_moments: 0.1, normal_tolerance: 0.5, ..Self::default() },
             Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..Self::default() },
+            Preset::Best => Self {
+                alpha: 0.1,
+                alpha_moments: 0.1,
+                sigma_l: 3.0,
+                sigma_n: 32.0,
+                sigma_z: 1.5,
+                depth_tolerance: 0.1,
+                normal_tolerance: 0.4,
+                percentile_range: 3.0,
+                ..Self::default()
+            },
             Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
         }
     }

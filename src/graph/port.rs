@@ -203,6 +203,24 @@ pub struct Gradient {
     pub(crate) guide: Image,
     pub(crate) stratum_size: u32,
     pub(crate) kept: Option<KeptLuminance>,
+    /// Light of the samples before and now, while they are being filtered.
+    pub(crate) light: Option<[Image; 2]>,
+    pub(crate) light_ratio: Option<LightRatio>,
+}
+
+/// Ratio of the light of this frame to that of the frame before, one texel a stratum. rgb: the ratio of each component, 0 to 64; alpha:
+/// 1 where all samples agree on it, down to 0, where the ratio is 1, and -1 in the background.
+#[derive(Clone, Copy, Debug)]
+pub struct LightRatio {
+    pub(crate) image: Image,
+    pub(crate) stratum_size: u32,
+}
+
+impl LightRatio {
+    /// The image.
+    pub fn image(&self) -> Image {
+        self.image
+    }
 }
 
 /// Luminance that one frame keeps, so that the next one can measure its change.
@@ -210,6 +228,8 @@ pub struct Gradient {
 pub(crate) struct KeptLuminance {
     /// The history: luminance of the radiance, and of the albedo.
     pub image: Image,
+    /// The history of red and blue, where the ratio of light is wanted.
+    pub red_blue: Option<Image>,
     /// The radiance that is compared.
     pub of: Radiance,
 }
@@ -218,6 +238,12 @@ impl Gradient {
     /// The gradients. x: change of luminance δ; y: larger luminance Δ; z, w: mean and deviation of luminance.
     pub fn image(&self) -> Image {
         self.image
+    }
+
+    /// The ratio of light, after [`Graph::gradient_atrous`](super::Graph::gradient_atrous) of gradients that were made by
+    /// [`Graph::gradient_and_ratio`](super::Graph::gradient_and_ratio).
+    pub fn light_ratio(&self) -> Option<LightRatio> {
+        self.light_ratio
     }
 }
 

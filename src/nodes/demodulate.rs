@@ -40,7 +40,7 @@ impl Graph {
             pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
         }
         if let Some(kept) = kept {
-            pass = pass.bind("noisy_luminance", kept.image);
+            pass = pass.bind("noisy_luminance", kept.image).bind_some("noisy_red_blue", kept.red_blue);
             if kept.of.images() != noisy.images() {
                 pass = pass.each("compared", kept.of.images());
             }

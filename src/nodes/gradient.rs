@@ -47,9 +47,20 @@ impl Graph {
     /// Gradients of the noisy radiance of one or two signals, and the guide that steers their reconstruction. Unless the host gives
     /// them, the luminance of this frame has to be kept for the next one: [`crate::nodes::Demodulate::gradient`].
     pub fn gradient(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
+        self.add_gradient(guides, noisy, source, false)
+    }
+
+    /// [`Self::gradient`], and the light of the samples in this frame and the last, of which [`Self::gradient_atrous`] makes the ratio:
+    /// where all light rises or falls together, the history can follow it instead of being dropped. A host that gives its own
+    /// gradients, [`Gradients::Sparse`], gets no ratio.
+    pub fn gradient_and_ratio(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
+        self.add_gradient(guides, noisy, source, true)
+    }
+
+    fn add_gradient(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients, ratio: bool) -> Gradient {
         let node = self.node("gradient", "");
         let size = check_stratum_size(self, &node, source.stratum_size());
-        let image = self.named_image("gradient", "", HDR, size, Lifetime::Transient);
+        let image = self.strata_image("gradient", size);
         let guide = self.named_image("gradient_guide", "", PACKED_64, size, Lifetime::Transient);
         let mut pass = Pass::new(&node, &shaders::GRADIENT)
             .grid(Grid::Strata(size))
@@ -59,16 +70,28 @@ impl Graph {
             .each("noisy", noisy.images())
             .bind("gradient", image)
             .bind("gradient_guide", guide);
-        let kept = (!matches!(source, Gradients::Sparse { .. })).then(|| KeptLuminance {
-            image: self.history_in_place("noisy_luminance", "", PACKED_32, "give the gradients to `Demodulate::gradient`"),
-            of: *noisy,
+        let kept = (!matches!(source, Gradients::Sparse { .. })).then(|| {
+            let mut kept = |name| self.history_in_place(name, "", PACKED_32, "give the gradients to `Demodulate::gradient`");
+            KeptLuminance { image: kept("noisy_luminance"), red_blue: ratio.then(|| kept("noisy_red_blue")), of: *noisy }
         });
         if let Some(kept) = &kept {
             pass = pass.previous("previous_luminance", kept.image);
         }
+        let red_blue = kept.and_then(|kept| kept.red_blue);
+        let light = red_blue.map(|_| ["light_before", "light_now"].map(|name| self.strata_image(name, size)));
+        if let (Some(red_blue), Some([before, now])) = (red_blue, light) {
+            pass = pass.previous("previous_red_blue", red_blue).bind("light_before", before).bind("light_now", now);
+        }
         let pass = self.bind_source(pass, guides, source, size);
         self.add(pass);
-        Gradient { image: self.refreshed(image), guide: self.refreshed(guide), stratum_size: size, kept }
+        let light = light.map(|images| images.map(|image| self.refreshed(image)));
+        let (image, guide) = (self.refreshed(image), self.refreshed(guide));
+        Gradient { image, guide, stratum_size: size, kept, light, light_ratio: None }
+    }
+
+    /// Four half floats for every stratum.
+    pub(super) fn strata_image(&mut self, name: &str, stratum_size: u32) -> Image {
+        self.named_image(name, "", HDR, stratum_size, Lifetime::Transient)
     }
 
     fn bind_source(&mut self, pass: Pass, guides: &Guides, source: Gradients, size: u32) -> Pass {

@@ -48,7 +48,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("import", import::twin::twin, IMPORT),
     Stage::new("forward_project", forward_project::twin::twin, FORWARD_PROJECT),
     Stage::new("gradient", gradient::twin::twin, GRADIENT),
-    Stage::new("gradient_atrous", gradient_atrous::twin::twin, &[strata("gradient_out", WEIGHTED)]),
+    Stage::new("gradient_atrous", gradient_atrous::twin::twin, GRADIENT_ATROUS),
     Stage::new("adaptive_alpha", adaptive_alpha::twin::twin, &[pixels("history_confidence", HALF)]),
     Stage::new("demodulate", demodulate::twin::twin, DEMODULATE),
     Stage::new(

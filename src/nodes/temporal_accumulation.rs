@@ -3,7 +3,7 @@
 pub(crate) mod twin;
 
 use super::by_signals;
-use crate::graph::{Accumulated, Confidence, Graph, Guides, History, Irradiance, Pass, Value};
+use crate::graph::{Accumulated, Confidence, Graph, Guides, History, Irradiance, LightRatio, Pass, Value};
 use crate::graph::{VolumeAccumulated, VolumeMotion, VolumeRadiance};
 use crate::shaders;
 
@@ -14,6 +14,11 @@ pub struct Accumulation {
     pub confidence: Option<Confidence>,
     /// Whether disocclusions borrow the history of pixels nearby \[PSVGF\]. Default: false.
     pub repair: bool,
+    /// Whether irradiance of the history is looked up by the cubic of Catmull and Rom, where 4×4 pixels show the surface. Else, and
+    /// there, by 2×2 pixels, which blur a little more with every frame that moves. Default: false.
+    pub sharp: bool,
+    /// Ratio of light by which history is scaled before the blend, with the confidence of the same gradients. Default: none.
+    pub light_ratio: Option<LightRatio>,
     /// Smallest weight of the new sample in the irradiance. Default: [`crate::Tuning::alpha`].
     pub alpha: Value,
     /// Smallest weight of the new sample in the moments. Default: [`crate::Tuning::alpha_moments`].
@@ -39,6 +44,7 @@ impl Graph {
         let modules = (&shaders::TEMPORAL_ACCUMULATION_SIGNALS_1, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2);
         let mut pass = Pass::new(&node, by_signals(irradiance, modules.0, modules.1))
             .constant("REPAIR", u32::from(accumulation.repair))
+            .constant("SHARP", u32::from(accumulation.sharp))
             .value("alpha", accumulation.alpha)
             .value("alpha_moments", accumulation.alpha_moments)
             .value("max_history_length", accumulation.max_history_length)
@@ -53,6 +59,9 @@ impl Graph {
             .each("irradiance", irradiance.images())
             .each("new_moments", history.new_moments())
             .bind_some("history_confidence", accumulation.confidence.map(|confidence| confidence.image()));
+        if let Some(ratio) = accumulation.light_ratio {
+            pass = pass.constant("STRATUM_SIZE", ratio.stratum_size).bind("light_ratio", ratio.image);
+        }
         if let Some(normal) = guides.object_normal {
             pass = pass.bind("object_normal", normal).previous("previous_object_normal", normal);
         }

@@ -26,6 +26,9 @@ pub enum Estimator {
 pub struct Variance {
     /// Default: [`Estimator::Switched`].
     pub estimator: Estimator,
+    /// Whether the deviation is that of a sample, as \[SVGF\] compares luminances by (false), or half-way, in factors, to that of the
+    /// mean of N samples with the smallest weight α: times max(1/N, α/(2 − α))^¼. Default: false.
+    pub averaged: bool,
     /// Pixels with a shorter history look at their surroundings. Default: [`crate::Tuning::spatial_variance_frames`].
     pub spatial_variance_frames: Value,
 }
@@ -36,6 +39,7 @@ impl Graph {
         let node = self.node("variance", &self.label_of(accumulated));
         let pass = Pass::new(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
             .constant("ESTIMATOR", variance.estimator as u32)
+            .constant("AVERAGED", u32::from(variance.averaged))
             .value("spatial_variance_frames", variance.spatial_variance_frames)
             .bind("guide", guides.guide)
             .bind("depth_gradient", guides.depth_gradient);

@@ -4,6 +4,7 @@
 //! puts around it what a [`Config`] asks for: the inputs of the host, a volume, the post-process, the debug view.
 
 mod asvgf;
+mod best;
 mod eaw;
 mod fast;
 mod gradients;
@@ -13,6 +14,7 @@ mod svgf;
 mod volume;
 
 pub use asvgf::asvgf;
+pub use best::best;
 pub use eaw::eaw;
 pub use fast::fast;
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
@@ -89,6 +91,7 @@ fn surfaces(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Denoised>
         Preset::Fast => fast(g, guides, config),
         Preset::Eaw => eaw(g, guides, config),
         Preset::Asvgf => asvgf(g, guides, config),
+        Preset::Best => best(g, guides, config),
         Preset::Stabilize => stabilize(g, guides, config),
         Preset::Volume => return None,
     };

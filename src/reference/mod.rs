@@ -30,6 +30,7 @@ pub(crate) mod forward_projection;
 pub(crate) mod geometry_weights;
 pub(crate) mod guide;
 mod image;
+pub(crate) mod kept_radiance;
 pub(crate) mod luminance;
 pub(crate) mod moments;
 pub(crate) mod nearest_history;
@@ -58,21 +59,25 @@ pub use crate::nodes::block_percentiles::twin::{
 };
 pub use crate::nodes::change_test::twin::{change_test, CHANGE_EPSILON};
 pub use crate::nodes::debug_view::twin::{debug_view, DebugViewInputs};
-pub use crate::nodes::demodulate::twin::{demodulate, noisy_luminance, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON};
+pub use crate::nodes::demodulate::twin::{
+    demodulate, noisy_luminance, noisy_red_blue, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON,
+};
 pub use crate::nodes::eaw::twin::{eaw, EawInputs, HOLE};
 pub use crate::nodes::firefly::twin::{firefly, FireflyInputs};
 pub use crate::nodes::forward_project::twin::{
     forward_project_claim, forward_project_resolve, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates,
 };
 pub use crate::nodes::gradient::twin::{gradient, GradientInput, GradientInputs, GradientOutputs};
-pub use crate::nodes::gradient_atrous::twin::{gradient_atrous, GradientAtrousInputs, GRADIENT_ITERATIONS};
+pub use crate::nodes::gradient_atrous::twin::{
+    gradient_atrous, light_ratio, GradientAtrousInputs, GradientAtrousOutputs, Light, GRADIENT_ITERATIONS,
+};
 pub use crate::nodes::import::twin::{decode_normal, import, ImportInputs, ImportOutputs};
 pub use crate::nodes::modulate::twin::{modulate, ModulateInputs, ModulateOutputs};
 pub use crate::nodes::percentile_rule::twin::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
 pub use crate::nodes::taa::twin::{taa, TaaInputs};
 pub use crate::nodes::temporal_accumulation::twin::{
-    temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, TemporalAccumulationInputs,
-    TemporalAccumulationOutputs, VolumeAccumulationInputs,
+    temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, StrataRatio,
+    TemporalAccumulationInputs, TemporalAccumulationOutputs, VolumeAccumulationInputs,
 };
 pub use crate::nodes::tone_map::twin::tone_map;
 pub use crate::nodes::variance::twin::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};

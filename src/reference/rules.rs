@@ -62,6 +62,19 @@ pub(crate) const GRADIENT: &[Rule] = &[
     Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
     Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
     strata("gradient_guide", EXACT),
+    strata("light_before", LIGHT),
+    strata("light_now", LIGHT),
+];
+
+/// Components are halves of other halves, and the stage looks for a surface in re-shaded images.
+pub(crate) const LIGHT: Tolerance = Tolerance { relative: 5e-3, absolute: 5e-3, outliers: 2e-3 };
+
+/// The ratio is steep: it fades out where samples disagree by a few hundredths more.
+pub(crate) const GRADIENT_ATROUS: &[Rule] = &[
+    strata("gradient_out", WEIGHTED),
+    strata("now_out", WEIGHTED),
+    Rule { when: When::IsNot("LAST", 1), ..strata("before_out", WEIGHTED) },
+    Rule { when: When::Is("LAST", 1), ..strata("before_out", Tolerance { absolute: 2e-2, outliers: 2e-3, ..WEIGHTED }) },
 ];
 
 pub(crate) const DEMODULATE: &[Rule] = &[
@@ -69,6 +82,7 @@ pub(crate) const DEMODULATE: &[Rule] = &[
     pixels("irradiance_0", HALF),
     pixels("irradiance_1", HALF),
     rule("noisy_luminance", Per::Pixel, Values::Halves, HALF),
+    rule("noisy_red_blue", Per::Pixel, Values::Halves, HALF),
 ];
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.

@@ -46,7 +46,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                 all.push(declare(&Config { preset: Preset::Percentile, adaptive_rule, ..config }));
             }
-            for preset in [Preset::Asvgf, Preset::Stabilize] {
+            for preset in [Preset::Asvgf, Preset::Best, Preset::Stabilize] {
                 for (gradient_source, forward_motion) in GRADIENT_SOURCES {
                     all.push(declare(&Config { preset, gradient_source, forward_motion, ..config }));
                     let with_all = Config { preset, gradient_source, firefly_filter: true, volume: true, ..config };
@@ -115,7 +115,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 10] = [
+    const RENAMED: [(&str, &[&str]); 16] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -126,6 +126,12 @@ fn names_of_bindings_match_those_of_resources() {
         ("filtered", &["atrous_", "irradiance_history"]),
         ("gradient_in", &["gradient"]),
         ("gradient_out", &["gradient_even", "gradient_odd"]),
+        ("before_in", &["light_before"]),
+        ("before_out", &["light_before_even", "light_before_odd"]),
+        ("now_in", &["light_now"]),
+        ("now_out", &["light_now_even", "light_now_odd"]),
+        ("light_ratio", &["light_before_even"]),
+        ("other_confidence", &["history_confidence_tested"]),
     ];
     let unshared = |config: &Config| config.graph().expect("valid").share_outputs(false).finish().expect("valid");
     for declaration in declarations_with(unshared) {

@@ -12,7 +12,7 @@ fn config(extent: [u32; 2]) -> Config {
 }
 
 /// Frames with a camera that moves and a light that jumps; `inputs` uploads what else the configuration has.
-fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
+pub(super) fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
     let mut s = session_with(config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     for i in 0..6 {
         let light = if i % 3 == 2 { 0.3 } else { 1.0 };
@@ -81,25 +81,34 @@ pub fn transforms_and_forward_motion() {
 
 pub fn reshaded() {
     for signals in [Signals::Together, Signals::Apart] {
-        let config = Config { signals, gradient_source: GradientSource::Reshaded, ..config([61, 35]) };
-        sequence(&config, [61, 35], |s, i, scene| {
-            let mut again = scene.frame(i.saturating_sub(1), i.saturating_sub(1)).noisy_radiance;
-            again[40] = [f32::NAN; 4];
-            match i {
-                3 => s.unbind("reshaded_radiance").expect("unbind"),
-                _ => s.upload("reshaded_radiance", &again).expect("reshaded_radiance"),
-            }
-        });
+        reshaded_sequence(&Config { signals, ..config([61, 35]) });
     }
 }
 
+pub(super) fn reshaded_sequence(config: &Config) {
+    let config = Config { gradient_source: GradientSource::Reshaded, ..*config };
+    sequence(&config, config.allocated_extent, |s, i, scene| {
+        let mut again = scene.frame(i.saturating_sub(1), i.saturating_sub(1)).noisy_radiance;
+        again[40] = [f32::NAN; 4];
+        match i {
+            3 => s.unbind("reshaded_radiance").expect("unbind"),
+            _ => s.upload("reshaded_radiance", &again).expect("reshaded_radiance"),
+        }
+    });
+}
+
 pub fn sparse_and_confidence() {
-    let sparse = Config { gradient_source: GradientSource::Sparse, ..config([40, 23]) };
+    sparse_and_confidence_sequence(&config([40, 23]));
+}
+
+/// Of 40×23 pixels.
+pub(super) fn sparse_and_confidence_sequence(config: &Config) {
+    let sparse = Config { gradient_source: GradientSource::Sparse, ..*config };
     sequence(&sparse, [40, 23], |s, i, _| {
         let texels: Vec<_> = (0..14 * 8).map(|k| [random(k, i, 0) - 0.5, random(k, i, 1), 0.0, 0.0]).collect();
         s.upload("sparse_gradient", &texels).expect("sparse_gradient");
     });
-    let confidence = Config { gradient_source: GradientSource::Confidence, ..config([40, 23]) };
+    let confidence = Config { gradient_source: GradientSource::Confidence, ..*config };
     sequence(&confidence, [40, 23], |s, i, _| {
         let texels: Vec<_> = (0..40 * 23).map(|k| [if k % 5 == 0 { f32::NAN } else { 1.5 * random(k, i, 0) - 0.2 }; 4]).collect();
         s.upload("confidence", &texels).expect("confidence");
@@ -127,6 +136,20 @@ pub fn other_resolutions() {
         let scene = Scene { allocated: [64, 48], ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
         run(&mut s, &FrameParams { reshaded: true, ..scene.params(i) }, &Tuning::for_preset(config.preset));
+    }
+    assert_valid();
+}
+
+/// History times this ratio passes what a half float holds, and the ratio itself the largest float with the light's.
+pub fn exposure_beyond_half_floats() {
+    for preset in [Preset::Asvgf, Preset::Best] {
+        let config = Config { preset, ..config([40, 23]) };
+        let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+        let scene = Scene::new([40, 23]);
+        for (i, exposure_ratio) in (0..).zip([1.0, 1.0, 3e5, 1e-6, 3e38, 1.0]) {
+            upload(&mut s, &scene.frame(i, i));
+            run(&mut s, &FrameParams { exposure_ratio, reshaded: true, ..scene.params(i) }, &Tuning::for_preset(preset));
+        }
     }
     assert_valid();
 }

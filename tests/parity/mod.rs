@@ -1,6 +1,7 @@
 //! Every stage on the GPU against its CPU twin, on what the GPU itself was given: differences do not add up from stage to stage.
 
 mod asvgf;
+mod best;
 mod captured;
 mod debug_view;
 mod import;
@@ -65,7 +66,12 @@ pub const TESTS: &[DeviceTest] = &[
     ("asvgf_sparse_and_confidence", asvgf::sparse_and_confidence),
     ("asvgf_one_pixel", asvgf::one_pixel),
     ("asvgf_other_resolutions", asvgf::other_resolutions),
+    ("exposure_beyond_half_floats", asvgf::exposure_beyond_half_floats),
     ("stabilize", asvgf::stabilize),
+    ("best", best::forward_projected),
+    ("best_reshaded", best::reshaded),
+    ("best_without_ratio", best::sparse_and_confidence),
+    ("best_without_samples", || sequence(&Config { preset: Preset::Best, ..Config::new([61, 35]) })),
     ("debug_views", debug_view::every_view),
 ];
 

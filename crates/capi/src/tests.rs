@@ -95,8 +95,8 @@ fn choices_of_a_frame_are_those_of_the_crate() {
         let failure = given(reset, debug_view).expect_err("out of range");
         assert!(words.iter().all(|word| failure.message.contains(word)), "{}", failure.message);
     }
-    let failure = AtrousConfig { preset: 7, ..AtrousConfig::default_for([4, 4]) }.to_config().expect_err("out of range");
-    assert!(failure.message.contains("preset is 7; allowed: 0 (svgf), 1 (asvgf)"), "{}", failure.message);
+    let failure = AtrousConfig { preset: 8, ..AtrousConfig::default_for([4, 4]) }.to_config().expect_err("out of range");
+    assert!(failure.message.contains("preset is 8; allowed: 0 (svgf), 1 (asvgf)"), "{}", failure.message);
 }
 
 #[test]

@@ -29,14 +29,13 @@ pub struct Cli {
     #[arg(long)]
     pub check: bool,
 
-    /// Filter; svgf, or that of a capture, where none is given
+    /// Filter; best, or that of a capture, where none is given
     ///
-    /// asvgf reacts to changed light by layers with the samples of the previous frame re-shaded in the scene of this frame
-    /// (reshade_direct, reshade_indirect), percentile by the noisy image alone; best is asvgf where there are such layers, else
-    /// percentile. eaw filters every frame by itself. stabilize accumulates what another denoiser made of the frames
-    /// (other_denoised), by the gradients of asvgf.
-    #[arg(long, value_parser = filter())]
-    pub preset: Option<Filter>,
+    /// best and asvgf react to changed light by layers with the samples of the previous frame re-shaded in the scene of this frame
+    /// (reshade_direct, reshade_indirect); best, percentile and fast by the noisy image alone, where there are none. eaw filters every
+    /// frame by itself. stabilize accumulates what another denoiser made of the frames (other_denoised), by the gradients of asvgf.
+    #[arg(long, value_parser = preset())]
+    pub preset: Option<Preset>,
 
     /// Score against the reference channels: table, scores.json and scores.png
     #[arg(long)]
@@ -116,24 +115,10 @@ pub struct Cli {
     pub quiet: bool,
 }
 
-/// A filter of `--preset`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Filter {
-    /// The preset of this name.
-    Named(Preset),
-    /// The best for what the frames have.
-    Best,
-}
-
-const BEST: &str = "best";
-
 /// A volume alone comes from captures, which name the preset themselves.
-fn filter() -> impl TypedValueParser<Value = Filter> {
+fn preset() -> impl TypedValueParser<Value = Preset> {
     let presets = Preset::ALL.into_iter().filter(|preset| *preset != Preset::Volume);
-    PossibleValuesParser::new(presets.map(Preset::name).chain([BEST])).try_map(|name| match name.as_str() {
-        BEST => Ok(Filter::Best),
-        name => name.parse().map(Filter::Named),
-    })
+    PossibleValuesParser::new(presets.map(Preset::name)).try_map(|name| name.parse::<Preset>())
 }
 
 fn signals() -> impl TypedValueParser<Value = Signals> {
@@ -181,11 +166,7 @@ impl Cli {
             conventions: self.conventions.clone(),
             signals: self.signals,
             levels: self.levels,
-            preset: self.preset.and_then(|filter| match filter {
-                Filter::Named(preset) => Some(preset),
-                Filter::Best => None,
-            }),
-            best: self.preset == Some(Filter::Best),
+            preset: self.preset,
             stratum_size: self.stratum_size,
             tunables: self.tunables.clone(),
         }

@@ -27,10 +27,8 @@ pub struct Options {
     pub signals: Option<Signals>,
     /// À-trous levels, where not the default.
     pub levels: Option<u32>,
-    /// Filter, where not that of a capture, or SVGF.
+    /// Filter, where not that of a capture, or [`Preset::Best`].
     pub preset: Option<Preset>,
-    /// Whether the filter that suits the frames best is taken.
-    pub best: bool,
     /// Side of the strata, where not the default.
     pub stratum_size: Option<u32>,
     /// Tunables, on top of those of the sequence.
@@ -52,15 +50,6 @@ pub struct Setup {
     pub report: Vec<String>,
     /// Bytes that decoding a file of the first frame takes.
     pub reading: u64,
-}
-
-/// Measured gradients beat everything; without them the noisy image itself must tell that the light changed.
-fn best(mapping: &Mapping) -> Preset {
-    if [Role::ReshadeDirect, Role::ReshadeIndirect, Role::Reshaded].iter().any(|role| mapping.has(*role)) {
-        Preset::Asvgf
-    } else {
-        Preset::Percentile
-    }
 }
 
 impl Setup {
@@ -98,7 +87,7 @@ impl Setup {
         let captured = sequence.as_ref().and_then(|(_, file)| file.config.preset);
         config.levels = options.levels.unwrap_or(config.levels);
         config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
-        config.preset = if options.best { best(&mapping) } else { options.preset.or(captured).unwrap_or_default() };
+        config.preset = options.preset.or(captured).unwrap_or(Preset::Best);
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.signals = signals(&mapping, config.preset, options.signals)?;

@@ -11,7 +11,7 @@ use crate::{PathTracer, Result};
 
 /// The filters that the demo compares, in the order of strips, tables and menus. A-SVGF, which has lighting of its own, is not the last: then the
 /// noisy picture is the one that all others had.
-pub const FILTERS: [Preset; 5] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Eaw];
+pub const FILTERS: [Preset; 6] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Eaw, Preset::Best];
 
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]

@@ -13,6 +13,10 @@ pub enum AdaptiveAlphaInput<'a> {
         gradient: &'a Image<[f32; 4]>,
         /// Pixels a side of a stratum.
         stratum_size: u32,
+        /// The image `light_ratio`, one texel a stratum, by which the history is scaled.
+        light_ratio: Option<&'a Image<[f32; 4]>>,
+        /// Confidence of another stage, one texel a pixel, for pixels without a gradient.
+        other: Option<&'a Image<f32>>,
     },
     /// The host's own confidence, one texel a pixel: x, 0 to 1; where it is not finite, history is trusted.
     Confidence(&'a Image<[f32; 4]>),
@@ -22,15 +26,36 @@ pub enum AdaptiveAlphaInput<'a> {
 pub fn adaptive_alpha(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2], input: AdaptiveAlphaInput) -> Image<f32> {
     let rect = RenderRect::new(frame.render_extent);
     Image::compute(extent, frame.render_extent, |p| match input {
-        AdaptiveAlphaInput::Gradient { gradient, stratum_size } => {
-            let changes = rect.window(p, 1, 1).map(|(_, q)| change(tuning, gradient.at(q / stratum_size as i32)));
-            1.0 - changes.fold(0.0, f32::max)
+        AdaptiveAlphaInput::Gradient { gradient, stratum_size, light_ratio, other } => {
+            let strata = || rect.window(p, 1, 1).map(|(_, q)| q / stratum_size as i32);
+            if let Some(other) = other.filter(|_| strata().all(|s| gradient.at(s)[1] == 0.0)) {
+                return other.at(p);
+            }
+            let change = strata().map(|s| change(tuning, gradient.at(s))).fold(0.0, f32::max);
+            let ratios = light_ratio.map_or_else(Vec::new, |ratio| strata().map(|s| ratio.at(s)).collect());
+            1.0 - change * (1.0 - coherence(&ratios))
         }
         AdaptiveAlphaInput::Confidence(host) => match host.at(p)[0] {
             c if c.is_finite() => c.clamp(0.0, 1.0),
             _ => 1.0,
         },
     })
+}
+
+/// Relative difference of the ratios of neighbouring strata, from which history is less true, and not at all: it is scaled between them.
+const RATIO_TOLERANCE: f32 = 0.1;
+const RATIO_LIMIT: f32 = 0.3;
+
+/// How far history that is scaled by these ratios is true: 0 to 1.
+fn coherence(ratios: &[[f32; 4]]) -> f32 {
+    let surfaces = || ratios.iter().filter(|ratio| ratio[3] >= 0.0);
+    let range = |i: usize| (surfaces().map(|r| r[i]).fold(f32::INFINITY, f32::min), surfaces().map(|r| r[i]).fold(0.0, f32::max));
+    if surfaces().next().is_none() {
+        return 0.0;
+    }
+    let differences = [0, 1, 2].map(range).map(|(least, largest)| (largest - least) / largest.max(1e-6));
+    let difference = differences.into_iter().fold(0.0, f32::max);
+    range(3).0 * ((RATIO_LIMIT - difference) / (RATIO_LIMIT - RATIO_TOLERANCE)).clamp(0.0, 1.0)
 }
 
 /// λ of a stratum.
@@ -46,7 +71,12 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let input = match b.optional_colour("confidence")? {
         Some(host) => AdaptiveAlphaInput::Confidence(host),
-        None => AdaptiveAlphaInput::Gradient { gradient: b.colour("gradient")?, stratum_size: b.stratum_size()? },
+        None => AdaptiveAlphaInput::Gradient {
+            gradient: b.colour("gradient")?,
+            stratum_size: b.stratum_size()?,
+            light_ratio: b.optional_colour("light_ratio")?,
+            other: b.optional_scalar("other_confidence")?,
+        },
     };
     let confidence = adaptive_alpha(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
     b.write("history_confidence", confidence)
@@ -67,11 +97,39 @@ mod tests {
                 (2, 0) => [1.0, 0.0, 0.0, 0.0],
                 _ => [0.0, 1.0, 0.0, 0.0],
             });
-            let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3 };
+            let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: None };
             let confidence = adaptive_alpha(&frame([7, 7]), &tuning, [7, 7], input);
             let expected = paint([7, 7], |x, y| if (2..=6).contains(&x) && (2..=6).contains(&y) { 0.5 } else { 1.0 });
             assert_eq!(confidence, expected);
         }
+    }
+
+    #[test]
+    fn history_that_follows_the_light_is_kept() {
+        // Light fell by half everywhere; strata of the second column have another ratio, those of the third are background.
+        let gradient = paint([3, 1], |_, _| [-0.5, 1.0, 0.0, 0.0]);
+        let confidence = |second: f32, coherence: f32| {
+            let ratio = paint([3, 1], |x, _| match x {
+                0 => [0.5, 0.5, 0.5, coherence],
+                1 => [second, 0.5, 0.5, 1.0],
+                _ => [1.0, 1.0, 1.0, -1.0],
+            });
+            let input =
+                AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: Some(&ratio), other: None };
+            adaptive_alpha(&frame([9, 3]), &Tuning::default(), [9, 3], input).texels()[..9].to_vec()
+        };
+        assert_eq!(confidence(0.5, 1.0), [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0], "none of the background");
+        assert_eq!(confidence(0.5, 0.25)[..5], [0.25, 0.25, 0.25, 0.25, 1.0], "as far as samples agree");
+        assert_eq!(confidence(1.0, 1.0)[..5], [1.0, 1.0, 0.0, 0.0, 1.0], "not between strata that disagree");
+    }
+
+    #[test]
+    fn pixels_without_a_gradient_take_the_other_confidence() {
+        let gradient = paint([3, 1], |x, _| if x == 0 { [0.0, 1.0, 0.0, 0.0] } else { [0.0; 4] });
+        let other = paint([9, 3], |_, _| 0.25);
+        let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: Some(&other) };
+        let confidence = adaptive_alpha(&frame([9, 3]), &Tuning::default(), [9, 3], input);
+        assert_eq!(confidence.texels()[..9], [1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.25]);
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! The stage `demodulate`: radiance divided by albedo, so that the filters do not blur textures \[SVGF 3\].
 
-use crate::reference::binary16::{half_bits, store, LARGEST_HALF};
+use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::guide::unpack_guide;
+use crate::reference::kept_radiance::{kept_radiance, pack_halves};
 use crate::reference::luminance::luminance;
 use crate::reference::statistics::{count, Counter, Statistics};
 use crate::reference::{Image, HOLE};
@@ -78,7 +79,7 @@ pub(crate) fn luminances(
 ) -> Image<(f32, f32)> {
     Image::compute(guide.extent(), frame.render_extent, |p| {
         let is_background = unpack_guide(guide.at(p)).is_background();
-        let l = noisy.iter().map(|noisy| radiance_luminance(noisy.at(p))).sum::<f32>().min(LARGEST_HALF);
+        let l = luminance(kept_radiance(noisy, p)).min(LARGEST_HALF);
         let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
         (l, luminance(a.map(|a| a.min(LARGEST_HALF))))
     })
@@ -91,17 +92,15 @@ pub fn noisy_luminance(
     noisy: &[&Image<[f32; 4]>],
     albedo: Option<&Image<[f32; 4]>>,
 ) -> Image<u32> {
-    luminances(frame, guide, noisy, albedo).map(|(l, a)| u32::from(half_bits(*l)) | u32::from(half_bits(*a)) << 16)
+    luminances(frame, guide, noisy, albedo).map(|(l, a)| pack_halves([*l, *a]))
 }
 
-/// Luminance of radiance; 0 where it is not finite.
-pub(crate) fn radiance_luminance([r, g, b, _]: [f32; 4]) -> f32 {
-    let rgb = [r, g, b];
-    if rgb.iter().all(|c| c.is_finite()) {
-        luminance(rgb.map(|c| c.clamp(0.0, LARGEST_HALF)))
-    } else {
-        0.0
-    }
+/// Red and blue of the radiance of all signals of every pixel as two halves.
+pub fn noisy_red_blue(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], extent: [u32; 2]) -> Image<u32> {
+    Image::compute(extent, frame.render_extent, |p| {
+        let [r, _, b] = kept_radiance(noisy, p);
+        pack_halves([r, b])
+    })
 }
 
 /// Runs the stage on the bindings of a pass.
@@ -120,6 +119,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         let other = b.has("compared_0").then(|| b.colours("compared")).transpose()?;
         let compared = other.as_ref().unwrap_or(&noisy);
         b.write("noisy_luminance", noisy_luminance(b.frame, inputs.guide, compared, inputs.albedo))?;
+        if b.has("noisy_red_blue") {
+            b.write("noisy_red_blue", noisy_red_blue(b.frame, compared, b.extent_of("noisy_red_blue")?))?;
+        }
     }
     Ok(())
 }

@@ -1,11 +1,12 @@
 //! The stage `gradient` \[ASVGF eq. 2, 3, 13\]: how much the luminance of the same samples changed, with mean and deviation per
 //! stratum.
 
-use crate::nodes::demodulate::twin::{luminances, radiance_luminance};
+use crate::nodes::demodulate::twin::luminances;
 use crate::reference::binary16::{from_half_bits, round_to_half, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
+use crate::reference::kept_radiance::{kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
 use crate::reference::projection::extent_ratio;
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
@@ -50,6 +51,8 @@ pub struct GradientInputs<'a> {
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// `noisy_luminance` of the previous frame; not read in a reset frame.
     pub previous_luminance: Option<&'a Image<u32>>,
+    /// `noisy_red_blue` of the previous frame, where the ratio of light is wanted; not read in a reset frame.
+    pub previous_red_blue: Option<&'a Image<u32>>,
     /// The source.
     pub source: GradientInput<'a>,
 }
@@ -61,6 +64,11 @@ pub struct GradientOutputs {
     pub gradient: Image<[f32; 4]>,
     /// One texel a stratum: the guide of the pixel that stands for it, with its place instead of the roughness.
     pub gradient_guide: Image<[u16; 4]>,
+    /// One texel a stratum. rgb: mean radiance of its samples in the previous frame over the luminance of the albedo; alpha: mean of
+    /// √(before · now), summed over the components. Half precision.
+    pub light_before: Image<[f32; 4]>,
+    /// One texel a stratum. rgb: mean radiance of the same samples in this frame over the same albedo. Half precision.
+    pub light_now: Image<[f32; 4]>,
 }
 
 /// Takes the differences.
@@ -71,7 +79,12 @@ pub fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u32, inpu
     let changes = Changes { frame, tuning, stratum_size, inputs, luminances: &luminances };
     let stratum_extent = extent.map(|side| side.div_ceil(stratum_size));
     let texels = Image::compute(stratum_extent, strata.count().into(), |s| changes.stratum(strata, s));
-    GradientOutputs { gradient: texels.map(|t| t.0), gradient_guide: texels.map(|t| t.1) }
+    GradientOutputs {
+        gradient: texels.map(|t| t.gradient),
+        gradient_guide: texels.map(|t| t.guide),
+        light_before: texels.map(|t| t.before),
+        light_now: texels.map(|t| t.now),
+    }
 }
 
 struct Changes<'a> {
@@ -82,29 +95,57 @@ struct Changes<'a> {
     luminances: &'a Image<(f32, f32)>,
 }
 
+/// Texels of a stratum.
+#[derive(Clone, Copy, Default)]
+struct Texels {
+    gradient: [f32; 4],
+    guide: [u16; 4],
+    before: [f32; 4],
+    now: [f32; 4],
+}
+
+/// The change of one sample.
+#[derive(Clone, Copy, Default)]
+struct Change {
+    /// δ.
+    change: f32,
+    /// Δ.
+    brightest: f32,
+    /// Its light in the previous frame, and in alpha √(before · now), summed over the components.
+    before: [f32; 4],
+    now: [f32; 4],
+}
+
 impl Changes<'_> {
-    fn stratum(&self, strata: Strata, s: IVec2) -> ([f32; 4], [u16; 4]) {
+    fn stratum(&self, strata: Strata, s: IVec2) -> Texels {
         let pixels: Vec<_> = strata.pixels(s).filter(|(_, p)| !unpack_guide(self.inputs.guide.at(*p)).is_background()).collect();
         let values: Vec<f32> = pixels.iter().map(|(_, p)| self.luminances.at(*p)).map(|(l, a)| l / a).collect();
         let mean_of = |values: &[f32]| values.iter().sum::<f32>() / values.len().max(1) as f32;
         let mean = mean_of(&values);
         let variance = mean_of(&values.iter().map(|l| (l - mean) * (l - mean)).collect::<Vec<_>>());
         let sample = self.sample(s);
-        let changes: Vec<(f32, f32)> = match self.inputs.source {
+        let changes: Vec<Change> = match self.inputs.source {
             GradientInput::ForwardProjected { .. } => {
-                sample.iter().map(|(p, j)| self.change(self.luminances.at(*p).0, *j)).collect()
+                sample.iter().map(|(p, j)| self.change(kept_radiance(self.inputs.noisy, *p), *j)).collect()
             }
             GradientInput::Reshaded { .. } => pixels.iter().filter_map(|(_, p)| self.reshaded(*p)).collect(),
-            GradientInput::Sparse(host) => host.map(|host| host.at(s)).map(|[d, l, ..]| (d, l)).into_iter().collect(),
+            GradientInput::Sparse(host) => host
+                .map(|host| host.at(s))
+                .filter(|[change, brightest, ..]| change.is_finite() && brightest.is_finite())
+                .map(|[change, brightest, ..]| Change { change, brightest: brightest.max(0.0), ..Change::default() })
+                .into_iter()
+                .collect(),
         };
-        let (change, brightest) = mean_change(&changes);
+        let change = mean_change(&changes);
         // The sample's own pixel stands for the stratum; else its middle, else its first surface.
         let extent = strata.extent_of(s);
         let middle = strata.first_pixel(s) + ((extent - UVec2::ONE) / 2).as_ivec2();
         let wanted = sample.map_or(middle, |(p, _)| p);
         let stands = pixels.iter().find(|(_, p)| *p == wanted).or(pixels.first());
         let guide = stands.map_or([0; 4], |(place, p)| with_place(self.inputs.guide.at(*p), *place));
-        ([change, brightest, mean, variance.sqrt()].map(|x| round_to_half(x.clamp(-LARGEST_HALF, LARGEST_HALF))), guide)
+        let stored = |texel: [f32; 4]| texel.map(|x| round_to_half(x.clamp(-LARGEST_HALF, LARGEST_HALF)));
+        let gradient = stored([change.change, change.brightest, mean, variance.sqrt()]);
+        Texels { gradient, guide, before: stored(change.before), now: stored(change.now) }
     }
 
     /// The pixel of a stratum that was re-shaded, and the previous pixel that it repeats.
@@ -118,18 +159,23 @@ impl Changes<'_> {
         Some((pixel(sample.pixel), pixel(sample.previous_pixel)))
     }
 
-    /// δ and Δ of a sample that was at `previous`.
-    fn change(&self, now: f32, previous: IVec2) -> (f32, f32) {
-        let Some(texel) = self.inputs.previous_luminance.map(|l| l.at(previous)) else { return (0.0, 0.0) };
-        let (before, albedo) = (from_half_bits(texel as u16), from_half_bits((texel >> 16) as u16));
-        let before = (before * self.frame.exposure_ratio).min(LARGEST_HALF);
+    /// The change of a sample that was at `previous`.
+    fn change(&self, radiance: [f32; 3], previous: IVec2) -> Change {
+        let halves = |texel: u32| [texel as u16, (texel >> 16) as u16].map(from_half_bits);
+        let exposed = |x: f32| (x * self.frame.exposure_ratio).min(LARGEST_HALF);
+        let Some([l, albedo]) = self.inputs.previous_luminance.map(|l| halves(l.at(previous))) else { return Change::default() };
         // Both luminances are halves: what did not change differs by 0.
-        let now = round_to_half(now);
-        ((now - before) / albedo, now.max(before) / albedo)
+        let (l, l_now) = (exposed(l), kept_luminance(radiance));
+        let change = Change { change: (l_now - l) / albedo, brightest: l_now.max(l) / albedo, ..Change::default() };
+        let Some(red_blue) = self.inputs.previous_red_blue else { return change };
+        let before = radiance_of(l, halves(red_blue.at(previous)).map(exposed)).map(|c| c / albedo);
+        let now = radiance_of(l_now, kept_red_blue(radiance)).map(|c| c / albedo);
+        let both = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
+        Change { before: [before[0], before[1], before[2], both], now: [now[0], now[1], now[2], 0.0], ..change }
     }
 
-    /// δ and Δ at the previous pixel that showed the surface of `p`.
-    fn reshaded(&self, p: IVec2) -> Option<(f32, f32)> {
+    /// The change at the previous pixel that showed the surface of `p`.
+    fn reshaded(&self, p: IVec2) -> Option<Change> {
         let GradientInput::Reshaded { reshaded_radiance, previous_guide, surface_motion, depth_gradient } = self.inputs.source
         else {
             return None;
@@ -149,14 +195,19 @@ impl Changes<'_> {
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
         let is_usable = is_same && radiance[..3].iter().all(|c| c.is_finite());
-        is_usable.then(|| self.change(radiance_luminance(radiance), j))
+        is_usable.then(|| self.change(storable(radiance), j))
     }
 }
 
-fn mean_change(changes: &[(f32, f32)]) -> (f32, f32) {
-    let usable = || changes.iter().filter(|(d, l)| d.is_finite() && l.is_finite());
-    let count = usable().count().max(1) as f32;
-    (usable().map(|c| c.0).sum::<f32>() / count, usable().map(|c| c.1.max(0.0)).sum::<f32>() / count)
+fn mean_change(changes: &[Change]) -> Change {
+    let share = 1.0 / changes.len().max(1) as f32;
+    let add = |sum: [f32; 4], texel: [f32; 4]| std::array::from_fn(|i| sum[i] + share * texel[i]);
+    changes.iter().fold(Change::default(), |sum, c| Change {
+        change: sum.change + share * c.change,
+        brightest: sum.brightest + share * c.brightest,
+        before: add(sum.before, c.before),
+        now: add(sum.now, c.now),
+    })
 }
 
 /// A texel of the guide with a place instead of the roughness.
@@ -181,9 +232,15 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         noisy: &b.colours("noisy")?,
         albedo: b.optional_colour("albedo")?,
         previous_luminance: b.optional_uint("previous_luminance")?,
+        previous_red_blue: b.optional_uint("previous_red_blue")?,
         source,
     };
     let outputs = gradient(b.frame, b.tuning, b.stratum_size()?, &inputs);
     b.write("gradient", outputs.gradient)?;
-    b.write("gradient_guide", outputs.gradient_guide)
+    b.write("gradient_guide", outputs.gradient_guide)?;
+    if b.has("light_before") {
+        b.write("light_before", outputs.light_before)?;
+        b.write("light_now", outputs.light_now)?;
+    }
+    Ok(())
 }

@@ -17,6 +17,15 @@ mod tests;
 /// Iterations of the presets.
 pub const GRADIENT_ITERATIONS: u32 = 5;
 
+/// Light of the samples of the frame before and of this one, from the stage `gradient` or from the iteration before.
+#[derive(Clone, Copy, Debug)]
+pub struct Light<'a> {
+    /// The image `light_before`.
+    pub before: &'a Image<[f32; 4]>,
+    /// The image `light_now`.
+    pub now: &'a Image<[f32; 4]>,
+}
+
 /// Inputs of [`gradient_atrous`].
 #[derive(Clone, Copy, Debug)]
 pub struct GradientAtrousInputs<'a> {
@@ -26,51 +35,108 @@ pub struct GradientAtrousInputs<'a> {
     pub depth_gradient: &'a Image<u32>,
     /// Gradients from the stage `gradient`, or from the iteration before.
     pub gradient: &'a Image<[f32; 4]>,
+    /// Light, where its ratio is wanted.
+    pub light: Option<Light<'a>>,
+    /// Whether this is the last iteration, which leaves the ratio in the place of the light before.
+    pub last: bool,
 }
 
-/// Filters δ, Δ and mean with taps `2^level` strata apart, and the deviation of the mean along with them.
+/// Outputs of [`gradient_atrous`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct GradientAtrousOutputs {
+    /// δ, Δ, mean and deviation of luminance.
+    pub gradient: Image<[f32; 4]>,
+    /// Light before and now, where it came in; out of the last iteration [`light_ratio`] in the place of the first.
+    pub light: Option<[Image<[f32; 4]>; 2]>,
+}
+
+/// A texel of the output from a stratum and the weights of its taps, `None` in the background.
+type Texel<'a> = dyn Fn(IVec2, Option<&[(IVec2, f32)]>) -> [f32; 4] + Sync + 'a;
+
+/// Filters δ, Δ, mean and light with taps `2^level` strata apart, and the deviation of the mean along with them.
 pub fn gradient_atrous(
     frame: &FrameConstants,
     tuning: &Tuning,
     stratum_size: u32,
     level: u32,
     inputs: &GradientAtrousInputs,
-) -> Image<[f32; 4]> {
+) -> GradientAtrousOutputs {
     let strata = Strata::new(frame, stratum_size);
-    Image::compute(inputs.gradient.extent(), strata.count().into(), |s| {
-        let centre = inputs.gradient.at(s);
-        let surface = unpack_guide(inputs.gradient_guide.at(s));
-        if surface.is_background() {
-            return centre;
+    let compute = |of: &Texel| {
+        Image::compute(inputs.gradient.extent(), strata.count().into(), |s| {
+            let weights = weights(tuning, strata, level, inputs, s);
+            of(s, weights.as_deref()).map(round_to_half)
+        })
+    };
+    let gradient = compute(&|s, weights| {
+        let Some(weights) = weights else { return inputs.gradient.at(s) };
+        let [change, brightest, mean, _] = weighted_mean(inputs.gradient, weights);
+        let sum: f32 = weights.iter().map(|tap| tap.1).sum();
+        let variance: f32 = weights.iter().map(|(t, weight)| (weight * inputs.gradient.at(*t)[3]).powi(2)).sum();
+        [change, brightest, mean, variance.sqrt() / sum]
+    });
+    let light = inputs.light.map(|Light { before, now }| {
+        let filtered = compute(&|_, weights| match weights {
+            None if inputs.last => NO_RATIO,
+            None => [0.0; 4],
+            Some(weights) if inputs.last => light_ratio(weighted_mean(before, weights), weighted_mean(now, weights)),
+            Some(weights) => weighted_mean(before, weights),
+        });
+        let now = compute(&|_, weights| weights.map_or([0.0; 4], |weights| weighted_mean(now, weights)));
+        [filtered, now]
+    });
+    GradientAtrousOutputs { gradient, light }
+}
+
+/// The ratio of the background.
+const NO_RATIO: [f32; 4] = [1.0, 1.0, 1.0, -1.0];
+
+/// The spread of the ratio among samples, relative: what is below the first is rounding, what is above the second is no ratio.
+const COHERENT: f32 = 0.1;
+const INCOHERENT: f32 = 0.3;
+const LARGEST_RATIO: f32 = 64.0;
+/// Share of the brightest component, below which a component has no ratio of its own.
+const RATIO_FLOOR: f32 = 1e-3;
+
+/// rgb: the factor by which light changed; alpha: its coherence, by how far the mean of √(before · now), in the alpha of `before`, falls
+/// short of what one factor for all samples would give (Cauchy and Schwarz).
+pub fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
+    let largest: f32 = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
+    let spread = if largest > 0.0 { (8.0 * (1.0 - before[3] / largest).max(0.0)).sqrt() } else { INCOHERENT };
+    let coherence = ((INCOHERENT - spread) / (INCOHERENT - COHERENT)).clamp(0.0, 1.0);
+    let least = RATIO_FLOOR * before[..3].iter().copied().fold(0.0, f32::max) + 1e-6;
+    let ratio = |i: usize| ((now[i] + least) / (before[i] + least)).min(LARGEST_RATIO);
+    let [r, g, b] = [0, 1, 2].map(|i| 1.0 + coherence * (ratio(i) - 1.0));
+    [r, g, b, coherence]
+}
+
+fn weighted_mean(image: &Image<[f32; 4]>, weights: &[(IVec2, f32)]) -> [f32; 4] {
+    let sum: f32 = weights.iter().map(|tap| tap.1).sum();
+    std::array::from_fn(|i| weights.iter().map(|(t, weight)| weight * image.at(*t)[i]).sum::<f32>() / sum)
+}
+
+/// The strata that count for `s`, itself with weight 1; `None` in the background.
+fn weights(tuning: &Tuning, strata: Strata, level: u32, inputs: &GradientAtrousInputs, s: IVec2) -> Option<Vec<(IVec2, f32)>> {
+    let centre = inputs.gradient.at(s);
+    let surface = unpack_guide(inputs.gradient_guide.at(s));
+    if surface.is_background() {
+        return None;
+    }
+    let p = pixel_of(strata, inputs.gradient_guide, s);
+    let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));
+    let tolerance = tuning.sigma_l * centre[3] + LUMINANCE_EPSILON;
+    let weight = |t: IVec2| {
+        if t == s {
+            return Some((t, 1.0));
         }
-        let p = pixel_of(strata, inputs.gradient_guide, s);
-        let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));
-        let tolerance = tuning.sigma_l * centre[3] + LUMINANCE_EPSILON;
-        let (mut sum, mut variance, mut weights) = ([0.0; 3], 0.0, 0.0);
-        for i in 0..9 {
-            let t = s + IVec2::new(i % 3 - 1, i / 3 - 1) * (1 << level);
-            if !strata.contains(t) {
-                continue;
-            }
-            let tap = unpack_guide(inputs.gradient_guide.at(t));
-            if tap.is_background() {
-                continue;
-            }
-            let value = inputs.gradient.at(t);
-            let weight = if t == s {
-                1.0
-            } else {
-                let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
-                let weight_l = (-(value[2] - centre[2]).abs() / tolerance).exp();
-                depth_and_normal_weight([tuning.sigma_z, tuning.sigma_n], tuning.edge_falloff, &surface, &tap, slope, offset)
-                    * weight_l
-            };
-            (0..3).for_each(|i| sum[i] += weight * value[i]);
-            variance += weight * weight * value[3] * value[3];
-            weights += weight;
-        }
-        [sum[0], sum[1], sum[2], variance.sqrt()].map(|x| round_to_half(x / weights))
-    })
+        let tap = Some(t).filter(|t| strata.contains(*t)).map(|t| unpack_guide(inputs.gradient_guide.at(t)));
+        let tap = tap.filter(|tap| !tap.is_background())?;
+        let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
+        let weight_l = (-(inputs.gradient.at(t)[2] - centre[2]).abs() / tolerance).exp();
+        let sigmas = [tuning.sigma_z, tuning.sigma_n];
+        Some((t, weight_l * depth_and_normal_weight(sigmas, tuning.edge_falloff, &surface, &tap, slope, offset)))
+    };
+    Some((0..9).filter_map(|i| weight(s + IVec2::new(i % 3 - 1, i / 3 - 1) * (1 << level))).collect())
 }
 
 /// The pixel that stands for a stratum.
@@ -82,11 +148,20 @@ fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let before = b.optional_colour("before_in")?;
+    let light = before.map(|before| b.colour("now_in").map(|now| Light { before, now })).transpose()?;
     let inputs = GradientAtrousInputs {
         gradient_guide: b.packed("gradient_guide")?,
         depth_gradient: b.uint("depth_gradient")?,
         gradient: b.colour("gradient_in")?,
+        light,
+        last: light.is_some() && b.is_on("LAST")?,
     };
-    let filtered = gradient_atrous(b.frame, b.tuning, b.stratum_size()?, b.level, &inputs);
-    b.write("gradient_out", filtered)
+    let outputs = gradient_atrous(b.frame, b.tuning, b.stratum_size()?, b.level, &inputs);
+    b.write("gradient_out", outputs.gradient)?;
+    if let Some([before, now]) = outputs.light {
+        b.write("before_out", before)?;
+        b.write("now_out", now)?;
+    }
+    Ok(())
 }

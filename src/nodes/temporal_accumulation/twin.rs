@@ -3,7 +3,7 @@
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::moments::{pack_moments, unpack_moments, Moments, Reason};
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
@@ -15,6 +15,7 @@ use glam::{IVec2, Vec2, Vec3};
 mod adapter;
 #[cfg(test)]
 mod history_tests;
+mod light;
 mod taps;
 #[cfg(test)]
 mod tests;
@@ -50,6 +51,15 @@ pub struct ObjectNormals<'a> {
     pub previous: &'a Image<u32>,
 }
 
+/// The image `light_ratio`, from the last iteration of `gradient_atrous`.
+#[derive(Clone, Copy, Debug)]
+pub struct StrataRatio<'a> {
+    /// rgb: ratio; alpha: negative in the background.
+    pub image: &'a Image<[f32; 4]>,
+    /// Pixels a side of a stratum.
+    pub stratum_size: u32,
+}
+
 /// Inputs of [`temporal_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct TemporalAccumulationInputs<'a> {
@@ -67,6 +77,10 @@ pub struct TemporalAccumulationInputs<'a> {
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
+    /// Whether irradiance is looked up by a cubic, where 4×4 pixels show the surface.
+    pub sharp: bool,
+    /// The ratio of light by which the history is scaled.
+    pub light_ratio: Option<StrataRatio<'a>>,
     /// The previous frame, which is not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
 }
@@ -88,6 +102,8 @@ enum History {
     Disoccluded(Reason),
     /// Pixels with weights that sum to 1; those beyond the valid ones have weight 0.
     Taps([(IVec2, f32); 9]),
+    /// Such pixels for the moments, and for the irradiance 4×4 with the weights of a cubic.
+    Sharp([(IVec2, f32); 9], [(IVec2, f32); 16]),
     /// Pixels that may show the same surface, with such weights \[PSVGF\].
     Repaired([(IVec2, f32); 9]),
 }
@@ -113,7 +129,7 @@ pub fn temporal_accumulation(
         let surface = unpack_guide(inputs.guide.at(p));
         match &surfaces {
             _ if surface.is_background() => History::Background,
-            Some(surfaces) => Reprojected::new(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair),
+            Some(surfaces) => Reprojected::new(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair, inputs.sharp),
             None => History::Disoccluded(Reason::Reset),
         }
     });
@@ -123,7 +139,8 @@ pub fn temporal_accumulation(
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
             let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
-            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal);
+            let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
+            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
             (c, pack_moments(&moments))
         });
         outputs.irradiance.push(texels.map(|t| t.0));
@@ -186,8 +203,10 @@ impl Reprojected {
         }
     }
 
-    fn history(&self, surfaces: &Image<Surface>, repair: bool) -> History {
+    fn history(&self, surfaces: &Image<Surface>, repair: bool, sharp: bool) -> History {
+        let slack = 2.0 * self.depth_gradient.abs().element_sum();
         taps::find(self.s, |q| self.refusal(surfaces, q))
+            .map(|found| if sharp { taps::sharpened(self.s, found, |q| self.refusal_aside(surfaces, q, slack)) } else { found })
             .or_else(|| if repair { self.repaired(surfaces) } else { None })
             .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, taps::nearest(self.s))))
     }
@@ -253,6 +272,7 @@ fn accumulate(
     history: History,
     bounds: AlphaBounds,
     signal: Option<&SignalHistory>,
+    ratio: [f32; 3],
 ) -> ([f32; 4], Moments) {
     let l = texel_luminance(c);
     let fresh = |reason: Reason| {
@@ -263,18 +283,22 @@ fn accumulate(
         (History::Background, _) => return fresh(Reason::None),
         (History::Disoccluded(reason), _) => return fresh(reason),
         (_, None) => return fresh(Reason::Reset),
-        (History::Taps(taps), Some(signal)) => (taps, f32::INFINITY, signal),
+        (History::Taps(taps) | History::Sharp(taps, _), Some(signal)) => (taps, f32::INFINITY, signal),
         (History::Repaired(taps), Some(signal)) => (taps, REPAIRED_HISTORY_LENGTH, signal),
     };
-    let (irradiance, before) = weighted_history(&taps, signal);
+    let (mut irradiance, before) = weighted_history(&taps, signal);
+    if let History::Sharp(_, cubic) = history {
+        irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum::<f32>().max(0.0));
+    }
     // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
-    let scaled = |x: f32| (x * frame.exposure_ratio).min(LARGEST_HALF);
+    let scaled = |x: f32| (x * (frame.exposure_ratio * luminance(ratio)).min(1e38)).min(LARGEST_HALF);
     let history_length = (before.history_length.min(longest) + 1.0).min(bounds.history_length);
     let alpha = bounds.alpha.max(1.0 / history_length);
     let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
     let [r, g, b] = [0, 1, 2].map(|i| {
-        let before = scaled(irradiance[i]);
-        store(before + alpha * (c[i] - before))
+        let before = (irradiance[i] * ratio[i] * frame.exposure_ratio).min(LARGEST_HALF);
+        // What is dropped leaves no rounding error behind.
+        store(if alpha < 1.0 { before + alpha * (c[i] - before) } else { c[i] })
     });
     let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
     let difference = l - mean;

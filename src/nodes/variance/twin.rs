@@ -90,7 +90,7 @@ fn estimate(
     geometry: &Geometry,
     irradiance: &[&Image<[f32; 4]>],
     moments: &[&Image<[u16; 4]>],
-    deviation: Deviation,
+    deviation: impl Fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32 + Sync,
 ) -> Vec<Image<[f32; 4]>> {
     let signal = |(irradiance, moments): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
         let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
@@ -126,6 +126,11 @@ fn spatial_variance(
     variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
 }
 
+/// Half-way, in factors, from the deviation of a sample to that of the mean of so many, whose smallest weight is α.
+fn averaging(tuning: &Tuning, history_length: f32) -> f32 {
+    (1.0 / history_length).max(tuning.alpha / (2.0 - tuning.alpha)).sqrt().sqrt()
+}
+
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let guide = b.packed("guide")?;
@@ -137,6 +142,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         0 => deviation,
         1 => faded_deviation,
         _ => |_, _, _, moments, p| moments.at(p).deviation,
+    };
+    let averaged = b.is_on("AVERAGED")?;
+    let deviation = |frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2| {
+        let factor = if averaged { averaging(tuning, moments.at(p).history_length) } else { 1.0 };
+        factor * deviation(frame, tuning, geometry, moments, p)
     };
     let (irradiance, new_moments) = (b.colours("irradiance")?, b.uints("new_moments")?);
     let moments: Vec<_> = irradiance.iter().zip(new_moments).map(|(irradiance, new)| join_moments(irradiance, new)).collect();

@@ -45,14 +45,15 @@ pub enum Action {
     Quit,
 }
 
-const CONTENTS: [(KeyCode, Content); 7] = [
+const CONTENTS: [(KeyCode, Content); 8] = [
     (KeyCode::Digit1, Content::Noisy),
     (KeyCode::Digit2, Content::Filtered(Preset::Svgf)),
     (KeyCode::Digit3, Content::Filtered(Preset::Asvgf)),
     (KeyCode::Digit4, Content::Filtered(Preset::Percentile)),
     (KeyCode::Digit5, Content::Filtered(Preset::Fast)),
     (KeyCode::Digit6, Content::Filtered(Preset::Eaw)),
-    (KeyCode::Digit7, Content::Reference),
+    (KeyCode::Digit7, Content::Filtered(Preset::Best)),
+    (KeyCode::Digit8, Content::Reference),
 ];
 
 const ACTIONS: [(KeyCode, bool, Action); 15] = [

@@ -145,6 +145,9 @@ fn about(preset: atrous::config::Preset) -> &'static str {
         Preset::Svgf => "Spatiotemporal variance-guided filtering (Schied et al. 2017)",
         Preset::Asvgf => "Adaptive by temporal gradients: follows changing light at once (Schied et al. 2018)",
         Preset::Percentile => "Adaptive by statistics of blocks: needs nothing more of the renderer than SVGF (Alber)",
+        Preset::Best => {
+            "A-SVGF whose history follows the light, unfiltered and sharp; by a test of blocks where no gradient is known"
+        }
         Preset::Fast => "SVGF with 7 taps a level, adaptive by a test of blocks: the cheapest that follows changing light",
         _ => "Edge-avoiding à-trous wavelets: one frame, no history (Dammertz et al. 2010)",
     }

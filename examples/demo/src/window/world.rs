@@ -262,8 +262,8 @@ fn tracer_options(settings: &Settings) -> TracerOptions {
 fn presets(contents: [Content; 2]) -> Vec<Preset> {
     let mut presets: Vec<Preset> = contents.into_iter().filter_map(Content::preset).collect();
     presets.dedup();
-    // A-SVGF first: it has some samples shaded again, and the noisy picture is that of the last one.
-    presets.sort_by_key(|preset| *preset != Preset::Asvgf);
+    // Those first that have some samples shaded again, since the noisy picture is that of the last one.
+    presets.sort_by_key(|preset| !matches!(preset, Preset::Asvgf | Preset::Best));
     presets
 }
 

@@ -59,7 +59,7 @@ fn a_session_with_keys_mouse_and_another_size() {
 }
 
 fn filters_and_pictures(demo: &mut Demo) {
-    for (key, name) in [("3", "asvgf"), ("2", "svgf"), ("4", "percentile"), ("5", "fast"), ("6", "eaw")] {
+    for (key, name) in [("3", "asvgf"), ("2", "svgf"), ("4", "percentile"), ("5", "fast"), ("6", "eaw"), ("7", "best")] {
         demo.key(key);
         demo.wait(name, |line| line.starts_with("frame") && line.contains(&format!("right={name} ")));
         let [noisy, filtered] = shoot(demo, "noisy", name);
@@ -67,10 +67,10 @@ fn filters_and_pictures(demo: &mut Demo) {
         assert!(different(&noisy, &filtered) > 500, "{name} leaves the noise as it is");
     }
     demo.key("shift+3");
-    demo.wait("A-SVGF left", |line| line.starts_with("frame") && line.contains("left=asvgf right=eaw"));
+    demo.wait("A-SVGF left", |line| line.starts_with("frame") && line.contains("left=asvgf right=best"));
     demo.key("x");
-    demo.wait("halves changed", |line| line.starts_with("frame") && line.contains("left=eaw right=asvgf"));
-    demo.key("7");
+    demo.wait("halves changed", |line| line.starts_with("frame") && line.contains("left=best right=asvgf"));
+    demo.key("8");
     demo.wait("a reference", |line| line.contains("right=reference") && line.starts_with("frame"));
 }
 

@@ -35,6 +35,7 @@ fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) ->
         noisy: &[&grey(now)],
         albedo: Some(&grey(albedo)),
         previous_luminance: Some(previous),
+        previous_red_blue: None,
         source: GradientInput::ForwardProjected { gradient_samples: &samples() },
     };
     let outputs = gradient(frame, &Tuning::default(), 3, &inputs);
@@ -84,6 +85,7 @@ fn a_dense_image_counts_where_the_surface_was() {
         noisy: &[&grey(1.0)],
         albedo: Some(&grey(0.5)),
         previous_luminance: Some(&previous),
+        previous_red_blue: None,
         source: GradientInput::Reshaded {
             reshaded_radiance: Some(&again),
             previous_guide: Some(&guides.guide),
@@ -119,6 +121,7 @@ fn a_host_s_own_differences_are_bounded() {
         noisy: &[&grey(1.0)],
         albedo: None,
         previous_luminance: None,
+        previous_red_blue: None,
         source: GradientInput::Sparse(Some(&host)),
     };
     let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs);

@@ -12,8 +12,14 @@ fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surf
     let gradient_guide = paint(STRATA, surfaces).map(pack_guide).map(|t| [t[0], t[1], t[2], t[3] & !0xf0]);
     let depth_gradient = Image::new(EXTENT, 0);
     (0..GRADIENT_ITERATIONS).fold(gradient.clone(), |gradient, level| {
-        let inputs = GradientAtrousInputs { gradient_guide: &gradient_guide, depth_gradient: &depth_gradient, gradient: &gradient };
-        gradient_atrous(&frame(EXTENT), &Tuning::default(), 3, level, &inputs)
+        let inputs = GradientAtrousInputs {
+            gradient_guide: &gradient_guide,
+            depth_gradient: &depth_gradient,
+            gradient: &gradient,
+            light: None,
+            last: false,
+        };
+        gradient_atrous(&frame(EXTENT), &Tuning::default(), 3, level, &inputs).gradient
     })
 }
 
@@ -48,4 +54,36 @@ fn a_sample_fills_the_surface_around_it_and_no_other() {
 fn a_background_stratum_is_left_alone() {
     let input = paint(STRATA, |x, y| [x as f32, y as f32, 1.0, 0.0]);
     assert_eq!(reconstructed(&input, |_, _| surface(0.0)), input);
+}
+
+#[test]
+fn samples_that_agree_give_the_ratio_and_others_none() {
+    // Light of every component changes by its own factor, the same for two samples of a bright and a dark place.
+    let mean = |samples: &[([f32; 3], [f32; 3])]| {
+        let share = 1.0 / samples.len() as f32;
+        let mut sums = ([0.0; 4], [0.0; 4]);
+        for (before, now) in samples {
+            for i in 0..3 {
+                sums.0[i] += share * before[i];
+                sums.0[3] += share * (before[i] * now[i]).sqrt();
+                sums.1[i] += share * now[i];
+            }
+        }
+        sums
+    };
+    let (before, now) = mean(&[([1.0, 2.0, 4.0], [0.5, 2.0, 1.0]), ([0.1, 0.2, 0.4], [0.05, 0.2, 0.1])]);
+    let [r, g, b, coherence] = light_ratio(before, now);
+    assert_eq!(coherence, 1.0);
+    for (ratio, expected) in [(r, 0.5), (g, 1.0), (b, 0.25)] {
+        assert!((ratio - expected).abs() < 2e-3, "{ratio} for {expected}");
+    }
+    // One of two lamps went out: half of the samples are as they were.
+    let (before, now) = mean(&[([1.0; 3], [1.0; 3]), ([1.0; 3], [0.0; 3])]);
+    assert_eq!(light_ratio(before, now), [1.0, 1.0, 1.0, 0.0]);
+    // Nothing changed; nothing is lit; light came on where there was none.
+    let (before, now) = mean(&[([0.3, 0.0, 7.0], [0.3, 0.0, 7.0])]);
+    assert_eq!(light_ratio(before, now), [1.0; 4]);
+    assert_eq!(light_ratio([0.0; 4], [0.0; 4]), [1.0, 1.0, 1.0, 0.0]);
+    let came_on = light_ratio([0.0; 4], [5.0; 4]);
+    assert_eq!(came_on, [1.0, 1.0, 1.0, 0.0]);
 }

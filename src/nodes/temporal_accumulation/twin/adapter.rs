@@ -23,6 +23,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 
 fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFrame) -> Result<TemporalAccumulationOutputs, Error> {
     let normals = b.optional_uint("object_normal")?.zip(b.optional_uint("previous_object_normal")?);
+    let ratio = b.optional_colour("light_ratio")?;
+    let light_ratio = ratio.map(|image| b.stratum_size().map(|stratum_size| StrataRatio { image, stratum_size })).transpose()?;
     let inputs = TemporalAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -31,6 +33,8 @@ fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFra
         object_normals: normals.map(|(current, previous)| ObjectNormals { current, previous }),
         history_confidence: b.optional_scalar("history_confidence")?,
         repair: b.is_on("REPAIR")?,
+        sharp: b.is_on("SHARP")?,
+        light_ratio,
         previous: Some(previous),
     };
     Ok(temporal_accumulation(b.frame, b.tuning, &inputs))

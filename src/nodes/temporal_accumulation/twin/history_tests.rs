@@ -57,6 +57,8 @@ impl Scene {
                 object_normals: None,
                 history_confidence: None,
                 repair: false,
+                sharp: false,
+                light_ratio: None,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
                     signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -175,6 +177,8 @@ fn another_render_extent_is_scaled() {
             object_normals: None,
             history_confidence: None,
             repair: false,
+            sharp: false,
+            light_ratio: None,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
                 signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
@@ -208,6 +212,8 @@ fn signals_are_independent_but_for_taps_and_length() {
                     object_normals: None,
                     history_confidence: None,
                     repair: false,
+                    sharp: false,
+                    light_ratio: None,
                     previous: output.as_ref().map(|_| PreviousFrame { guide: &guides.guide, signals: &signals }),
                 },
             );

@@ -23,6 +23,26 @@ pub(super) fn find(s: Vec2, refusal: impl Fn(IVec2) -> Reason) -> Option<History
     valid(&bilinear, &refusal).or_else(|| valid(&around, &refusal))
 }
 
+/// `found` with 4×4 taps of Catmull and Rom's cubic, unless one of them is refused or the position lies on a pixel.
+pub(super) fn sharpened(s: Vec2, found: History, refusal: impl Fn(IVec2) -> Reason) -> History {
+    let History::Taps(taps) = found else { return found };
+    let corner = s.floor();
+    let f = s - corner;
+    let (x_weights, y_weights) = (cubic_weights(f.x), cubic_weights(f.y));
+    let cubic: [(IVec2, f32); 16] = std::array::from_fn(|i| {
+        (corner.as_ivec2() + IVec2::new(i as i32 % 4, i as i32 / 4) - 1, x_weights[i % 4] * y_weights[i / 4])
+    });
+    match f != Vec2::ZERO && cubic.iter().all(|(q, _)| refusal(*q) == Reason::None) {
+        true => History::Sharp(taps, cubic),
+        false => found,
+    }
+}
+
+/// Weights of four taps in a row, `t` from the second to the third.
+fn cubic_weights(t: f32) -> [f32; 4] {
+    [t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t)]
+}
+
 /// The valid ones of some taps, weights normalised; `None` where they weigh too little.
 fn valid(candidates: &[(IVec2, f32)], refusal: impl Fn(IVec2) -> Reason) -> Option<History> {
     let mut taps = [(IVec2::ZERO, 0.0); 9];

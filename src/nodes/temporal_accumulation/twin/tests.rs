@@ -34,6 +34,8 @@ fn tuned(
             object_normals: None,
             history_confidence: None,
             repair: false,
+            sharp: false,
+            light_ratio: None,
             previous: signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals }),
         },
     )

@@ -1,0 +1,21 @@
+// The noisy radiance that one frame keeps, so that the next one can tell how the light changed. Twin: src/reference/kept_radiance.rs.
+// noisy_luminance: luminance of the radiance of all signals, and of the albedo; noisy_red_blue: its red and blue, of which green follows.
+#ifndef KEPT_RADIANCE_GLSL
+#define KEPT_RADIANCE_GLSL
+#include "finite.glsl"
+#include "luminance.glsl"
+
+// What is not finite is black, as it is for the filters.
+vec3 kept_radiance(vec3 radiance) { return is_finite(radiance) ? storable(radiance) : vec3(0.0); }
+
+uint pack_halves(vec2 v) { return packHalf2x16(min(v, 65504.0)); }
+
+// As a texel of either image has it: what did not change differs by 0.
+float kept_luminance(vec3 radiance) { return unpackHalf2x16(pack_halves(vec2(luminance(radiance), 0.0))).x; }
+vec2 kept_red_blue(vec3 radiance) { return unpackHalf2x16(pack_halves(radiance.rb)); }
+
+vec3 radiance_of(float luminance, vec2 red_blue) {
+    return vec3(red_blue.x, max(0.0, (luminance - 0.2126 * red_blue.x - 0.0722 * red_blue.y) / 0.7152), red_blue.y);
+}
+
+#endif

@@ -1,0 +1,49 @@
+//! The filter of choice: everything that made pictures better, in one graph.
+
+use super::{gradient_samples, noisy, Denoised};
+use crate::config::Config;
+use crate::graph::{Feedback, Graph, Guides};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
+
+/// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed; is not
+/// filtered, and not blurred by motion; and borrows from its surroundings after a disocclusion. Where no gradient is known, the
+/// change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
+///
+/// It reads `signals`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
+/// configuration.
+pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    let gradients = gradient_samples(g, guides, config);
+    let noisy = noisy(g, config.signals);
+    let gradient = gradients.map(|source| {
+        let gradient = g.gradient_and_ratio(guides, &noisy, source);
+        g.gradient_atrous(guides, &gradient)
+    });
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, ..Demodulate::default() });
+    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
+    let irradiance = g.firefly(guides, &irradiance, &percentiles);
+    let history = g.history(&irradiance, Feedback::Accumulated);
+    let confidence = match &gradient {
+        Some(gradient) => {
+            let difference = g.block_difference(guides, &irradiance, &history);
+            let tested = g.scope("tested", |g| g.change_test(&difference));
+            g.adaptive_alpha_or(gradient, &tested)
+        }
+        None => g.host_confidence(),
+    };
+    let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
+    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
+    let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
+    let estimate = g.variance(guides, &accumulated, &history, variance);
+    let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, kernel: Kernel::Box, ..Atrous::default() });
+    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let known = Known {
+        history: Some(history),
+        deviation: true,
+        confidence: Some(confidence),
+        gradient,
+        percentiles: Some(percentiles),
+        ..Known::new(&noisy)
+    };
+    Denoised { radiance, known }
+}

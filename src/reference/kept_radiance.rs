@@ -1,0 +1,60 @@
+//! The noisy radiance that one frame keeps, so that the next one can tell how the light changed.
+
+use super::binary16::{half_bits, round_to_half, LARGEST_HALF};
+use super::luminance::luminance;
+use super::Image;
+use glam::IVec2;
+
+/// Radiance of all signals at a pixel, each 0 where it is not finite.
+pub(crate) fn kept_radiance(noisy: &[&Image<[f32; 4]>], p: IVec2) -> [f32; 3] {
+    let signals = noisy.iter().map(|noisy| storable(noisy.at(p)));
+    signals.fold([0.0; 3], |sum, radiance| [0, 1, 2].map(|i| sum[i] + radiance[i]))
+}
+
+/// Radiance as a half-float image holds it; black where it is not finite.
+pub(crate) fn storable([r, g, b, _]: [f32; 4]) -> [f32; 3] {
+    let rgb = [r, g, b];
+    rgb.map(|c| if rgb.iter().all(|c| c.is_finite()) { c.clamp(0.0, LARGEST_HALF) } else { 0.0 })
+}
+
+/// Luminance as a texel of `noisy_luminance` has it.
+pub(crate) fn kept_luminance(radiance: [f32; 3]) -> f32 {
+    round_to_half(luminance(radiance).min(LARGEST_HALF))
+}
+
+/// Red and blue as a texel of `noisy_red_blue` has them.
+pub(crate) fn kept_red_blue([r, _, b]: [f32; 3]) -> [f32; 2] {
+    [r, b].map(|c| round_to_half(c.min(LARGEST_HALF)))
+}
+
+/// The colour that has this luminance, and these components red and blue.
+pub(crate) fn radiance_of(luminance: f32, [red, blue]: [f32; 2]) -> [f32; 3] {
+    [red, ((luminance - 0.2126 * red - 0.0722 * blue) / 0.7152).max(0.0), blue]
+}
+
+/// Two numbers as the halves of a texel.
+pub(crate) fn pack_halves([low, high]: [f32; 2]) -> u32 {
+    u32::from(half_bits(low.min(LARGEST_HALF))) | u32::from(half_bits(high.min(LARGEST_HALF))) << 16
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::test_scene::paint;
+
+    #[test]
+    fn green_follows_of_luminance_red_and_blue() {
+        for rgb in [[0.25, 0.5, 4.0], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0; 3]] {
+            let back = radiance_of(luminance(rgb), [rgb[0], rgb[2]]);
+            assert!((0..3).all(|i| (back[i] - rgb[i]).abs() < 1e-5), "{back:?} for {rgb:?}");
+        }
+        assert_eq!(radiance_of(0.1, [1.0, 0.0])[1], 0.0, "no colour is negative");
+    }
+
+    #[test]
+    fn signals_are_added_and_what_is_not_finite_is_black() {
+        let [good, bad] = [1.0, f32::NAN].map(|r| paint([1, 1], |_, _| [r, 2.0, 1e9, 0.0]));
+        assert_eq!(kept_radiance(&[&good, &bad, &good], IVec2::ZERO), [2.0, 4.0, 2.0 * LARGEST_HALF]);
+        assert_eq!(kept_red_blue([2.0, 4.0, 2.0 * LARGEST_HALF]), [2.0, LARGEST_HALF]);
+    }
+}
