@@ -1,13 +1,12 @@
 //! A device that notes what the executor records, instead of recording it: barriers, work, and where images and buffers lie.
 
-use crate::support::gpu;
+use crate::support::{gpu, intercepted::Intercepted};
 use ash::vk;
 use ash::vk::Handle;
-use atrous::executor::HeadlessDevice;
 use atrous::Device;
 use std::collections::BTreeMap;
 use std::ffi::{c_void, CStr};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 /// Stage and access mask of one side of a barrier.
 pub type Side = (vk::PipelineStageFlags2, vk::AccessFlags2);
@@ -59,38 +58,19 @@ fn with_log<T>(body: impl FnOnce(&mut Log) -> T) -> T {
     body(LOG.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_default())
 }
 
-/// The device. One at a time: functions of C know of no test.
-pub struct Recorder {
-    device: ash::Device,
-    gpu: Arc<HeadlessDevice>,
-    _alone: MutexGuard<'static, ()>,
-}
+/// The device.
+pub struct Recorder(Intercepted);
 
 impl Recorder {
     pub fn new() -> Self {
         static ALONE: Mutex<()> = Mutex::new(());
-        let alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        with_log(|log| *log = Log::default());
-        let gpu = gpu();
-        let (instance, handle) = (gpu.host().instance.clone(), gpu.device().handle());
-        // SAFETY: the functions are those of the device, or have their signatures.
-        let device = unsafe {
-            ash::Device::load_with(
-                |name| match replacement(name) {
-                    Some(function) => function,
-                    None => std::mem::transmute::<vk::PFN_vkVoidFunction, *const c_void>(
-                        (instance.fp_v1_0().get_device_proc_addr)(handle, name.as_ptr()),
-                    ),
-                },
-                handle,
-            )
-        };
-        Self { device, gpu, _alone: alone }
+        // SAFETY: the functions have the signatures of those that they stand for.
+        Self(unsafe { Intercepted::new(&ALONE, || with_log(|log| *log = Log::default()), replacement) })
     }
 
     /// The handles for an executor.
     pub fn host(&self) -> Device<'_> {
-        Device { device: &self.device, ..self.gpu.host() }
+        self.0.host()
     }
 
     /// What was recorded since this was called last.

@@ -1,7 +1,7 @@
 //! Images and buffers of the host, with their memory.
 
 use crate::support::gpu;
-use crate::support::rig::whole;
+use crate::support::rig::{plain_image, whole};
 use ash::vk;
 use atrous::executor::HeadlessDevice;
 use std::sync::Arc;
@@ -43,15 +43,8 @@ impl Memory {
     }
 
     pub fn image(&mut self, format: vk::Format, extent: [u32; 2], usage: vk::ImageUsageFlags) -> Bare {
-        let info = vk::ImageCreateInfo::default()
-            .flags(vk::ImageCreateFlags::ALIAS)
-            .image_type(vk::ImageType::TYPE_2D)
-            .format(format)
-            .extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
-            .mip_levels(1)
-            .array_layers(1)
-            .samples(vk::SampleCountFlags::TYPE_1)
-            .usage(usage | vk::ImageUsageFlags::TRANSFER_SRC | vk::ImageUsageFlags::TRANSFER_DST);
+        let usage = usage | vk::ImageUsageFlags::TRANSFER_SRC | vk::ImageUsageFlags::TRANSFER_DST;
+        let info = plain_image(format, extent, usage).flags(vk::ImageCreateFlags::ALIAS);
         // SAFETY: the device is live.
         let (image, needs) = unsafe {
             let image = self.gpu.device().create_image(&info, None).expect("image");

@@ -2,6 +2,7 @@
 
 pub mod examples;
 pub mod host;
+pub mod intercepted;
 pub mod rig;
 pub mod soak;
 pub mod spy;

@@ -134,14 +134,7 @@ impl Rig {
         usage: vk::ImageUsageFlags,
     ) -> HostImage {
         let gpu = self.gpu.clone();
-        let info = vk::ImageCreateInfo::default()
-            .image_type(vk::ImageType::TYPE_2D)
-            .format(format)
-            .extent(vk::Extent3D { width: extent[0], height: extent[1], depth: 1 })
-            .mip_levels(1)
-            .array_layers(1)
-            .samples(vk::SampleCountFlags::TYPE_1)
-            .usage(usage);
+        let info = plain_image(format, extent, usage);
         // SAFETY: the device is live; what is made here is destroyed with the rig.
         let (image, view) = unsafe {
             let image = gpu.device().create_image(&info, None).expect("image");
@@ -235,6 +228,18 @@ impl Drop for Rig {
             device.destroy_command_pool(self.pool, None);
         }
     }
+}
+
+/// An image of one mip level and one layer.
+pub fn plain_image(format: vk::Format, [width, height]: [u32; 2], usage: vk::ImageUsageFlags) -> vk::ImageCreateInfo<'static> {
+    vk::ImageCreateInfo::default()
+        .image_type(vk::ImageType::TYPE_2D)
+        .format(format)
+        .extent(vk::Extent3D { width, height, depth: 1 })
+        .mip_levels(1)
+        .array_layers(1)
+        .samples(vk::SampleCountFlags::TYPE_1)
+        .usage(usage)
 }
 
 /// Every image here has one mip level and one layer.

@@ -1,22 +1,18 @@
 //! The device of the tests with functions between that count what is created and destroyed, and that can refuse a call.
 
 use super::gpu;
+use super::intercepted::Intercepted;
 use ash::vk;
 use ash::vk::Handle;
-use atrous::executor::HeadlessDevice;
 use atrous::Device;
 use std::collections::{BTreeMap, HashSet};
 use std::ffi::{c_void, CStr};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Condvar, Mutex, PoisonError};
 use std::thread::ThreadId;
 use std::time::Duration;
 
-/// The device. One at a time: functions of C know of no test.
-pub struct Spy {
-    device: ash::Device,
-    gpu: Arc<HeadlessDevice>,
-    _alone: MutexGuard<'static, ()>,
-}
+/// The device.
+pub struct Spy(Intercepted);
 
 #[derive(Default)]
 struct Log {
@@ -46,28 +42,13 @@ fn with_log<T>(body: impl FnOnce(&mut Log) -> T) -> T {
 impl Spy {
     pub fn new() -> Self {
         static ALONE: Mutex<()> = Mutex::new(());
-        let alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        with_log(|log| *log = Log::default());
-        let gpu = gpu();
-        let (instance, handle) = (gpu.host().instance.clone(), gpu.device().handle());
-        // SAFETY: the functions are those of the device, or have their signatures.
-        let device = unsafe {
-            ash::Device::load_with(
-                |name| match replacement(name) {
-                    Some(function) => function,
-                    None => std::mem::transmute::<vk::PFN_vkVoidFunction, *const c_void>(
-                        (instance.fp_v1_0().get_device_proc_addr)(handle, name.as_ptr()),
-                    ),
-                },
-                handle,
-            )
-        };
-        Self { device, gpu, _alone: alone }
+        // SAFETY: the functions have the signatures of those that they stand for.
+        Self(unsafe { Intercepted::new(&ALONE, || with_log(|log| *log = Log::default()), replacement) })
     }
 
     /// The handles for a denoiser.
     pub fn host(&self, pipeline_cache: vk::PipelineCache) -> Device<'_> {
-        Device { device: &self.device, pipeline_cache, ..self.gpu.host() }
+        Device { pipeline_cache, ..self.0.host() }
     }
 
     /// Objects that were created so far, by kind.

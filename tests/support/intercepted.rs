@@ -1,0 +1,47 @@
+//! The device of the tests with functions of a test between it and the caller.
+
+use super::gpu;
+use ash::vk;
+use atrous::executor::HeadlessDevice;
+use atrous::Device;
+use std::ffi::{c_void, CStr};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The device. One of a kind at a time: functions of C know of no test.
+pub struct Intercepted {
+    device: ash::Device,
+    gpu: Arc<HeadlessDevice>,
+    _alone: MutexGuard<'static, ()>,
+}
+
+impl Intercepted {
+    /// Calls what `replacement` gives for a name in the place of the device's function. `alone` is held as long as this lives; `start`
+    /// runs behind it.
+    ///
+    /// # Safety
+    /// Each function has the signature of the Vulkan function of that name.
+    pub unsafe fn new(alone: &'static Mutex<()>, start: impl FnOnce(), replacement: fn(&CStr) -> Option<*const c_void>) -> Self {
+        let alone = alone.lock().unwrap_or_else(PoisonError::into_inner);
+        start();
+        let gpu = gpu();
+        let (instance, handle) = (gpu.host().instance.clone(), gpu.device().handle());
+        // SAFETY: the functions are those of the device, or have their signatures.
+        let device = unsafe {
+            ash::Device::load_with(
+                |name| match replacement(name) {
+                    Some(function) => function,
+                    None => std::mem::transmute::<vk::PFN_vkVoidFunction, *const c_void>(
+                        (instance.fp_v1_0().get_device_proc_addr)(handle, name.as_ptr()),
+                    ),
+                },
+                handle,
+            )
+        };
+        Self { device, gpu, _alone: alone }
+    }
+
+    /// The handles for a denoiser or an executor.
+    pub fn host(&self) -> Device<'_> {
+        Device { device: &self.device, ..self.gpu.host() }
+    }
+}
