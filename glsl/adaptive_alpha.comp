@@ -20,6 +20,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "optional.glsl"
+#include "light_ratio.glsl"
 #include "strata.glsl"
 
 const uint LIGHT_RATIO = 3u;
@@ -34,10 +35,6 @@ layout(set = 0, binding = 1) uniform texture2D confidence;
 layout(set = 0, binding = 2, r32f) uniform writeonly image2D history_confidence;
 
 #if SOURCE == 0
-// Relative difference of the ratios of neighbouring strata, from which history is less true, and not at all: it is scaled between them.
-const float RATIO_TOLERANCE = 0.1;
-const float RATIO_LIMIT = 0.3;
-
 // The strata around a pixel.
 struct Surroundings {
     float change;     // largest λ
@@ -69,8 +66,8 @@ float confidence_at(ivec2 p) {
     if (around.least.a > around.largest.a) return 1.0 - around.change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
-    float coherence = around.least.a * clamp((RATIO_LIMIT - difference) / (RATIO_LIMIT - RATIO_TOLERANCE), 0.0, 1.0);
-    return 1.0 - around.change * (1.0 - coherence);
+    // Between strata history is scaled by what lies between their ratios.
+    return 1.0 - around.change * (1.0 - around.least.a * coherence_of(difference));
 }
 #else
 float confidence_at(ivec2 p) {

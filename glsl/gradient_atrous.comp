@@ -22,6 +22,7 @@ layout(push_constant) uniform Push {
 
 #include "frame.glsl"
 #include "geometry_weights.glsl"
+#include "light_ratio.glsl"
 #include "strata.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -48,9 +49,6 @@ const float LUMINANCE_EPSILON = 1e-4;
 ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
 
 #if RATIO
-// The spread of the ratio among samples, relative: what is below COHERENT is rounding, what is above INCOHERENT is no ratio.
-const float COHERENT = 0.1;
-const float INCOHERENT = 0.3;
 const float LARGEST_RATIO = 64.0;
 // Share of the brightest component, below which a component has no ratio of its own.
 const float RATIO_FLOOR = 1e-3;
@@ -60,7 +58,7 @@ const float RATIO_FLOOR = 1e-3;
 vec4 light_ratio(vec4 before, vec3 now) {
     float largest = dot(sqrt(before.rgb * now), vec3(1.0));
     float spread = largest > 0.0 ? sqrt(8.0 * max(0.0, 1.0 - before.a / largest)) : INCOHERENT;
-    float coherence = clamp((INCOHERENT - spread) / (INCOHERENT - COHERENT), 0.0, 1.0);
+    float coherence = coherence_of(spread);
     float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
     return vec4(mix(vec3(1.0), min((now + least) / (before.rgb + least), LARGEST_RATIO), coherence), coherence);
 }

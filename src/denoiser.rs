@@ -1,7 +1,6 @@
 //! Records a declaration into a host's command buffers: the Vulkan objects of its passes, and nothing else.
 
 use crate::binding::{absent_gradients, check_bindings, descriptor, present, Binding};
-use crate::config::Preset;
 use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
 use crate::device::Device;
 use crate::error::Error;
@@ -98,9 +97,7 @@ impl Denoiser {
 
     /// Warns once, since a host that leaves gradients out does so in every frame.
     fn warn_of_missing_gradients(&mut self, why: &str) {
-        // This one has the change test instead.
-        let has_other = self.declaration.config().is_some_and(|config| config.preset == Preset::Best);
-        if !has_other && !std::mem::replace(&mut self.warned, true) {
+        if !self.declaration.has_other_confidence() && !std::mem::replace(&mut self.warned, true) {
             let what = self.declaration.config().map_or("the graph".to_owned(), |config| format!("the preset {:?}", config.preset));
             log::warn!("atrous: {why}. Without gradients {what} behaves as Svgf");
         }

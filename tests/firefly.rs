@@ -38,7 +38,7 @@ fn denoised(preset: Preset, filter: bool, frames: impl Iterator<Item = Guides>) 
         if preset == Preset::Stabilize {
             s.upload("other_denoised_radiance", &guides.noisy_radiance).expect("other_denoised_radiance");
         }
-        if matches!(preset, Preset::Asvgf | Preset::Best | Preset::Stabilize) {
+        if preset.has_gradients() {
             s.upload("confidence", &[[1.0; 4]; (EXTENT[0] * EXTENT[1]) as usize]).expect("confidence");
         }
         s.run(&Scene::new(EXTENT).params(0), &tuning).expect("frame");

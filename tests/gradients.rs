@@ -190,6 +190,13 @@ fn without_reshading_history_is_trusted_and_it_is_said_once() {
     }
     let new = &warnings()[said..];
     assert!(matches!(new, [one] if one.contains("`reshaded_radiance`")), "{new:?}");
+    // What has another confidence for them does not do without.
+    let said = warnings().len();
+    let mut host = Host::new(Config { preset: Preset::Best, ..Config::new(scene.extent) });
+    for _ in 0..3 {
+        host.frame_with(&scene, 0, &scene.params(0));
+    }
+    assert_eq!(warnings()[said..], [] as [String; 0]);
     assert_valid();
 }
 

@@ -2,13 +2,13 @@
 
 use super::channels::Layer;
 use crate::error::Error;
+use atrous_files::{check_writable, publish, Existing};
 use exr::compression::Compression;
 use exr::image::{AnyChannel, AnyChannels, Blocks, Encoding, FlatSamples, Image};
 use exr::meta::attribute::LineOrder;
 use exr::prelude::{ImageAttributes, IntegerBounds, LayerAttributes, SmallVec, Text, Vec2, WritableImage};
 use std::io::{Cursor, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
 fn problem(path: &Path, action: &str, error: impl std::fmt::Display) -> Error {
     Error::Capture { path: path.to_owned(), problem: format!("cannot be {action}: {error}. Choose a folder that can be written") }
@@ -34,39 +34,12 @@ pub(crate) fn prepare(folder: &Path) -> Result<(), Error> {
             "exists already: the folder holds a sequence, which is not overwritten. Choose another folder, or remove it first";
         return Err(Error::Capture { path, problem: problem.to_owned() });
     }
-    temporary(folder).map(drop).map_err(|e| problem(folder, "written", e))
+    check_writable(folder).map_err(|e| problem(folder, "written", e))
 }
 
-/// A file under a name that no other program has, and that no link waits at.
-fn temporary(folder: &Path) -> std::io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".capture-").suffix(".part");
-    // What comes out is for others to read, as far as the user's mask lets them.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    // The kind alone: the user never heard of the temporary name.
-    builder.tempfile_in(folder).map_err(|error| error.kind().into())
-}
-
-/// The treatment of a file that has the name already.
-#[derive(Clone, Copy, PartialEq)]
-pub(crate) enum Existing {
-    /// It is refused: another capture writes to the same folder.
-    Kept,
-    /// It is replaced: the description grows with every frame.
-    Replaced,
-}
-
-/// Writes under a temporary name beside `path`, and renames.
-pub(crate) fn write_atomically(path: &Path, existing: Existing, bytes: &[u8]) -> Result<(), Error> {
-    let written = temporary(path.parent().unwrap_or(Path::new("."))).and_then(|mut part| {
-        part.write_all(bytes)?;
-        // Some file systems find out only at the end that they are full.
-        part.as_file().sync_all()?;
-        let persisted = if existing == Existing::Kept { part.persist_noclobber(path) } else { part.persist(path) };
-        persisted.map(drop).map_err(|e| e.error)
-    });
-    written.map_err(|e| problem(path, "written", e))
+/// Makes the file `path` of `bytes`, whole or not at all.
+pub(crate) fn write_whole(path: &Path, existing: Existing, bytes: &[u8]) -> Result<(), Error> {
+    publish(path, existing, |file| file.write_all(bytes)).map_err(|e| problem(path, "written", e))
 }
 
 /// Writes a frame: ZIP, which loses nothing.
@@ -87,5 +60,5 @@ pub(crate) fn write(path: &Path, extent: [u32; 2], layers: Vec<Layer>) -> Result
     let image = Image::new(ImageAttributes::new(IntegerBounds::from_dimensions(size)), layer);
     let mut bytes = Cursor::new(Vec::new());
     image.write().to_buffered(&mut bytes).map_err(|e| problem(path, "encoded", e))?;
-    write_atomically(path, Existing::Kept, &bytes.into_inner())
+    write_whole(path, Existing::Kept, &bytes.into_inner())
 }

@@ -32,6 +32,7 @@ use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
 use crate::error::Error;
 use crate::reference::InstanceTransform;
 use ash::vk;
+use atrous_files::Existing;
 use atrous_texel::Texel;
 use channels::Layer;
 use sequence_json::Head;
@@ -129,7 +130,7 @@ impl SequenceWriter {
         if let Some(transforms) = instance_transforms {
             // Little-endian, as every device of Vulkan has it.
             let bytes: Vec<u8> = transforms.iter().flatten().flatten().flat_map(|v| v.to_le_bytes()).collect();
-            exr_file::write_atomically(&file(TRANSFORMS_ENDING), exr_file::Existing::Kept, &bytes)?;
+            exr_file::write_whole(&file(TRANSFORMS_ENDING), Existing::Kept, &bytes)?;
         }
         exr_file::write(&file(".exr"), params.render_extent, layers)?;
         let first = self.first.get_or_insert(First { extent: params.render_extent, images: names, tuning: *tuning });
@@ -139,7 +140,7 @@ impl SequenceWriter {
         let entry = sequence_json::frame([number, index], params, tuning, &first.tuning).map_err(text)?;
         self.frames.insert(number, entry);
         let text = head.with_frames(self.frames.values());
-        exr_file::write_atomically(&self.folder.join("sequence.json"), exr_file::Existing::Replaced, text.as_bytes())
+        exr_file::write_whole(&self.folder.join("sequence.json"), Existing::Replaced, text.as_bytes())
     }
 
     /// The names as the declaration has them, in its order.

@@ -115,6 +115,11 @@ choices! {
 }
 
 impl Preset {
+    /// Whether it asks how the light changed, by [`crate::Config::gradient_source`].
+    pub const fn has_gradients(self) -> bool {
+        matches!(self, Self::Asvgf | Self::Stabilize | Self::Best)
+    }
+
     /// Name for people: in tables, menus and pictures.
     pub const fn title(self) -> &'static str {
         match self {

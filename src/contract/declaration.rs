@@ -114,6 +114,11 @@ impl Declaration {
         self.passes.iter().any(|pass| pass.stage() == Some("forward_project"))
     }
 
+    /// Whether pixels without a gradient take the confidence of another stage.
+    pub(crate) fn has_other_confidence(&self) -> bool {
+        self.passes.iter().any(|pass| pass.use_of("other_confidence").is_some())
+    }
+
     /// A resource by name.
     ///
     /// # Errors

@@ -5,9 +5,8 @@ use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
 
-/// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed; is not
-/// filtered, and not blurred by motion; and borrows from its surroundings after a disocclusion. Where no gradient is known, the
-/// change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
+/// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
+/// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
 ///
 /// It reads `signals`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.

@@ -1,7 +1,7 @@
 //! Blocks of 8×8 pixels: the unit of the statistics of \[PSVGF\].
 
 use super::{render_rect::RenderRect, Image};
-use glam::{IVec2, Vec2};
+use glam::IVec2;
 
 /// Pixels a side of a block.
 pub const BLOCK_SIZE: u32 = 8;
@@ -35,13 +35,7 @@ impl Blocks {
 
     /// The four blocks whose centres are nearest to a pixel, with bilinear weights; beyond the edge the last block stands in.
     pub fn around(&self, p: IVec2) -> [(IVec2, f32); 4] {
-        let position = (p.as_vec2() + 0.5) / BLOCK_SIZE as f32 - 0.5;
-        let corner = position.floor();
-        let f: Vec2 = position - corner;
-        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(x, y)| {
-            let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
-            (self.rect().clamp(corner.as_ivec2() + IVec2::new(x, y)), weight)
-        })
+        self.rect().cells_around(p, BLOCK_SIZE)
     }
 }
 

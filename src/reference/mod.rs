@@ -31,6 +31,7 @@ pub(crate) mod geometry_weights;
 pub(crate) mod guide;
 mod image;
 pub(crate) mod kept_radiance;
+pub(crate) mod light_ratio;
 pub(crate) mod luminance;
 pub(crate) mod moments;
 pub(crate) mod nearest_history;

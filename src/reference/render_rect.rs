@@ -31,6 +31,18 @@ impl RenderRect {
         p.clamp(IVec2::ZERO, self.extent - 1)
     }
 
+    /// The four cells of `size` × `size` pixels whose centres are nearest to a pixel, where this is a rectangle of cells, with bilinear
+    /// weights; beyond the edge the last cell stands in.
+    pub fn cells_around(&self, p: IVec2, size: u32) -> [(IVec2, f32); 4] {
+        let position = (p.as_vec2() + 0.5) / size as f32 - 0.5;
+        let corner = position.floor();
+        let f = position - corner;
+        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(x, y)| {
+            let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
+            (self.clamp(corner.as_ivec2() + IVec2::new(x, y)), weight)
+        })
+    }
+
     /// Offsets and pixels of the window of `2·radius + 1` taps a side, spaced `step`, that exist; in row order.
     pub fn window(self, p: IVec2, radius: i32, step: i32) -> impl Iterator<Item = (IVec2, IVec2)> {
         (-radius..=radius)

@@ -46,7 +46,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                 all.push(declare(&Config { preset: Preset::Percentile, adaptive_rule, ..config }));
             }
-            for preset in [Preset::Asvgf, Preset::Best, Preset::Stabilize] {
+            for preset in Preset::ALL.into_iter().filter(|preset| preset.has_gradients()) {
                 for (gradient_source, forward_motion) in GRADIENT_SOURCES {
                     all.push(declare(&Config { preset, gradient_source, forward_motion, ..config }));
                     let with_all = Config { preset, gradient_source, firefly_filter: true, volume: true, ..config };

@@ -49,7 +49,7 @@ pub struct FrameInputs {
 
 /// Reads a frame.
 pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
-    let reshaded = matches!(setup.config.preset, Preset::Asvgf | Preset::Best | Preset::Stabilize);
+    let reshaded = setup.config.preset.has_gradients();
     let wanted: BTreeSet<&str> =
         setup.mapping.roles.iter().filter(|r| reshaded || !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
     let first = First { extent: setup.config.allocated_extent, reading: memory::reading_limit(setup) };

@@ -1,6 +1,7 @@
 //! The stage `adaptive_alpha` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
 use crate::reference::bindings::Bindings;
+use crate::reference::light_ratio::coherence_of;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 
@@ -42,10 +43,6 @@ pub fn adaptive_alpha(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2],
     })
 }
 
-/// Relative difference of the ratios of neighbouring strata, from which history is less true, and not at all: it is scaled between them.
-const RATIO_TOLERANCE: f32 = 0.1;
-const RATIO_LIMIT: f32 = 0.3;
-
 /// How far history that is scaled by these ratios is true: 0 to 1.
 fn coherence(ratios: &[[f32; 4]]) -> f32 {
     let surfaces = || ratios.iter().filter(|ratio| ratio[3] >= 0.0);
@@ -55,7 +52,7 @@ fn coherence(ratios: &[[f32; 4]]) -> f32 {
     }
     let differences = [0, 1, 2].map(range).map(|(least, largest)| (largest - least) / largest.max(1e-6));
     let difference = differences.into_iter().fold(0.0, f32::max);
-    range(3).0 * ((RATIO_LIMIT - difference) / (RATIO_LIMIT - RATIO_TOLERANCE)).clamp(0.0, 1.0)
+    range(3).0 * coherence_of(difference)
 }
 
 /// λ of a stratum.

@@ -5,6 +5,7 @@ use crate::reference::binary16::round_to_half;
 use crate::reference::bindings::Bindings;
 use crate::reference::geometry_weights::depth_and_normal_weight;
 use crate::reference::guide::unpack_guide;
+use crate::reference::light_ratio::{coherence_of, INCOHERENT};
 use crate::reference::strata::Strata;
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
@@ -50,9 +51,6 @@ pub struct GradientAtrousOutputs {
     pub light: Option<[Image<[f32; 4]>; 2]>,
 }
 
-/// A texel of the output from a stratum and the weights of its taps, `None` in the background.
-type Texel<'a> = dyn Fn(IVec2, Option<&[(IVec2, f32)]>) -> [f32; 4] + Sync + 'a;
-
 /// Filters δ, Δ, mean and light with taps `2^level` strata apart, and the deviation of the mean along with them.
 pub fn gradient_atrous(
     frame: &FrameConstants,
@@ -62,38 +60,25 @@ pub fn gradient_atrous(
     inputs: &GradientAtrousInputs,
 ) -> GradientAtrousOutputs {
     let strata = Strata::new(frame, stratum_size);
-    let compute = |of: &Texel| {
-        Image::compute(inputs.gradient.extent(), strata.count().into(), |s| {
-            let weights = weights(tuning, strata, level, inputs, s);
-            of(s, weights.as_deref()).map(round_to_half)
-        })
-    };
-    let gradient = compute(&|s, weights| {
-        let Some(weights) = weights else { return inputs.gradient.at(s) };
-        let [change, brightest, mean, _] = weighted_mean(inputs.gradient, weights);
+    let texels = Image::compute(inputs.gradient.extent(), strata.count().into(), |s| {
+        let Some(weights) = weights(tuning, strata, level, inputs, s) else {
+            return [inputs.gradient.at(s), if inputs.last { NO_RATIO } else { [0.0; 4] }, [0.0; 4]];
+        };
+        let [change, brightest, mean, _] = weighted_mean(inputs.gradient, &weights);
         let sum: f32 = weights.iter().map(|tap| tap.1).sum();
         let variance: f32 = weights.iter().map(|(t, weight)| (weight * inputs.gradient.at(*t)[3]).powi(2)).sum();
-        [change, brightest, mean, variance.sqrt() / sum]
+        let gradient = [change, brightest, mean, variance.sqrt() / sum];
+        let [before, now] =
+            inputs.light.map_or([[0.0; 4]; 2], |light| [light.before, light.now].map(|image| weighted_mean(image, &weights)));
+        [gradient, if inputs.last { light_ratio(before, now) } else { before }, now].map(|texel| texel.map(round_to_half))
     });
-    let light = inputs.light.map(|Light { before, now }| {
-        let filtered = compute(&|_, weights| match weights {
-            None if inputs.last => NO_RATIO,
-            None => [0.0; 4],
-            Some(weights) if inputs.last => light_ratio(weighted_mean(before, weights), weighted_mean(now, weights)),
-            Some(weights) => weighted_mean(before, weights),
-        });
-        let now = compute(&|_, weights| weights.map_or([0.0; 4], |weights| weighted_mean(now, weights)));
-        [filtered, now]
-    });
-    GradientAtrousOutputs { gradient, light }
+    let [gradient, before, now] = [0, 1, 2].map(|i| texels.map(|t| t[i]));
+    GradientAtrousOutputs { gradient, light: inputs.light.map(|_| [before, now]) }
 }
 
 /// The ratio of the background.
 const NO_RATIO: [f32; 4] = [1.0, 1.0, 1.0, -1.0];
 
-/// The spread of the ratio among samples, relative: what is below the first is rounding, what is above the second is no ratio.
-const COHERENT: f32 = 0.1;
-const INCOHERENT: f32 = 0.3;
 const LARGEST_RATIO: f32 = 64.0;
 /// Share of the brightest component, below which a component has no ratio of its own.
 const RATIO_FLOOR: f32 = 1e-3;
@@ -103,7 +88,7 @@ const RATIO_FLOOR: f32 = 1e-3;
 pub fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
     let largest: f32 = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
     let spread = if largest > 0.0 { (8.0 * (1.0 - before[3] / largest).max(0.0)).sqrt() } else { INCOHERENT };
-    let coherence = ((INCOHERENT - spread) / (INCOHERENT - COHERENT)).clamp(0.0, 1.0);
+    let coherence = coherence_of(spread);
     let least = RATIO_FLOOR * before[..3].iter().copied().fold(0.0, f32::max) + 1e-6;
     let ratio = |i: usize| ((now[i] + least) / (before[i] + least)).min(LARGEST_RATIO);
     let [r, g, b] = [0, 1, 2].map(|i| 1.0 + coherence * (ratio(i) - 1.0));

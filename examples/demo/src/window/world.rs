@@ -263,7 +263,7 @@ fn presets(contents: [Content; 2]) -> Vec<Preset> {
     let mut presets: Vec<Preset> = contents.into_iter().filter_map(Content::preset).collect();
     presets.dedup();
     // Those first that have some samples shaded again, since the noisy picture is that of the last one.
-    presets.sort_by_key(|preset| !matches!(preset, Preset::Asvgf | Preset::Best));
+    presets.sort_by_key(|preset| !preset.has_gradients());
     presets
 }
 
