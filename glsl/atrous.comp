@@ -5,7 +5,9 @@
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
 // SMOOTH: the luminance weight takes the deviation of 3x3 pixels. VOLUME: steered by the depth of the surface behind alone, and
 // less strictly [PSVGF]; the background takes part.
-// variants: SIGNALS=1 SIGNALS=2
+// With SPECULAR no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it, and by
+// hit distance [ours]; a mirror is not filtered at all.
+// variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -24,12 +26,18 @@ layout(push_constant) uniform Push {
     float sigma_z;
     float edge_falloff;
     float volume_sigma_z;
+#ifdef SPECULAR
+    float specular_blur;
+#endif
 } push;
 
 #include "frame.glsl"
 #include "centre_geometry.glsl"
 #include "luminance.glsl"
 #include "packed_image.glsl"
+#ifdef SPECULAR
+#include "reflection.glsl"
+#endif
 
 // Storage images are read, not sampled ones, for the reasons that packed_image.glsl has.
 PACKED_IMAGE(1, guide);
@@ -39,6 +47,10 @@ layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D output_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 5, rgba16f) uniform restrict readonly image2D input_1;
 layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
+#endif
+
+#ifdef SPECULAR
+layout(set = 0, binding = 5) uniform utexture2D reflection;
 #endif
 
 const uint SPLINE_KERNEL = 0u;
@@ -111,6 +123,35 @@ Sum start(vec4 value) {
 
 vec4 result(Sum sum) { return vec4(storable(sum.irradiance / sum.weight), min(sqrt(sum.variance) / sum.weight, 65504.0)); }
 
+#ifdef SPECULAR
+// What is seen in the centre of a window, and how much less a tap weighs, in powers of 2.
+struct Lobe {
+    float nearness;            // hit distance over the way from the eye
+    float spatial_sharpness;   // per squared pixel
+    float distance_sharpness;  // per squared difference of nearness
+};
+
+float nearness_at(ivec2 p, uvec4 packed) {
+    return nearness_of(unpack_depth(packed), unpack_reflection(texelFetch(reflection, p, 0).x).hit_distance);
+}
+
+// Narrows the tolerance of normals as well.
+Lobe lobe_of(ivec2 p, uvec4 packed, inout EdgeCentre surface) {
+    Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
+    float share = mirror_share(r.roughness), width = lobe_width(r.roughness);
+    float radius = max(push.specular_blur * lobe_radius(unpack_depth(packed), r), 0.01);
+    float sigma_n = share / (width * width + 1e-3);
+    surface.normal_sharpness += LOG2_E * sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
+    float distance_sharpness = r.hit_distance > 0.0 ? LOG2_E * 4.0 * share / (width * width + 0.02) : 0.0;
+    return Lobe(nearness_at(p, packed), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
+}
+
+float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, uvec4 packed_tap) {
+    float difference = nearness_at(tap, packed_tap) - lobe.nearness;
+    return -(float(offset.x * offset.x + offset.y * offset.y) * lobe.spatial_sharpness + difference * difference * lobe.distance_sharpness);
+}
+#endif
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
@@ -127,6 +168,9 @@ void main() {
         return;
     }
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+#ifdef SPECULAR
+    Lobe lobe = lobe_of(p, packed, geometry.surface);
+#endif
     vec2 deviations = tolerated_deviations(p);
     int step_size = 1 << push.level;
     Centre centre_0 = centre_of(value_0, deviations.x);
@@ -146,6 +190,9 @@ void main() {
                 uvec4 packed_q = packed_at(guide, tap);
                 float kernel = q == tap && is_filtered(packed_q) ? kernel_at(ivec2(x, y)) : 0.0;
                 float weight = log2_weight(geometry, packed_q, sharpness);
+#ifdef SPECULAR
+                weight += log2_lobe_weight(lobe, offset, tap, packed_q);
+#endif
                 add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
 #if SIGNALS == 2
                 add_tap(sum_1, imageLoad(input_1, tap), centre_1, weight, kernel);

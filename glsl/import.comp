@@ -21,6 +21,7 @@ layout(push_constant) uniform Push {
 #include "statistics.glsl"
 #include "surface_motion.glsl"
 #include "view_position.glsl"
+#include "roughness.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -188,8 +189,8 @@ void main() {
     bool background = z == 0.0;
     vec3 n = world_normal(p, background);
     float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
-    rough = is_finite(rough) ? clamp(rough, 0.0, 1.0) : 1.0;
-    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, rough, fold_id(id))));
+    if (!background && !is_roughness(rough)) count_bad(BAD_ROUGHNESS);
+    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, roughness_of(rough), fold_id(id))));
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
     imageStore(surface_motion, p, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
     vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id));

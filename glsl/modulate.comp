@@ -1,10 +1,14 @@
 #version 450
 // Multiplies the albedo back, adds the signals and what was emitted.
 // Source: [SVGF] section 3. The divisor is that of demodulate.comp, so the round trip is exact.
-// In:  filtered irradiance per signal; albedo and emission of the host; guide. Out: denoised_radiance, linear Rec. 709.
-// optional: albedo, emission, filtered_1
+// In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
+//      or specular_f0; guide. Out: denoised_radiance, linear Rec. 709.
+// Constant SPECULAR: the second signal is specular light.
+// optional: albedo, emission, filtered_1, specular_albedo, specular_f0
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(constant_id = 1) const bool SPECULAR = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -16,12 +20,15 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
+#include "specular_albedo.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
 const uint ALBEDO = 3u;
 const uint EMISSION = 4u;
 const uint FILTERED_1 = 7u;
+const uint SPECULAR_ALBEDO = 8u;
+const uint SPECULAR_F0 = 9u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
@@ -29,10 +36,20 @@ layout(set = 0, binding = EMISSION) uniform texture2D emission;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D denoised_radiance;
 layout(set = 0, binding = 6) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
+layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
+layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
 vec3 factor_at(ivec2 p) {
     if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
     return divisor_of(texelFetch(albedo, p, 0).rgb);
+}
+
+vec3 specular_factor_at(ivec2 p) {
+    uvec4 packed = texelFetch(guide, p, 0);
+    if (unpack_depth(packed) == 0.0) return vec3(1.0);
+    if (is_present(SPECULAR_ALBEDO)) return divisor_of(texelFetch(specular_albedo, p, 0).rgb);
+    if (is_present(SPECULAR_F0)) return divisor_of(specular_albedo_from(texelFetch(specular_f0, p, 0).rgb, p, packed));
+    return vec3(1.0);
 }
 
 vec3 emission_at(ivec2 p) {
@@ -47,6 +64,9 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec3 irradiance = texelFetch(filtered_0, p, 0).rgb;
-    if (is_present(FILTERED_1)) irradiance += texelFetch(filtered_1, p, 0).rgb;
-    imageStore(denoised_radiance, p, vec4(storable(irradiance * factor_at(p) + emission_at(p)), 1.0));
+    vec3 second = is_present(FILTERED_1) ? texelFetch(filtered_1, p, 0).rgb : vec3(0.0);
+    if (!SPECULAR) irradiance += second;
+    vec3 radiance = irradiance * factor_at(p);
+    if (SPECULAR) radiance += second * specular_factor_at(p);
+    imageStore(denoised_radiance, p, vec4(storable(radiance + emission_at(p)), 1.0));
 }

@@ -1,6 +1,6 @@
 //! The uniform block that every pass reads, and the bits of its flags.
 
-use crate::config::{Conventions, MotionDirection, NormalSpace, ViewForward};
+use crate::config::{Conventions, MotionDirection, NormalSpace, RoughnessEncoding, ViewForward};
 
 /// The uniform block that every pass reads: the Rust twin of `FrameConstants` in `glsl/include/frame.glsl`.
 /// The build asserts that the offsets are equal.
@@ -51,6 +51,8 @@ impl Flags {
     pub const MOTION_DEPTH_SHIFT: u32 = 11;
     /// The camera looks along +z.
     pub const VIEW_POSITIVE_Z: u32 = 1 << 13;
+    /// Roughness is GGX's α, the square of the perceptual one.
+    pub const ROUGHNESS_ALPHA: u32 = 1 << 14;
     /// The host re-shades the gradient samples of this frame.
     pub const RESHADED: u32 = 1 << 16;
 
@@ -67,5 +69,6 @@ impl Flags {
             | bit(c.motion_jittered, Self::MOTION_JITTERED)
             | (c.motion_depth as u32) << Self::MOTION_DEPTH_SHIFT
             | bit(c.view_forward == ViewForward::PositiveZ, Self::VIEW_POSITIVE_Z)
+            | bit(c.roughness == RoughnessEncoding::Alpha, Self::ROUGHNESS_ALPHA)
     }
 }

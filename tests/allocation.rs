@@ -69,7 +69,7 @@ fn recording_a_frame_allocates_nothing() {
     // Without validation, whose layer takes most of the time.
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions::default()).expect("device"));
     for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile] {
-        for signals in [Signals::Together, Signals::Apart] {
+        for signals in Signals::ALL {
             let config = Config { preset, signals, post_process: PostProcess::ToneMapTaa, ..Config::new([320, 180]) };
             let mut rig = Rig::new(gpu.clone(), &config, 1);
             (0..4).for_each(|index| record(&mut rig, index));

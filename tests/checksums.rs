@@ -47,6 +47,8 @@ fn configurations() -> Vec<(&'static str, Config)> {
         ("percentile published", Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile }),
         ("percentile published apart", Config { adaptive_rule: AdaptiveRule::Percentiles, signals: Signals::Apart, ..percentile }),
         ("best", Config { debug_view: true, ..best }),
+        ("svgf specular", Config { signals: Signals::Specular, ..base }),
+        ("best specular", Config { signals: Signals::Specular, ..best }),
         ("best reshaded, apart", Config { gradient_source: GradientSource::Reshaded, signals: Signals::Apart, ..best }),
         ("fast", fast),
         ("fast apart, fireflies", Config { signals: Signals::Apart, firefly_filter: true, ..fast }),

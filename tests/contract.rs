@@ -34,7 +34,7 @@ fn a_pixel_takes_no_more_bytes_than_promised() {
 }
 
 fn memory_is_the_sum_of_its_parts() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         let config = Config { signals, post_process: PostProcess::ToneMapTaa, ..Config::new([320, 180]) };
         let memory = config.declare().expect("valid").memory();
         let sum =

@@ -22,9 +22,7 @@ fn uses_equal_the_spirv_by_a_second_reader() {
         (Preset::Eaw, GradientSource::default()),
         (Preset::Volume, GradientSource::default()),
     ];
-    for (signals, (preset, gradient_source)) in
-        [Signals::Together, Signals::Apart].into_iter().flat_map(|s| presets.map(|p| (s, p)))
-    {
+    for (signals, (preset, gradient_source)) in Signals::ALL.into_iter().flat_map(|s| presets.map(|p| (s, p))) {
         for object_normal in [false, true] {
             let post_process = PostProcess::ToneMapTaa;
             let options = Config { debug_view: true, firefly_filter: true, volume: object_normal, ..Config::new([64, 36]) };

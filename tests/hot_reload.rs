@@ -56,7 +56,7 @@ fn replace(session: &mut Session, (name, spirv): &(String, Vec<u32>)) -> Result<
 
 fn another_shader_changes_the_output_and_keeps_the_history() {
     let sources = Sources::new();
-    sources.edit("modulate.comp", "storable(irradiance", "storable(0.5 * irradiance");
+    sources.edit("modulate.comp", "storable(radiance", "storable(0.5 * radiance");
     sources.edit("modulate.comp", "+ emission_at(p))", "+ 0.5 * emission_at(p))");
     let shaders = sources.compile("modulate.comp").expect("GLSL");
     let config = Config::new(EXTENT);
@@ -87,7 +87,7 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
     let moved = format!("set 0 binding 0 byte {byte} is `render_extent: vec2<i32>`, and was `render_extent: vec2<u32>`");
     let edits = [
         ("modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`"),
-        ("modulate.comp", "EMISSION = 4u", "EMISSION = 9u", "set 0 binding 9 is new"),
+        ("modulate.comp", "EMISSION = 4u", "EMISSION = 10u", "set 0 binding 10 is new"),
         ("modulate.comp", "local_size_y = 8", "local_size_y = 4", "LocalSize is `8 x 4 x 1`"),
         ("modulate.comp", "uint present;", "uint other; uint present;", "push constants byte 0 is `other: u32`"),
         ("include/optional.glsl", "constant_id = 0", "constant_id = 5", "specialization constant 5 is new"),

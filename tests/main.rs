@@ -33,6 +33,7 @@ mod readback;
 mod resize;
 mod schedules;
 mod sequences;
+mod specular;
 mod support;
 mod sync_validation;
 mod volume;
@@ -80,6 +81,7 @@ fn main() {
         Group { name: "schedules", tests: schedules::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
+        Group { name: "specular", tests: specular::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },
     ];
     atrous_harness::run(&groups, &support::try_gpu());

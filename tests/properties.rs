@@ -92,7 +92,7 @@ fn without_alpha_it_is_the_running_mean() {
 }
 
 fn a_render_rect_gives_the_bits_of_a_tight_image() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         let tight = Scene { speed: 0.15, ..Scene::new([37, 21]) };
         let loose = Scene { allocated: [64, 40], ..tight };
         let post_process = PostProcess::ToneMapTaa;
@@ -111,7 +111,7 @@ fn a_render_rect_gives_the_bits_of_a_tight_image() {
 }
 
 fn a_reset_frame_equals_a_first_frame() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
         let config = Config { signals, post_process: PostProcess::ToneMapTaa, ..Config::new(scene.extent) };
         let mut used = session(&config);
@@ -223,7 +223,7 @@ fn an_exposure_ratio_scales_the_history() {
 }
 
 fn memory_is_what_the_executor_allocates() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         let config = Config { signals, ..Config::new([320, 180]) };
         let s = session(&config);
         let (planned, allocated) = (config.declare().expect("valid").memory(), s.executor().allocated());
@@ -235,7 +235,7 @@ fn memory_is_what_the_executor_allocates() {
 
 fn every_structural_variant_runs() {
     let scene = Scene { speed: 0.1, ..Scene::new([24, 16]) };
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         for (surface_id, object_normal) in [(false, false), (false, true), (true, true)] {
             for levels in [1, 2, 10] {
                 let post_process = PostProcess::ToneMap;

@@ -13,6 +13,7 @@ const uint MOTION_Y_UP = 1u << 9;
 const uint MOTION_JITTERED = 1u << 10;
 const uint MOTION_DEPTH_SHIFT = 11u;
 const uint VIEW_POSITIVE_Z = 1u << 13;
+const uint ROUGHNESS_ALPHA = 1u << 14;
 
 bool has_convention(uint flag) { return (CONVENTIONS & flag) != 0u; }
 

@@ -57,6 +57,7 @@ uvec4 pack_guide(Guide g) {
 }
 
 float unpack_depth(uvec4 packed) { return uintBitsToFloat(packed.x & 0xfff0u | packed.y << 16); }
+float unpack_roughness(uvec4 packed) { return float(packed.x & 0xfu) / 15.0; }
 uint unpack_id(uvec4 packed) { return packed.w >> 8; }
 
 // The normal in steps, from 0 to twice NORMAL_STEPS: what differences of normals are made of.

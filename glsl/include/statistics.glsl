@@ -11,8 +11,10 @@ const uint BAD_ALBEDO = 4u;
 const uint BAD_EMISSION = 5u;
 const uint BAD_FORWARD_MOTION = 6u;
 const uint BAD_SCATTERING_DEPTH = 7u;
+const uint BAD_ROUGHNESS = 8u;
+const uint BAD_HIT_DISTANCE = 9u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[8]; } statistics;
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[10]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

@@ -1,4 +1,4 @@
-// The surface point of a pixel in view space, for distances. Twin: src/reference/eaw.rs.
+// The surface point of a pixel in view space, for distances. Twin: src/reference/projection.rs.
 #ifndef VIEW_POSITION_GLSL
 #define VIEW_POSITION_GLSL
 #include "frame.glsl"

@@ -94,6 +94,33 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
     ]),
 };
+pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
+    stage: Cow::Borrowed("atrous"), name: Cow::Borrowed("atrous_signals_1_specular_1"), spirv: Cow::Borrowed(include_bytes!("atrous_signals_1_specular_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("input_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("output_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("reflection"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("specular_blur"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
     stage: Cow::Borrowed("block_difference"), name: Cow::Borrowed("block_difference"), spirv: Cow::Borrowed(include_bytes!("block_difference.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -190,6 +217,8 @@ pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("irradiance_0"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 7, name: Cow::Borrowed("irradiance_1"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("specular_hit_distance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -197,6 +226,7 @@ pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
@@ -214,6 +244,8 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
         ShaderBinding { number: 9, name: Cow::Borrowed("compared_0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 10, name: Cow::Borrowed("compared_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 11, name: Cow::Borrowed("noisy_red_blue"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 12, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("specular_hit_distance"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -221,6 +253,7 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static EAW_SIGNALS_1: Shader = Shader {
@@ -518,12 +551,16 @@ pub(crate) static MODULATE: Shader = Shader {
         ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 6, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static PERCENTILE_RULE: Shader = Shader {
@@ -548,6 +585,37 @@ pub(crate) static PERCENTILE_RULE: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
+pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
+    stage: Cow::Borrowed("specular_accumulation"), name: Cow::Borrowed("specular_accumulation"), spirv: Cow::Borrowed(include_bytes!("specular_accumulation.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("noisy"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("roughness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 7, name: Cow::Borrowed("history_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("history"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("previous_moments"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 10, name: Cow::Borrowed("previous_reflection"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 11, name: Cow::Borrowed("accumulated"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("new_moments"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("reflection"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha_moments"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("max_history_length"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 20, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static TAA: Shader = Shader {
@@ -753,4 +821,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

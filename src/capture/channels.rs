@@ -34,6 +34,10 @@ fn names(input: &str, motion_depth: MotionDepth) -> (&str, &'static [&'static st
         "emission" => (EMISSION, RGB),
         "noisy_direct" => ("direct", RGB),
         "noisy_indirect" => ("indirect", RGB),
+        "noisy_diffuse" => ("diffuse", RGB),
+        "noisy_specular" => ("specular", RGB),
+        "specular_albedo" => ("specular_albedo", RGB),
+        "specular_hit_distance" => ("hitdist", &["D"]),
         "noisy_radiance" => (LIGHTING, RGB),
         other => (other, RGB),
     }
@@ -59,7 +63,7 @@ impl Layer {
     }
 
     fn is_filtered(&self) -> bool {
-        matches!(self.name.as_str(), LIGHTING | "direct" | "indirect")
+        matches!(self.name.as_str(), LIGHTING | "direct" | "indirect" | "diffuse" | "specular")
     }
 }
 

@@ -150,6 +150,7 @@ fn written_before(folder: &Path) -> String {
         motion_jittered: true,
         motion_depth: MotionDepth::Absolute,
         view_forward: ViewForward::PositiveZ,
+        roughness: RoughnessEncoding::Alpha,
     };
     let config = Config {
         preset: Preset::Percentile,

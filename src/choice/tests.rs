@@ -6,7 +6,7 @@ use crate::{DebugView, ResetReason, ToneCurve};
 
 /// Numbers and names that hosts in C, files and command lines have: a change here breaks them. The numbers follow one another from
 /// the first one on.
-const STABLE: [(&str, u32, &str); 18] = [
+const STABLE: [(&str, u32, &str); 19] = [
     ("AdaptiveRule", 0, "change_test percentiles"),
     ("BlockSort", 0, "counting odd_even"),
     ("DepthEncoding", 0, "linear device ray_length"),
@@ -19,8 +19,9 @@ const STABLE: [(&str, u32, &str); 18] = [
     ("NormalSpace", 0, "world view"),
     ("PostProcess", 0, "none tone_map tone_map_taa"),
     ("Preset", 0, "svgf asvgf stabilize percentile eaw volume fast best"),
+    ("RoughnessEncoding", 0, "linear alpha"),
     ("Sampling", 0, "full one_of_2x2 one_of_4x4"),
-    ("Signals", 0, "together apart"),
+    ("Signals", 0, "together apart specular"),
     ("ViewForward", 0, "negative_z positive_z"),
     (
         "DebugView",
@@ -66,6 +67,7 @@ fn names_and_numbers_are_stable_and_lead_back() {
         check::<NormalSpace>(),
         check::<PostProcess>(),
         check::<Preset>(),
+        check::<RoughnessEncoding>(),
         check::<Sampling>(),
         check::<Signals>(),
         check::<ViewForward>(),

@@ -13,6 +13,9 @@ choices! {
         /// Two, `noisy_direct` and `noisy_indirect`, filtered apart with shared geometry weights, as \[SVGF\] does. Keeps shadow
         /// edges that the sum blurs.
         Apart = 1 => "apart",
+        /// Two, `noisy_diffuse` and `noisy_specular`, each with an albedo of its own. What is seen in glossy surfaces is followed where
+        /// it moves, behind the surface, by the input `specular_hit_distance`, and filtered as far as the `roughness` blurs it.
+        Specular = 2 => "specular",
     }
 
     /// Passes behind the denoised radiance.

@@ -85,6 +85,16 @@ choices! {
         /// View along +z (left-handed; Direct3D).
         PositiveZ = 1 => "positive_z",
     }
+
+    /// Encoding of `roughness`.
+    #[derive(Default)]
+    pub enum RoughnessEncoding {
+        /// Perceptual roughness, 0 to 1, whose square is the α of GGX.
+        #[default]
+        Linear = 0 => "linear",
+        /// The α of GGX, 0 to 1.
+        Alpha = 1 => "alpha",
+    }
 }
 
 /// Encodings of the host's guides. Only the stage `import` knows them; behind it there is one encoding.
@@ -115,6 +125,8 @@ pub struct Conventions {
     pub motion_depth: MotionDepth,
     /// Direction in which the camera looks. Default: [`ViewForward::NegativeZ`].
     pub view_forward: ViewForward,
+    /// Encoding of roughness. Default: [`RoughnessEncoding::Linear`].
+    pub roughness: RoughnessEncoding,
 }
 
 impl Default for Conventions {
@@ -130,6 +142,7 @@ impl Default for Conventions {
             motion_jittered: false,
             motion_depth: MotionDepth::default(),
             view_forward: ViewForward::default(),
+            roughness: RoughnessEncoding::default(),
         }
     }
 }

@@ -13,7 +13,8 @@ mod serde_tests;
 
 pub use choices::{AdaptiveRule, BlockSort, GradientSource, PostProcess, Preset, Sampling, Signals};
 pub use conventions::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
+    ViewForward,
 };
 pub use eaw_weights::EawWeights;
 

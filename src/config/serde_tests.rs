@@ -41,6 +41,7 @@ fn config() -> Config {
             motion_jittered: true,
             motion_depth: MotionDepth::Difference,
             view_forward: ViewForward::PositiveZ,
+            roughness: RoughnessEncoding::Alpha,
         },
     }
 }

@@ -196,6 +196,14 @@ impl History {
     }
 }
 
+/// What is seen in each surface: the distance from it, filtered, and the roughness by which it is blurred; two packed half floats, which
+/// the next frame reads as well.
+#[derive(Clone, Copy, Debug)]
+pub struct Reflection {
+    /// Hit distance in scene units (0: unknown; 65504: beyond the scene), and perceptual roughness.
+    pub image: Image,
+}
+
 /// Temporal gradients, one texel a stratum, with the guide that steers their reconstruction. \[ASVGF\] 3.3, 3.4.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {

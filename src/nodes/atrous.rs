@@ -3,7 +3,7 @@
 pub(crate) mod twin;
 
 use super::by_signals;
-use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeEstimate, HDR};
+use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Reflection, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};
 
 pub use crate::kernel::Kernel;
@@ -20,6 +20,8 @@ pub struct Atrous {
     pub smooth_deviation: bool,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
+    /// Reflections seen in the surfaces: of specular light, one signal, which is filtered no wider than their lobes are. Default: none.
+    pub reflection: Option<Reflection>,
     /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
     pub sigma_l: Value,
     /// Sharpness of the weight exp(−σ (1 − cos)) by the angle between normals. Default: [`crate::Tuning::sigma_n`].
@@ -31,7 +33,16 @@ pub struct Atrous {
 impl Default for Atrous {
     fn default() -> Self {
         let (sigma_l, sigma_n, sigma_z) = Default::default();
-        Self { levels: 5, kernel: Kernel::default(), smooth_deviation: true, feedback: None, sigma_l, sigma_n, sigma_z }
+        Self {
+            levels: 5,
+            kernel: Kernel::default(),
+            smooth_deviation: true,
+            feedback: None,
+            reflection: None,
+            sigma_l,
+            sigma_n,
+            sigma_z,
+        }
     }
 }
 
@@ -61,7 +72,10 @@ impl Graph {
     /// Filters one or two signals level by level, one pass each; they share the geometry weights.
     pub fn atrous(&mut self, guides: &Guides, estimate: &Estimate, atrous: Atrous) -> Estimate {
         let node = self.node("atrous", &self.label_of(estimate));
-        let module = by_signals(estimate, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2);
+        let module = match atrous.reflection {
+            Some(_) => &shaders::ATROUS_SIGNALS_1_SPECULAR_1,
+            None => by_signals(estimate, &shaders::ATROUS_SIGNALS_1, &shaders::ATROUS_SIGNALS_2),
+        };
         let levels = Levels { node: &node, count: atrous.levels, feedback: atrous.feedback };
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, module, level)
@@ -74,6 +88,7 @@ impl Graph {
                 .value("sigma_z", atrous.sigma_z)
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)
+                .bind_some("reflection", atrous.reflection.map(|reflection| reflection.image))
         })
     }
 

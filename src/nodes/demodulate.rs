@@ -3,14 +3,29 @@
 pub(crate) mod twin;
 
 use crate::config::Sampling;
-use crate::graph::{Gradient, Graph, Guides, Irradiance, Pass, Radiance, HDR, HOST_COLOUR};
+use crate::graph::{Gradient, Graph, Guides, Irradiance, Pass, Radiance, HDR, HOST_COLOUR, HOST_SCALAR};
 use crate::shaders;
+
+/// The reflectance that divides radiance, and multiplies it again.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Albedo {
+    /// None: the radiance passes as it is.
+    None,
+    /// The optional input `albedo` of the host.
+    #[default]
+    Diffuse,
+    /// The optional input `specular_albedo` of the host: what the coat or metal reflects of light from everywhere. A host without one
+    /// may give `specular_f0`, the reflectance at normal incidence, from which it is computed \[Karis 2014\]. The optional input
+    /// `specular_hit_distance` says how far away is what is seen in the surface.
+    Specular,
+}
 
 /// Parameters of the node `demodulate`.
 #[derive(Clone, Copy, Debug)]
 pub struct Demodulate {
-    /// Whether the optional input `albedo` of the host divides the radiance; else it passes as it is. Default: true.
-    pub albedo: bool,
+    /// The divisor. Default: [`Albedo::Diffuse`].
+    pub albedo: Albedo,
     /// Share of the pixels that have a sample: holes are marked for the node `eaw` to paint in. Default: all of them.
     pub sampling: Sampling,
     /// Gradients that compare the luminance of the noisy radiance with that of the frame before, which this node keeps for them.
@@ -20,7 +35,7 @@ pub struct Demodulate {
 
 impl Default for Demodulate {
     fn default() -> Self {
-        Self { albedo: true, sampling: Sampling::Full, gradient: None }
+        Self { albedo: Albedo::Diffuse, sampling: Sampling::Full, gradient: None }
     }
 }
 
@@ -36,9 +51,14 @@ impl Graph {
             .bind("guide", guides.guide)
             .each("noisy", noisy.images())
             .each("irradiance", irradiance.images());
-        if demodulate.albedo {
-            pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
-        }
+        pass = match demodulate.albedo {
+            Albedo::None => pass,
+            Albedo::Diffuse => pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true)),
+            Albedo::Specular => pass
+                .bind("albedo", self.input("specular_albedo", HOST_COLOUR, 1, true))
+                .bind("specular_f0", self.input("specular_f0", HOST_COLOUR, 1, true))
+                .bind("specular_hit_distance", self.input("specular_hit_distance", HOST_SCALAR, 1, true)),
+        };
         if let Some(kept) = kept {
             pass = pass.bind("noisy_luminance", kept.image).bind_some("noisy_red_blue", kept.red_blue);
             if kept.of.images() != noisy.images() {

@@ -18,6 +18,7 @@ pub(crate) mod gradient_atrous;
 pub(crate) mod import;
 pub(crate) mod modulate;
 pub(crate) mod percentile_rule;
+pub(crate) mod specular_accumulation;
 pub(crate) mod taa;
 pub(crate) mod temporal_accumulation;
 pub(crate) mod tone_map;
@@ -28,12 +29,13 @@ pub(crate) mod volume_points;
 pub use atrous::{Atrous, Kernel, VolumeAtrous};
 pub use block_percentiles::BLOCK_SIZE;
 pub use debug_view::Known;
-pub use demodulate::Demodulate;
+pub use demodulate::{Albedo, Demodulate};
 pub use eaw::Eaw;
 pub use forward_project::ForwardProject;
 pub use gradient::Gradients;
 pub use import::Import;
 pub use modulate::Modulate;
+pub use specular_accumulation::SpecularAccumulation;
 pub use temporal_accumulation::Accumulation;
 pub use variance::{Estimator, Variance};
 pub use volume_points::Volume;
@@ -61,6 +63,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),
     Stage::new("change_test", change_test::twin::twin, &[pixels("history_confidence", STEEP)]),
     Stage::new("temporal_accumulation", temporal_accumulation::twin::twin, TEMPORAL_ACCUMULATION),
+    Stage::new("specular_accumulation", specular_accumulation::twin::twin, SPECULAR_ACCUMULATION),
     Stage::new("variance", variance::twin::twin, VARIANCE),
     Stage::new("atrous", atrous::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
     Stage::new("eaw", eaw::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),

@@ -11,13 +11,16 @@ use crate::shaders;
 pub struct Modulate {
     /// Whether the optional input `albedo` of the host multiplies the irradiance. As for the node `demodulate`. Default: true.
     pub albedo: bool,
+    /// Whether the second signal is specular light: it has the optional inputs `specular_albedo` or `specular_f0` in the place of
+    /// `albedo`, as [`crate::nodes::Albedo::Specular`] says. Default: false.
+    pub specular: bool,
     /// Whether the optional input `emission` of the host is added. Default: true.
     pub emission: bool,
 }
 
 impl Default for Modulate {
     fn default() -> Self {
-        Self { albedo: true, emission: true }
+        Self { albedo: true, specular: false, emission: true }
     }
 }
 
@@ -33,6 +36,12 @@ impl Graph {
             .each("filtered", filtered.images());
         if modulate.albedo {
             pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
+        }
+        if modulate.specular {
+            pass = pass
+                .constant("SPECULAR", 1)
+                .bind("specular_albedo", self.input("specular_albedo", HOST_COLOUR, 1, true))
+                .bind("specular_f0", self.input("specular_f0", HOST_COLOUR, 1, true));
         }
         if modulate.emission {
             pass = pass.bind("emission", self.input("emission", HOST_COLOUR, 1, true));

@@ -1,9 +1,10 @@
 //! Adaptive temporal filtering by temporal gradients \[ASVGF\].
 
+use super::specular::{compared, modulated, Specular};
 use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
 
 /// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box, and
 /// with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
@@ -13,7 +14,8 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, M
 pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);
-    let change = change_of_light(g, guides, &noisy, gradients);
+    let compared = compared(g, &noisy, config);
+    let change = change_of_light(g, guides, &compared, gradients);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let history = g.history(&irradiance, Feedback::Filtered);
@@ -24,7 +26,13 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let radiance = modulated(
+        g,
+        guides,
+        config,
+        filtered.into(),
+        Specular { feedback: Feedback::Filtered, confidence: Some(change.confidence), ..Specular::default() },
+    );
     let known = Known {
         history: Some(history),
         deviation: true,

@@ -1,9 +1,10 @@
 //! The filter of choice: everything that made pictures better, in one graph.
 
+use super::specular::{compared, modulated, Specular};
 use super::{gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
 
 /// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
 /// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
@@ -13,8 +14,9 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, M
 pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);
+    let compared = compared(g, &noisy, config);
     let gradient = gradients.map(|source| {
-        let gradient = g.gradient_and_ratio(guides, &noisy, source);
+        let gradient = g.gradient_and_ratio(guides, &compared, source);
         g.gradient_atrous(guides, &gradient)
     });
     let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, ..Demodulate::default() });
@@ -35,7 +37,8 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, kernel: Kernel::Box, ..Atrous::default() });
-    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let radiance =
+        modulated(g, guides, config, filtered.into(), Specular { variance, confidence: Some(confidence), ..Specular::default() });
     let known = Known {
         history: Some(history),
         deviation: true,

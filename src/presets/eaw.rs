@@ -1,9 +1,9 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
 use super::{firefly_filter, noisy, Denoised};
-use crate::config::Config;
+use crate::config::{Config, Signals};
 use crate::graph::{Graph, Guides};
-use crate::nodes::{Demodulate, Eaw, Known, Modulate};
+use crate::nodes::{Albedo, Demodulate, Eaw, Known, Modulate};
 
 /// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
 ///
@@ -14,6 +14,15 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let filtered = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
-    let radiance = g.modulate(guides, &filtered, Modulate::default());
+    let radiance = match config.signals {
+        Signals::Specular => {
+            let noisy = g.radiance("noisy_specular");
+            let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, gradient: None });
+            let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
+            let both = g.pair(&filtered, &specular);
+            g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() })
+        }
+        _ => g.modulate(guides, &filtered, Modulate::default()),
+    };
     Denoised { radiance, known: Known { percentiles, ..Known::new(&noisy) } }
 }

@@ -1,9 +1,10 @@
 //! The cheapest filter that follows light that changes.
 
+use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 
 /// SVGF with taps on a hexagon, and with the change test of [`super::percentile`] before the history: for hosts that count every
 /// microsecond. `docs/performance.md` has what it costs and how good it is beside the others.
@@ -21,7 +22,18 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let radiance = modulated(
+        g,
+        guides,
+        config,
+        filtered.into(),
+        Specular {
+            feedback: Feedback::Filtered,
+            kernel: Kernel::Hexagon,
+            variance: Variance::default(),
+            confidence: Some(confidence),
+        },
+    );
     let known = Known { history: Some(history), deviation: true, confidence: Some(confidence), percentiles, ..Known::new(&noisy) };
     Denoised { radiance, known }
 }

@@ -9,6 +9,7 @@ mod eaw;
 mod fast;
 mod gradients;
 mod percentile;
+mod specular;
 mod stabilize;
 mod svgf;
 mod volume;
@@ -19,6 +20,7 @@ pub use eaw::eaw;
 pub use fast::fast;
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
+pub use specular::{specular, Specular};
 pub use stabilize::stabilize;
 pub use svgf::svgf;
 pub use volume::volume;
@@ -102,10 +104,12 @@ fn surfaces(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Denoised>
     Some(denoised)
 }
 
-/// The host's noisy radiance: `noisy_radiance`, or `noisy_direct` and `noisy_indirect` as a pair.
+/// The host's noisy radiance: `noisy_radiance`; `noisy_direct` and `noisy_indirect` as a pair; or `noisy_diffuse`, beside which
+/// [`specular`] filters the rest.
 pub fn noisy(g: &mut Graph, signals: Signals) -> Radiance {
     match signals {
         Signals::Together => g.radiance("noisy_radiance"),
+        Signals::Specular => g.radiance("noisy_diffuse"),
         Signals::Apart => {
             let (direct, indirect) = (g.radiance("noisy_direct"), g.radiance("noisy_indirect"));
             g.pair(&direct, &indirect)

@@ -1,9 +1,10 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
+use super::specular::{modulated, Specular};
 use super::{noisy, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels take out fireflies and say where history is out of date. \[PSVGF\]
 ///
@@ -28,7 +29,13 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let radiance = modulated(
+        g,
+        guides,
+        config,
+        filtered.into(),
+        Specular { feedback: Feedback::Filtered, confidence: Some(confidence), ..Specular::default() },
+    );
     let known = Known {
         history: Some(history),
         deviation: true,

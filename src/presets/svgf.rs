@@ -1,9 +1,10 @@
 //! Spatiotemporal variance-guided filtering \[SVGF\].
 
+use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 
 /// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
 ///
@@ -16,6 +17,12 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, feedback: Some(history), ..Atrous::default() });
-    let radiance = g.modulate(guides, &filtered.into(), Modulate::default());
+    let radiance = modulated(
+        g,
+        guides,
+        config,
+        filtered.into(),
+        Specular { feedback: Feedback::Filtered, kernel: Kernel::Spline, variance: Variance::default(), confidence: None },
+    );
     Denoised { radiance, known: Known { history: Some(history), deviation: true, percentiles, ..Known::new(&noisy) } }
 }

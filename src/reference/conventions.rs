@@ -70,6 +70,10 @@ pub(crate) fn motion_depth(frame: &FrameConstants) -> MotionDepth {
     }
 }
 
+pub(crate) fn roughness_is_alpha(frame: &FrameConstants) -> bool {
+    has(frame, Flags::ROUGHNESS_ALPHA)
+}
+
 /// z of view space along the view axis: −1 or +1.
 pub(crate) fn forward(frame: &FrameConstants) -> f32 {
     if has(frame, Flags::VIEW_POSITIVE_Z) {

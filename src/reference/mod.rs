@@ -38,9 +38,11 @@ pub(crate) mod nearest_history;
 pub(crate) mod octahedral;
 mod pass;
 pub(crate) mod projection;
+pub(crate) mod reflection;
 pub(crate) mod render_rect;
 pub(crate) mod reprojection;
 pub(crate) mod rules;
+pub(crate) mod specular_albedo;
 mod stage;
 pub(crate) mod statistics;
 pub(crate) mod strata;
@@ -75,6 +77,9 @@ pub use crate::nodes::gradient_atrous::twin::{
 pub use crate::nodes::import::twin::{decode_normal, import, ImportInputs, ImportOutputs};
 pub use crate::nodes::modulate::twin::{modulate, ModulateInputs, ModulateOutputs};
 pub use crate::nodes::percentile_rule::twin::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
+pub use crate::nodes::specular_accumulation::twin::{
+    specular_accumulation, PreviousSpecular, SpecularAccumulationInputs, SpecularAccumulationOutputs,
+};
 pub use crate::nodes::taa::twin::{taa, TaaInputs};
 pub use crate::nodes::temporal_accumulation::twin::{
     temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, StrataRatio,
@@ -100,6 +105,7 @@ pub use nearest_history::HistoryGuides;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
 pub use pass::Written;
 pub use projection::Projections;
+pub use reflection::{pack_reflection, unpack_reflection, SeenReflection, FARTHEST_HIT};
 pub use reprojection::{motion_in_pixels, InstanceTransform};
 pub use stage::Stage;
 pub use statistics::{Counter, Statistics};

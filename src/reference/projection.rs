@@ -25,6 +25,19 @@ pub(crate) fn extent([width, height]: [u32; 2]) -> Vec2 {
     Vec2::new(width as f32, height as f32)
 }
 
+/// Depths beyond it are no farther: squares of differences stay finite.
+const FARTHEST: f32 = 1e15;
+
+/// The surface point of a pixel in view space.
+pub(crate) fn view_position(frame: &FrameConstants, p: IVec2, linear_depth: f32) -> Vec3 {
+    let ndc = (p.as_vec2() + 0.5 + sample_offset(frame)) / extent(frame.render_extent) * 2.0 - 1.0;
+    let clip = &frame.clip_from_view;
+    let z = forward(frame) * linear_depth.min(FARTHEST);
+    let w = clip[2][3] * z + clip[3][3];
+    let axis = |i: usize| (ndc[i] * w - clip[2][i] * z - clip[3][i]) / clip[i][i];
+    Vec3::new(axis(0), axis(1), z)
+}
+
 /// The line of sight of a pixel in view space: `origin + direction·z` is its point at linear depth z.
 #[derive(Clone, Copy, Debug)]
 struct ViewRay {

@@ -99,6 +99,15 @@ pub(crate) const TEMPORAL_ACCUMULATION: &[Rule] = &[
     rule("new_moments_1", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
 ];
 
+/// Where what was seen before lies is computed by quotients, and a pixel of it counts or not.
+pub(crate) const SPECULAR_ACCUMULATION: &[Rule] = &[
+    pixels("accumulated", TRACKED),
+    rule("new_moments", Per::Pixel, Values::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
+    rule("reflection", Per::Pixel, Values::Halves, HALF),
+];
+
+pub(crate) const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers: 5e-3 };
+
 /// Moments pass through to the history as they came.
 pub(crate) const VARIANCE: &[Rule] = &[
     pixels("irradiance_0", ESTIMATED),

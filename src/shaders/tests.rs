@@ -19,9 +19,7 @@ fn declarations() -> Vec<Declaration> {
 
 fn declarations_with(declare: fn(&Config) -> Declaration) -> Vec<Declaration> {
     let mut all = Vec::new();
-    for (debug_view, signals) in
-        [(false, Signals::Together), (false, Signals::Apart), (true, Signals::Together), (true, Signals::Apart)]
-    {
+    for (debug_view, signals) in [false, true].into_iter().flat_map(|view| Signals::ALL.map(|signals| (view, signals))) {
         add_declarations(&mut all, declare, Config { signals, debug_view, ..Config::new([64, 36]) });
     }
     all
@@ -115,15 +113,17 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 16] = [
+    const RENAMED: [(&str, &[&str]); 18] = [
         ("frame", &["frame_constants"]),
-        ("input", &["filter_", "atrous_", "irradiance_history", "denoised_volume"]),
+        ("input", &["filter_", "accumulated", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
-        ("irradiance", &["filter_ping", "irradiance_history"]),
-        ("compared", &["noisy_radiance"]),
+        ("irradiance", &["filter_ping", "accumulated", "irradiance_history"]),
+        ("compared", &["noisy_"]),
+        ("noisy", &["filter_ping"]),
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "filter_ping"]),
         ("filtered", &["atrous_", "irradiance_history"]),
+        ("accumulated", &["irradiance_history"]),
         ("gradient_in", &["gradient"]),
         ("gradient_out", &["gradient_even", "gradient_odd"]),
         ("before_in", &["light_before"]),
@@ -131,7 +131,7 @@ fn names_of_bindings_match_those_of_resources() {
         ("now_in", &["light_now"]),
         ("now_out", &["light_now_even", "light_now_odd"]),
         ("light_ratio", &["light_before_even"]),
-        ("other_confidence", &["history_confidence_tested"]),
+        ("other_confidence", &["history_confidence"]),
     ];
     let unshared = |config: &Config| config.graph().expect("valid").share_outputs(false).finish().expect("valid");
     for declaration in declarations_with(unshared) {

@@ -27,7 +27,7 @@ const LIGHT: f32 = 0.5;
 
 /// Every preset with each number of signals that it takes, and with each source of gradients.
 fn configs(extent: [u32; 2]) -> Vec<Config> {
-    let of = |preset| [Signals::Together, Signals::Apart].map(|signals| Config { preset, signals, ..Config::new(extent) });
+    let of = |preset| Signals::ALL.map(|signals| Config { preset, signals, ..Config::new(extent) });
     let has_one = |config: &Config| matches!(config.preset, Preset::Stabilize | Preset::Volume);
     let all = Preset::ALL.into_iter().flat_map(of).filter(|config| config.signals == Signals::Together || !has_one(config));
     let sources = [GradientSource::Reshaded, GradientSource::Sparse, GradientSource::Confidence];
@@ -37,10 +37,16 @@ fn configs(extent: [u32; 2]) -> Vec<Config> {
     all.chain(sourced).collect()
 }
 
-/// Every preset as it is by default; all of [`configs`] in a long run.
+/// Every preset as it is by default, two with specular light; all of [`configs`] in a long run.
 fn presets(extent: [u32; 2]) -> Vec<Config> {
-    let is_plain = |config: &Config| *config == Config { preset: config.preset, ..Config::new(extent) };
-    configs(extent).into_iter().filter(|config| soak::is_on() || is_plain(config)).collect()
+    let plain = |config: &Config| Config { preset: config.preset, ..Config::new(extent) };
+    let is_usual = |config: &Config| match config.preset {
+        Preset::Svgf | Preset::Best => {
+            *config == plain(config) || *config == Config { signals: Signals::Specular, ..plain(config) }
+        }
+        _ => *config == plain(config),
+    };
+    configs(extent).into_iter().filter(|config| soak::is_on() || is_usual(config)).collect()
 }
 
 /// The value of an input of a lit wall that stands still.
@@ -50,7 +56,7 @@ fn plain(name: &str) -> [f32; 4] {
         "normal" | "object_normal" => [0.0, 0.0, 1.0, 0.0],
         "motion" | "forward_motion" | "emission" | "sparse_gradient" => [0.0; 4],
         "confidence" => [1.0; 4],
-        "noisy_direct" | "noisy_indirect" => [LIGHT / 2.0; 4],
+        "noisy_direct" | "noisy_indirect" | "noisy_diffuse" | "noisy_specular" => [LIGHT / 2.0; 4],
         _ => [LIGHT; 4],
     }
 }

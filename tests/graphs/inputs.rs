@@ -75,7 +75,8 @@ impl Inputs {
 
 /// Fireflies, and a few values that are not finite.
 fn add_outliers(guides: &mut Guides) {
-    for images in [&mut guides.noisy_radiance, &mut guides.noisy_direct, &mut guides.noisy_indirect, &mut guides.noisy_volume] {
+    let Guides { noisy_radiance, noisy_direct, noisy_indirect, noisy_volume, noisy_specular, .. } = guides;
+    for images in [noisy_radiance, noisy_direct, noisy_indirect, noisy_volume, noisy_specular] {
         images.iter_mut().step_by(97).for_each(|t| *t = t.map(|c| 40.0 * c));
         images.iter_mut().skip(11).step_by(301).for_each(|t| t[0] = f32::NAN);
     }
@@ -88,7 +89,7 @@ fn texels(name: &str, [width, height]: [u32; 2], guides: &Guides, before: &Guide
     let make = |of: fn(u32, u32) -> [f32; 4]| (0..width * height).map(|i| of(i, index)).collect();
     match name {
         "noisy_ao" => make(|i, frame| [if random(i, frame, 5) < 0.6 { 1.0 } else { 0.0 }; 4]),
-        "roughness" => make(|i, _| [(i % 33) as f32 / 32.0; 4]),
+        "specular_f0" => make(|i, _| [0.04 + (i % 7) as f32 / 10.0; 4]),
         "emission" => make(|i, _| if i % 50 == 0 { [2.0, 1.0, 0.5, 0.0] } else { [0.0; 4] }),
         "confidence" => make(|i, frame| [if i % 31 == 0 { f32::NAN } else { 1.4 * random(i, frame, 6) - 0.2 }; 4]),
         "forward_motion" => make(|i, frame| [0.02 * random(i, frame, 7), -0.01, 5.0, 0.0]),

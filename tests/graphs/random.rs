@@ -6,7 +6,8 @@ use atrous::graph::{
     Accumulated, Confidence, Estimate, Feedback, Gradient, Graph, Guides, History, Irradiance, Percentiles, Radiance, Value,
 };
 use atrous::nodes::*;
-use atrous::Declaration;
+use atrous::presets::{specular, Specular};
+use atrous::{Config, Declaration};
 
 /// The declaration of a seed.
 pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
@@ -72,7 +73,8 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let rule =
         dice.one_of(&[Rule::None, Rule::ChangeTest, Rule::Percentiles, Rule::Gradients, Rule::Gradients, Rule::HostConfidence]);
     let mut change = change_of_light(g, dice, guides, &noisy, rule, output);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo, gradient: change.gradient, ..Demodulate::default() });
+    let irradiance =
+        g.demodulate(guides, &noisy, Demodulate { albedo: divisor(albedo), gradient: change.gradient, ..Demodulate::default() });
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let history = g.history(&irradiance, feedback);
@@ -89,7 +91,8 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);
-    let radiance = g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin() });
+    let (filtered, specular) = beside_specular(g, dice, guides, filtered, change.confidence);
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo, specular, emission: dice.coin() });
     g.output(output, &radiance);
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
         g.output(&format!("{output}_confidence"), &confidence);
@@ -99,14 +102,40 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     Branch { radiance, known }
 }
 
+fn divisor(albedo: bool) -> Albedo {
+    if albedo {
+        Albedo::Diffuse
+    } else {
+        Albedo::None
+    }
+}
+
+/// One signal in two has specular light beside it.
+fn beside_specular(
+    g: &mut Graph,
+    dice: &mut Dice,
+    guides: &Guides,
+    filtered: Irradiance,
+    confidence: Option<Confidence>,
+) -> (Irradiance, bool) {
+    if filtered.signals() != 1 || !dice.coin() {
+        return (filtered, false);
+    }
+    let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
+    let parameters = Specular { feedback, kernel: dice.one_of(&Kernel::ALL), confidence, ..Specular::default() };
+    let config = Config { levels: levels(dice), ..Config::new([8, 8]) };
+    let specular = specular(g, guides, &config, parameters).0;
+    (g.pair(&filtered, &specular), true)
+}
+
 /// \[EAW\], of which some paint in holes.
 fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radiance, albedo: bool, output: &str) -> Branch {
     let sampling = dice.one_of(&[Sampling::Full, Sampling::OneOf2x2]);
-    let irradiance = g.demodulate(guides, noisy, Demodulate { albedo, sampling, ..Demodulate::default() });
+    let irradiance = g.demodulate(guides, noisy, Demodulate { albedo: divisor(albedo), sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, false);
     let weights = EawWeights::first(1 + dice.below(3));
     let filtered = g.eaw(guides, &irradiance, Eaw { levels: levels(dice), weights, sampling, ..Eaw::default() });
-    let radiance = g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin() });
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin(), ..Modulate::default() });
     g.output(output, &radiance);
     Branch { radiance, known: Known { albedo, percentiles, ..Known::new(noisy) } }
 }
@@ -204,7 +233,7 @@ impl Filter<'_> {
         let kernel = if kernel == Kernel::Box { Kernel::Spline } else { Kernel::Box };
         let radiance = g.scope("other", |g| {
             let filtered = g.atrous(self.guides, estimate, Atrous { levels: levels(dice), kernel, ..Atrous::default() });
-            g.modulate(self.guides, &filtered.into(), Modulate { albedo: self.albedo, emission: false })
+            g.modulate(self.guides, &filtered.into(), Modulate { albedo: self.albedo, emission: false, ..Modulate::default() })
         });
         g.output(self.other, &radiance);
     }
@@ -213,7 +242,7 @@ impl Filter<'_> {
 /// A signal of its own, which no albedo divides.
 fn ambient_occlusion(g: &mut Graph, dice: &mut Dice, guides: &Guides) {
     let noisy = g.radiance("noisy_ao");
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: false, ..Demodulate::default() });
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::None, ..Demodulate::default() });
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let history = g.history(&irradiance, feedback);
     let accumulation =
@@ -221,7 +250,7 @@ fn ambient_occlusion(g: &mut Graph, dice: &mut Dice, guides: &Guides) {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let filter = Filter { guides, history, feedback, other: "denoised_ao_by_the_other_kernel", albedo: false };
     let (filtered, _) = filter.add(g, dice, &accumulated);
-    let radiance = g.modulate(guides, &filtered, Modulate { albedo: false, emission: false });
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo: false, emission: false, ..Modulate::default() });
     g.output("denoised_ao", &radiance);
 }
 

@@ -29,7 +29,7 @@ pub(super) fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut S
 }
 
 pub fn forward_projected() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         sequence(&Config { signals, ..config([61, 35]) }, [61, 35], |_, _, _| {});
     }
     sequence(&Config { surface_id: false, object_normal: true, ..config([40, 23]) }, [37, 21], |_, _, _| {});
@@ -80,7 +80,7 @@ pub fn transforms_and_forward_motion() {
 }
 
 pub fn reshaded() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         reshaded_sequence(&Config { signals, ..config([61, 35]) });
     }
 }

@@ -9,7 +9,7 @@ fn config(extent: [u32; 2]) -> Config {
 }
 
 pub fn forward_projected() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         sequence(&Config { signals, ..config([61, 35]) }, [61, 35], |_, _, _| {});
     }
     sequence(&Config { surface_id: false, object_normal: true, stratum_size: 4, ..config([40, 23]) }, [37, 21], |_, _, _| {});

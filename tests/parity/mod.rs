@@ -5,6 +5,7 @@ mod best;
 mod captured;
 mod debug_view;
 mod import;
+mod specular;
 mod tone_map;
 mod volume;
 
@@ -22,6 +23,12 @@ use captured::{capture, Captured};
 pub const TESTS: &[DeviceTest] = &[
     ("one_signal", || sequence(&Config::new([61, 35]))),
     ("two_signals", || sequence(&Config { signals: Signals::Apart, ..Config::new([61, 35]) })),
+    ("specular", || sequence(&Config { signals: Signals::Specular, ..Config::new([61, 35]) })),
+    ("specular_in_a_larger_image", || sequence_of(&Config { signals: Signals::Specular, ..percentile([64, 40]) }, [37, 21])),
+    ("specular_fast", || sequence(&Config { preset: Preset::Fast, signals: Signals::Specular, ..Config::new([40, 23]) })),
+    ("specular_eaw", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Specular, ..Config::new([40, 23]) })),
+    ("specular_by_f0", specular::by_f0),
+    ("specular_at_other_resolutions", specular::other_resolutions),
     ("object_normals", || sequence(&Config { object_normal: true, ..Config::new([40, 23]) })),
     ("without_ids", || sequence(&Config { surface_id: false, ..Config::new([40, 23]) })),
     ("one_pixel", || sequence(&Config::new([1, 1]))),
@@ -112,7 +119,8 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
 fn leave_holes(config: &Config, guides: &mut Guides) {
     let side = 1 << config.sampling as u32;
     let stride = config.allocated_extent[0];
-    for images in [&mut guides.noisy_radiance, &mut guides.noisy_direct, &mut guides.noisy_indirect] {
+    let Guides { noisy_radiance, noisy_direct, noisy_indirect, noisy_diffuse, noisy_specular, .. } = guides;
+    for images in [noisy_radiance, noisy_direct, noisy_indirect, noisy_diffuse, noisy_specular] {
         for (i, texel) in (0..).zip(images.iter_mut()) {
             if !(i % stride).is_multiple_of(side) || !(i / stride).is_multiple_of(side) {
                 *texel = [f32::NAN; 4];

@@ -68,7 +68,8 @@ typedef struct AtrousConfig {
   uint32_t frames_in_flight;
   // Filter: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
   uint32_t preset;
-  // Signals: 0 (together), 1 (apart). Together one image, `noisy_radiance`; apart two, `noisy_direct` and `noisy_indirect`.
+  // Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
+  // `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
   uint32_t signals;
   // À-trous levels, 1 to 10.
   uint32_t levels;
@@ -119,6 +120,8 @@ typedef struct AtrousConfig {
   float background_depth;
   // 1: a last pass `debug_view`.
   uint32_t debug_view;
+  // Encoding of roughness: 0 (linear), 1 (alpha). Linear: perceptual; alpha: that of GGX, its square.
+  uint32_t roughness;
 } AtrousConfig;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.

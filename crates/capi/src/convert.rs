@@ -70,6 +70,7 @@ impl AtrousConfig {
             motion_jittered: flag("motion_jittered", self.motion_jittered)?,
             motion_depth: choice("motion_depth", self.motion_depth)?,
             view_forward: choice("view_forward", self.view_forward)?,
+            roughness: choice("roughness", self.roughness)?,
         };
         let config = Config {
             allocated_extent: [self.width, self.height],
@@ -130,6 +131,7 @@ impl AtrousConfig {
             view_forward: c.view_forward as u32,
             background_depth: c.background_depth,
             debug_view: config.debug_view.into(),
+            roughness: c.roughness as u32,
         }
     }
 }

@@ -31,7 +31,8 @@ pub struct AtrousConfig {
     pub frames_in_flight: u32,
     /// Filter: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
     pub preset: u32,
-    /// Signals: 0 (together), 1 (apart). Together one image, `noisy_radiance`; apart two, `noisy_direct` and `noisy_indirect`.
+    /// Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
+    /// `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
     pub signals: u32,
     /// À-trous levels, 1 to 10.
     pub levels: u32,
@@ -82,6 +83,8 @@ pub struct AtrousConfig {
     pub background_depth: f32,
     /// 1: a last pass `debug_view`.
     pub debug_view: u32,
+    /// Encoding of roughness: 0 (linear), 1 (alpha). Linear: perceptual; alpha: that of GGX, its square.
+    pub roughness: u32,
 }
 
 /// The device on which the passes run. Handles stay the host's.

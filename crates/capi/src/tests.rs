@@ -71,6 +71,7 @@ fn the_header_lists_every_choice_by_number_and_name() {
         ("motion_direction", allowed::<MotionDirection>()),
         ("motion_depth", allowed::<MotionDepth>()),
         ("view_forward", allowed::<ViewForward>()),
+        ("roughness", allowed::<RoughnessEncoding>()),
         ("reset", allowed_or_none::<ResetReason>()),
         ("debug_view", allowed_or_none::<DebugView>()),
     ];

@@ -4,7 +4,8 @@ use crate::layouts::Layout;
 use crate::mapping::Mapping;
 use crate::roles::Role;
 use atrous::config::{
-    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
+    Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
+    ViewForward,
 };
 use atrous::Choice;
 use serde_json::{Map, Value};
@@ -19,6 +20,7 @@ pub fn of_layout(mapping: &Mapping) -> Conventions {
     match mapping.layout {
         Layout::Atrous => {
             c.background_depth = ATROUS_BACKGROUND;
+            c.roughness = RoughnessEncoding::Alpha;
             if mapping.has(Role::PreviousDepth) {
                 c.motion_depth = MotionDepth::Absolute;
             }
@@ -54,6 +56,7 @@ pub fn keys() -> String {
         ("motion_jittered", "true|false".to_owned()),
         ("motion_depth", names::<MotionDepth>()),
         ("view_forward", names::<ViewForward>()),
+        ("roughness", names::<RoughnessEncoding>()),
     ]
     .map(|(key, values)| format!("{key}={values}"))
     .join(", ")

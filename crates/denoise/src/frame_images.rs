@@ -68,12 +68,30 @@ impl Channels<'_> {
         Some(combine(&light, &colour, |a, b| a * b))
     }
 
+    /// Specular light: as it is, or from its demodulated form.
+    fn specular(&mut self) -> Option<Texels> {
+        if self.setup.mapping.has(Role::Specular) {
+            return self.vectors(Role::Specular);
+        }
+        let direct = self.vectors(Role::DemodulatedSpecularDirect)?;
+        let (indirect, colour) = (self.vectors(Role::DemodulatedSpecularIndirect)?, self.vectors(Role::SpecularAlbedo)?);
+        Some(combine(&combine(&direct, &indirect, |a, b| a + b), &colour, |a, b| a * b))
+    }
+
     pub fn lighting(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
         let emission = self.emission();
         let rest = |total: &Texels, part: &Option<Texels>| match part {
             Some(part) => combine(total, part, |a, b| (a - b).max(0.0)),
             None => total.clone(),
         };
+        if self.setup.config.signals == Signals::Specular {
+            let (noisy, specular) = (self.vectors(Role::Noisy), self.specular());
+            let diffuse = self.vectors(Role::Diffuse).or_else(|| noisy.map(|noisy| rest(&rest(&noisy, &emission), &specular)));
+            images.extend(diffuse.map(|d| ("noisy_diffuse", d)));
+            images.extend(specular.map(|s| ("noisy_specular", s)));
+            images.extend(emission.map(|e| ("emission", e)));
+            return;
+        }
         let both = self.setup.mapping.has(Role::Direct) && self.setup.mapping.has(Role::Indirect);
         match (self.setup.config.signals, both) {
             (Signals::Apart, true) => {
@@ -107,6 +125,10 @@ impl Channels<'_> {
         let pixels = self.setup.pixels();
         images.extend(self.vectors(Role::Albedo).map(|a| ("albedo", a)));
         images.extend(self.vectors(Role::Roughness).map(|r| ("roughness", r)));
+        if self.setup.config.signals == Signals::Specular {
+            images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
+            images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
+        }
         let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
         images.insert("normal", normal);
         images.extend(self.vectors(Role::ObjectNormal).map(|n| ("object_normal", n)));
@@ -200,7 +222,9 @@ impl Channels<'_> {
             return rgb(noisy);
         }
         let parts =
-            ["noisy_radiance", "noisy_direct", "noisy_indirect", "emission", "noisy_volume"].iter().filter_map(|n| images.get(n));
+            ["noisy_radiance", "noisy_direct", "noisy_indirect", "noisy_diffuse", "noisy_specular", "emission", "noisy_volume"]
+                .iter()
+                .filter_map(|n| images.get(n));
         let sum = parts.fold(vec![[0.0; 4]; self.setup.pixels()], |sum, part| combine(&sum, part, |a, b| a + b));
         rgb(sum)
     }

@@ -55,13 +55,24 @@ impl Mapping {
     }
 
     fn has_colour(&self) -> bool {
-        self.has(Role::Noisy) || (self.has(Role::Direct) && self.has(Role::Indirect))
+        self.has(Role::Noisy)
+            || (self.has(Role::Direct) && self.has(Role::Indirect))
+            || (self.has(Role::Diffuse) && self.has(Role::Specular))
     }
 
     /// Whether direct and indirect light can be told apart.
     pub fn has_signals_apart(&self) -> bool {
         let demodulated = self.has(Role::Noisy) && self.has(Role::DemodulatedDirect) && self.has(Role::DiffuseColour);
         (self.has(Role::Direct) && (self.has(Role::Indirect) || self.has(Role::Noisy))) || demodulated
+    }
+
+    /// Whether specular light can be told from the rest.
+    pub fn has_specular(&self) -> bool {
+        let has_all = |roles: &[Role]| roles.iter().all(|role| self.has(*role));
+        has_all(&[Role::Diffuse, Role::Specular])
+            || (self.has(Role::Noisy)
+                && (self.has(Role::Specular)
+                    || has_all(&[Role::DemodulatedSpecularDirect, Role::DemodulatedSpecularIndirect, Role::SpecularAlbedo])))
     }
 
     /// Checks that a file has every chosen channel, with a type that fits. `optional` roles may be missing.

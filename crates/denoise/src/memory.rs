@@ -103,10 +103,12 @@ impl Need {
 /// Images that a frame is made of: see [`crate::frame::load`].
 fn images(setup: &Setup) -> u64 {
     let any = |roles: &[Role]| u64::from(roles.iter().any(|role| setup.mapping.has(*role)));
-    let light = if setup.config.signals == Signals::Apart { 2 } else { 1 };
+    let light = if setup.config.signals == Signals::Together { 1 } else { 2 };
     let alone = [
         Role::Albedo,
         Role::Roughness,
+        Role::SpecularAlbedo,
+        Role::HitDistance,
         Role::ObjectNormal,
         Role::ForwardMotion,
         Role::Confidence,

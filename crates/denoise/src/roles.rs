@@ -13,6 +13,18 @@ pub enum Role {
     Direct,
     /// Light scattered more than once.
     Indirect,
+    /// Light that the base of surfaces reflects, without what their coat or metal does.
+    Diffuse,
+    /// Light that the coat or the metal of surfaces reflects.
+    Specular,
+    /// Specular light by lamps divided by [`Role::SpecularAlbedo`] (Blender's `GlossDir`).
+    DemodulatedSpecularDirect,
+    /// Other specular light divided by [`Role::SpecularAlbedo`] (Blender's `GlossInd`).
+    DemodulatedSpecularIndirect,
+    /// Reflectance of the coat or metal under light from everywhere (Blender's `GlossCol`).
+    SpecularAlbedo,
+    /// Distance from the first hit to what is seen in it.
+    HitDistance,
     /// Emitters and environment seen directly, without noise.
     Emission,
     /// A further emission that is added to the first (Blender's `Env`).
@@ -98,6 +110,12 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::Lighting, "lighting", Kind::Colour, ""),
     (Role::Direct, "direct", Kind::Colour, ""),
     (Role::Indirect, "indirect", Kind::Colour, "direct and indirect light are filtered together, which blurs shadow edges more"),
+    (Role::Diffuse, "diffuse", Kind::Colour, ""),
+    (Role::Specular, "specular", Kind::Colour, ""),
+    (Role::DemodulatedSpecularDirect, "demodulated_specular_direct", Kind::Colour, ""),
+    (Role::DemodulatedSpecularIndirect, "demodulated_specular_indirect", Kind::Colour, ""),
+    (Role::SpecularAlbedo, "specular_albedo", Kind::Colour, ""),
+    (Role::HitDistance, "hit_distance", Kind::Scalar, ""),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
     (Role::Environment, "environment", Kind::Colour, ""),
     (Role::DemodulatedDirect, "demodulated_direct", Kind::Colour, ""),

@@ -168,6 +168,10 @@ fn signals(mapping: &Mapping, preset: Preset, asked: Option<Signals>) -> Result<
         return Ok(Signals::Together);
     }
     match (asked, mapping.has_signals_apart()) {
+        (Some(Signals::Specular), _) if !mapping.has_specular() => Err(ToolError::Usage(
+            "--signals specular needs specular light in a layer of its own; name it with --channel specular=LAYER".into(),
+        )),
+        (None, _) if mapping.has_specular() => Ok(Signals::Specular),
         (Some(Signals::Apart), false) => Err(ToolError::Usage(
             "--signals apart needs direct and indirect light in separate layers; name them with --channel direct=LAYER and --channel indirect=LAYER".into(),
         )),
@@ -202,6 +206,7 @@ fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
     }
     let signals = match config.signals {
         Signals::Apart => "direct and indirect apart",
+        Signals::Specular => "diffuse and specular apart",
         _ => "together, as one signal",
     };
     lines.push(format!("  {:<16} {signals}, by {}", "filtered", config.preset.title()));
@@ -232,7 +237,7 @@ fn without(config: &mut Config, mapping: &Mapping, camera: bool, report: &mut Ve
             lost(role.name(), role.loss());
         }
     }
-    if !mapping.has_signals_apart() {
+    if !mapping.has_signals_apart() && !mapping.has_specular() {
         lost("direct and indirect light", Role::Indirect.loss());
     }
     if !mapping.has(Role::Normal) {

@@ -23,6 +23,18 @@ pub struct Guides {
     pub noisy_direct: Vec<[f32; 4]>,
     /// The other quarter.
     pub noisy_indirect: Vec<[f32; 4]>,
+    /// Light that surfaces scatter, with noise of its own.
+    pub noisy_diffuse: Vec<[f32; 4]>,
+    /// What is mirrored in them, with noise of its own: stripes behind the camera, and the sky.
+    pub noisy_specular: Vec<[f32; 4]>,
+    /// Reflectance of the coat.
+    pub specular_albedo: Vec<[f32; 4]>,
+    /// Perceptual roughness: that of the wall rises to the right.
+    pub roughness: Vec<[f32; 4]>,
+    /// Distance from a surface to what is mirrored; 0: the sky.
+    pub specular_hit_distance: Vec<[f32; 4]>,
+    /// The mirrored light of a converged renderer.
+    pub clean_specular: Vec<[f32; 4]>,
     /// The image that a converged renderer would give.
     pub clean: Vec<[f32; 4]>,
     /// One sample of the fog, mostly dark.
@@ -35,7 +47,7 @@ pub struct Guides {
 
 impl Guides {
     /// Every image of floats by the name of its input; the normals serve twice.
-    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 10] {
+    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 15] {
         [
             ("depth", &self.depth),
             ("normal", &self.normal),
@@ -45,14 +57,20 @@ impl Guides {
             ("noisy_radiance", &self.noisy_radiance),
             ("noisy_direct", &self.noisy_direct),
             ("noisy_indirect", &self.noisy_indirect),
+            ("noisy_diffuse", &self.noisy_diffuse),
+            ("noisy_specular", &self.noisy_specular),
+            ("specular_albedo", &self.specular_albedo),
+            ("roughness", &self.roughness),
+            ("specular_hit_distance", &self.specular_hit_distance),
             ("noisy_volume", &self.noisy_volume),
             ("scattering_depth", &self.scattering_depth),
         ]
     }
 
-    /// Those of [`Self::images`] that a graph takes.
+    /// Those of [`Self::images`] that a graph takes; the roughness where it filters specular light.
     pub fn declared<'a>(&'a self, declaration: &'a Declaration) -> impl Iterator<Item = (&'static str, &'a [[f32; 4]])> {
-        self.images().into_iter().filter(|(name, _)| declaration.find(name).is_some())
+        let has = |name: &str| declaration.find(name).is_some();
+        self.images().into_iter().filter(move |(name, _)| has(name) && (*name != "roughness" || has("noisy_specular")))
     }
 }
 
@@ -106,12 +124,41 @@ pub(crate) fn camera(extent: [u32; 2], eye: [f32; 3]) -> FrameParams {
     }
 }
 
+/// Reflectance of every coat.
+const SPECULAR: [f32; 4] = [0.5, 0.4, 0.3, 0.0];
+/// z of a striped screen behind the camera.
+const SCREEN: f32 = 3.0;
+
+/// What is seen in a surface.
+struct Mirrored {
+    light: f32,
+    distance: f32,
+    roughness: f32,
+}
+
 struct Hit {
     depth: f32,
     normal: [f32; 3],
     albedo: [f32; 3],
     light: f32,
     id: u32,
+}
+
+impl Hit {
+    /// What the ray `(x, y, −1)` from the camera meets behind the surface that it is mirrored by.
+    fn mirrored(&self, camera: f32, [dx, dy]: [f32; 2]) -> Mirrored {
+        let position = [camera + dx * self.depth, dy * self.depth, -self.depth];
+        let length = (dx * dx + dy * dy + 1.0).sqrt();
+        let sight = [dx / length, dy / length, -1.0 / length];
+        let along: f32 = (0..3).map(|i| sight[i] * self.normal[i]).sum();
+        let [rx, _, rz] = [0, 1, 2].map(|i| sight[i] - 2.0 * along * self.normal[i]);
+        let roughness = if self.id == 2 { 0.2 } else { (0.15 * (position[0] + 3.0)).clamp(0.0, 1.0) };
+        if self.id == 0 || rz < 0.1 {
+            return Mirrored { light: 0.3, distance: 0.0, roughness };
+        }
+        let distance = (SCREEN - position[2]) / rz;
+        Mirrored { light: 0.6 + 0.4 * (2.0 * (position[0] + rx * distance)).sin(), distance, roughness }
+    }
 }
 
 impl Scene {
@@ -142,6 +189,12 @@ impl Scene {
             noisy_radiance: nan.clone(),
             noisy_direct: nan.clone(),
             noisy_indirect: nan.clone(),
+            noisy_diffuse: nan.clone(),
+            noisy_specular: nan.clone(),
+            specular_albedo: nan.clone(),
+            roughness: nan.clone(),
+            specular_hit_distance: nan.clone(),
+            clean_specular: nan.clone(),
             clean: nan.clone(),
             noisy_volume: nan.clone(),
             scattering_depth: nan.clone(),
@@ -164,6 +217,14 @@ impl Scene {
             g.noisy_direct[i] = rgba(0.75 * noise(u[1]).max(0.0));
             g.noisy_indirect[i] = rgba(0.25 * noise(u[2]).max(0.0));
             g.clean[i] = rgba(1.0);
+            g.noisy_diffuse[i] = rgba(noise(random(x, y, seed * 4 + 900)).max(0.0));
+            let mirrored = hit.mirrored(self.camera(index), direction);
+            let specular = |noise: f32| SPECULAR.map(|a| a * mirrored.light * self.light * noise);
+            g.noisy_specular[i] = specular(noise(random(x, y, seed * 4 + 901)).max(0.0));
+            g.clean_specular[i] = specular(1.0);
+            g.specular_albedo[i] = SPECULAR;
+            g.roughness[i] = [mirrored.roughness; 4];
+            g.specular_hit_distance[i] = [mirrored.distance; 4];
             let light = self.light * fog(self.camera(index) + direction[0] * FOG, direction[1] * FOG);
             let u = [random(x, y, seed * 4 + 3), random(x, y, seed * 4 + 700)];
             // Most samples of light in a fog are dark.

@@ -1,7 +1,7 @@
 #version 450
 // Visibility: one primary ray through each pixel centre (plus jitter); what it hits becomes the G-buffer and the seed.
 // Out: visibility, seed, linear_depth (scene units, 0 = background), normal and object_normal (world, object space),
-// albedo (a: roughness), motion (xy: previous - current, pixels, y down, unjittered; z: previous linear depth), surface_id.
+// albedo (a: roughness), which is the sum of diffuse_albedo and specular_albedo; roughness; motion (xy: previous - current, pixels, y down, unjittered; z: previous linear depth), surface_id.
 #extension GL_GOOGLE_include_directive : require
 #include "scene.glsl"
 #include "camera.glsl"
@@ -18,6 +18,9 @@ layout(set = 1, binding = 4, rgba16f) uniform writeonly image2D object_normal_im
 layout(set = 1, binding = 5, rgba16f) uniform writeonly image2D albedo_image;
 layout(set = 1, binding = 6, rgba32f) uniform writeonly image2D motion_image;
 layout(set = 1, binding = 7, r32ui) uniform writeonly uimage2D surface_id_image;
+layout(set = 1, binding = 8, rgba16f) uniform writeonly image2D diffuse_albedo_image;
+layout(set = 1, binding = 9, rgba16f) uniform writeonly image2D specular_albedo_image;
+layout(set = 1, binding = 10, r32f) uniform writeonly image2D roughness_image;
 
 uint pixel_seed(uvec2 pixel) {
     uint hash = pcg_hash(pixel.x + pcg_hash(pixel.y));
@@ -36,6 +39,9 @@ void write_background(ivec2 pixel, vec3 direction) {
     imageStore(normal_image, pixel, vec4(0.0));
     imageStore(object_normal_image, pixel, vec4(0.0));
     imageStore(albedo_image, pixel, vec4(1.0));
+    imageStore(diffuse_albedo_image, pixel, vec4(1.0));
+    imageStore(specular_albedo_image, pixel, vec4(1.0));
+    imageStore(roughness_image, pixel, vec4(1.0));
     imageStore(motion_image, pixel, vec4(motion(direction, direction).xy, 0.0, 0.0));
     imageStore(surface_id_image, pixel, uvec4(0u));
 }
@@ -50,7 +56,11 @@ void write_surface(ivec2 pixel, Visibility visibility) {
     imageStore(depth_image, pixel, vec4(dot(offset, frame.camera.forward.xyz)));
     imageStore(normal_image, pixel, vec4(s.normal, 0.0));
     imageStore(object_normal_image, pixel, vec4(s.object_normal, 0.0));
-    imageStore(albedo_image, pixel, vec4(demodulation_albedo(s, view_cosine), s.roughness));
+    vec3 diffuse = diffuse_albedo(s), specular = specular_albedo(s, view_cosine);
+    imageStore(albedo_image, pixel, vec4(diffuse + specular, s.roughness));
+    imageStore(diffuse_albedo_image, pixel, vec4(diffuse, 0.0));
+    imageStore(specular_albedo_image, pixel, vec4(specular, 0.0));
+    imageStore(roughness_image, pixel, vec4(s.roughness));
     imageStore(motion_image, pixel, motion(offset, previous - frame.previous_camera.eye.xyz));
     imageStore(surface_id_image, pixel, uvec4(s.surface_id));
 }

@@ -34,9 +34,13 @@ pub struct DenoiserOptions {
 
 impl DenoiserOptions {
     /// A preset as its paper has it: light apart in SVGF \[SVGF 3\], together in A-SVGF \[ASVGF 4\] and EAW. Percentile-adaptive SVGF is meant to
-    /// cost no more than SVGF on one signal.
+    /// cost no more than SVGF on one signal. The filter of choice has reflections apart.
     pub fn new(preset: Preset) -> Self {
-        let signals = if preset == Preset::Svgf { Signals::Apart } else { Signals::Together };
+        let signals = match preset {
+            Preset::Svgf => Signals::Apart,
+            Preset::Best => Signals::Specular,
+            _ => Signals::Together,
+        };
         Self {
             preset,
             signals,
@@ -281,11 +285,19 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
         ("normal", &outputs.normal),
         ("motion", &outputs.motion),
         ("surface_id", &outputs.surface_id),
-        ("albedo", &outputs.albedo),
         ("emission", &outputs.emission),
     ];
+    let albedo = if options.signals == Signals::Specular { &outputs.diffuse_albedo } else { &outputs.albedo };
+    inputs.push(("albedo", albedo));
     match options.signals {
         Signals::Apart => inputs.extend([("noisy_direct", &outputs.direct), ("noisy_indirect", &outputs.indirect)]),
+        Signals::Specular => inputs.extend([
+            ("noisy_diffuse", &outputs.diffuse),
+            ("noisy_specular", &outputs.specular),
+            ("specular_albedo", &outputs.specular_albedo),
+            ("specular_hit_distance", &outputs.hit_distance),
+            ("roughness", &outputs.roughness),
+        ]),
         _ => inputs.push(("noisy_radiance", &outputs.scattered)),
     }
     if let Some(volume) = tracer.volume() {

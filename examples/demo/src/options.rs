@@ -14,7 +14,7 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(version)]
 pub struct Options {
-    /// Scenes: cornell, pillars, glossy, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    /// Scenes: cornell, pillars, glossy, mirror, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720

@@ -75,7 +75,7 @@ fn no_vulkan_device_is_said_with_the_remedy() {
 fn an_unknown_scene_is_told_which_there_are() {
     let error = atrous_demo::Scene::load("cornel", &atrous_demo::SceneOptions::default()).map(|_| ()).expect_err("no such scene");
     let message = error.to_string();
-    for name in ["\"cornel\"", "cornell, pillars, glossy, hall, fog", ".glb"] {
+    for name in ["\"cornel\"", "cornell, pillars, glossy, mirror, hall, fog", ".glb"] {
         assert!(message.contains(name), "{message}");
     }
 }

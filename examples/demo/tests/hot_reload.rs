@@ -82,7 +82,7 @@ fn what_is_saved_is_compiled_and_what_is_wrong_has_file_and_line() {
     let mut sources = Sources::new("saved");
     assert!(sources.watch.poll().is_empty() && sources.watch.poll().is_empty(), "nothing was saved");
 
-    sources.edit("glsl/modulate.comp", "storable(irradiance", "storable(0.5 * irradiance");
+    sources.edit("glsl/modulate.comp", "storable(radiance", "storable(0.5 * radiance");
     let changed = sources.saved_one();
     assert_eq!(changed.file, "glsl/modulate.comp");
     let names: Vec<_> = shaders(changed).iter().map(|s| (s.name().to_owned(), s.owner())).collect();
@@ -171,7 +171,7 @@ fn pipelines_are_replaced_between_frames_and_the_history_goes_on() {
     frame(&mut tracer, &mut denoiser, 0);
     let (before, _) = frame(&mut tracer, &mut denoiser, 1);
 
-    sources.edit("glsl/modulate.comp", "storable(irradiance", "storable(4.0 * irradiance");
+    sources.edit("glsl/modulate.comp", "storable(radiance", "storable(4.0 * radiance");
     let taken = shaders(sources.saved_one()).iter().filter(|s| denoiser.replace_shader(s).expect("it fits")).count();
     assert_eq!(taken, 1);
     let (brighter, longest) = frame(&mut tracer, &mut denoiser, 2);

@@ -6,7 +6,7 @@ use super::*;
 use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::{alias, FrameParams, FrameState, Shape, Span, Tuning, Use};
 use crate::graph::{Feedback, Graph, Value};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Import, Kernel, Modulate, Variance};
+use crate::nodes::{Accumulation, Albedo, Atrous, Demodulate, Import, Kernel, Modulate, Variance};
 use ash::vk::Handle;
 
 /// One access in the past.
@@ -232,12 +232,12 @@ fn graph_of_a_host(share_outputs: bool) -> Declaration {
         });
     }
     let noisy = g.radiance("noisy_ao");
-    let irradiance = g.demodulate(&guides, &noisy, Demodulate { albedo: false, ..Demodulate::default() });
+    let irradiance = g.demodulate(&guides, &noisy, Demodulate { albedo: Albedo::None, ..Demodulate::default() });
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulation = Accumulation { alpha: Value::Fixed(0.05), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, accumulation);
     let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
-    let occlusion = g.modulate(&guides, &estimate.into(), Modulate { albedo: false, emission: false });
+    let occlusion = g.modulate(&guides, &estimate.into(), Modulate { albedo: false, emission: false, ..Modulate::default() });
     g.output("denoised_ao", &occlusion);
     g.finish().expect("valid")
 }

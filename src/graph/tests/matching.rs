@@ -76,7 +76,7 @@ fn bindings_are_ordered_by_number_and_an_unwired_one_has_no_use() {
     let dispatch = pass.dispatch().expect("a dispatch");
     let filtered = pass.bindings().position(|(_, name)| name == "filtered_0");
     assert_eq!(Some(dispatch.slots[3].stand_in), filtered, "filtered_0 stands in for albedo");
-    assert_eq!(dispatch.constants, [(0, 0b0110_0111)], "WIRED");
+    assert_eq!(dispatch.constants, [(0, 0b0110_0111), (30, 64)], "WIRED and CONVENTIONS");
     assert!(matches!(dispatch.grid, Grid::Pixels));
 }
 
@@ -85,7 +85,7 @@ fn an_optional_binding_that_is_wired_has_a_use_and_a_bit() {
     let declaration = finish_with(|images| images.modulation().bind("albedo", images.maybe)).expect("it fits");
     let pass = &declaration.passes()[1];
     assert_eq!(pass.bindings().nth(3), Some((3, "albedo")));
-    assert_eq!(pass.dispatch().expect("a dispatch").constants, [(0, 0b0110_1111)]);
+    assert_eq!(pass.dispatch().expect("a dispatch").constants, [(0, 0b0110_1111), (30, 64)]);
 }
 
 #[test]
@@ -101,7 +101,8 @@ fn a_wrong_binding_is_named_with_those_that_there_are() {
     problem(|pass, i| pass.bind("guide", i.guide), "guide", &["bound twice", known]);
     problem(|pass, i| pass.bind("frame", i.guide), "frame", &["bound by the graph itself"]);
     problem(|pass, _| Pass { wires: Vec::new(), ..pass }, "guide", &["nothing is bound", known]);
-    let with_optional = "albedo (optional), emission (optional), denoised_radiance, filtered_0, filtered_1 (optional)";
+    let with_optional = "albedo (optional), emission (optional), denoised_radiance, filtered_0, filtered_1 (optional), \
+                         specular_albedo (optional), specular_f0 (optional)";
     problem(|_, i| i.modulation().bind("input", i.input), "input", &["no binding of modulate", with_optional]);
 }
 

@@ -8,9 +8,11 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
+use lobes::Lobes;
 
 #[cfg(test)]
 mod edge_tests;
+mod lobes;
 #[cfg(test)]
 mod tests;
 
@@ -24,6 +26,8 @@ pub struct AtrousInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
+    /// What is seen in the surfaces, for specular light.
+    pub reflection: Option<&'a Image<u32>>,
     /// Irradiance of every signal in rgb, standard deviation of its luminance in alpha.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
 }
@@ -48,7 +52,8 @@ impl AtrousLevel {
 
 /// Filters every signal with the taps of a level; they share the geometry weights. Texels of the result are as those of the input.
 pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: AtrousLevel, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
-    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), level, inputs.irradiance)
+    let lobes = inputs.reflection.map(|reflection| Lobes::new(frame, tuning, inputs.guide, reflection));
+    filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), lobes.as_ref(), level, inputs.irradiance)
 }
 
 /// [`atrous`] for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background
@@ -60,13 +65,14 @@ pub fn volume_atrous(
     guide: &Image<[u16; 4]>,
     radiance: &Image<[f32; 4]>,
 ) -> Image<[f32; 4]> {
-    let mut filtered = filter(frame, &Geometry::of_volume(frame, tuning, guide), level, &[radiance]);
+    let mut filtered = filter(frame, &Geometry::of_volume(frame, tuning, guide), None, level, &[radiance]);
     filtered.pop().unwrap_or_else(|| radiance.clone())
 }
 
 fn filter(
     frame: &FrameConstants,
     geometry: &Geometry,
+    lobes: Option<&Lobes>,
     level: AtrousLevel,
     irradiance: &[&Image<[f32; 4]>],
 ) -> Vec<Image<[f32; 4]>> {
@@ -83,7 +89,7 @@ fn filter(
             }
             for (offset, q) in rect.window(p, level.kernel.radius(), step) {
                 let Some(h) = level.kernel.weight(level.number, offset.x, offset.y) else { continue };
-                let weight = h * geometry.weight(p, q);
+                let weight = h * geometry.weight(p, q) * lobes.map_or(1.0, |lobes| lobes.weight(p, q));
                 if weight > 0.0 {
                     sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
                 }
@@ -161,6 +167,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     };
     let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
     let level = AtrousLevel { number: b.level, kernel, smooth_deviation: b.is_on("SMOOTH")? };
-    let filtered = filter(b.frame, &geometry, level, &b.colours("input")?);
+    let reflection = b.has("reflection").then(|| b.uint("reflection")).transpose()?;
+    let lobes = reflection.map(|reflection| Lobes::new(b.frame, b.tuning, guide, reflection));
+    let filtered = filter(b.frame, &geometry, lobes.as_ref(), level, &b.colours("input")?);
     b.write_signals("output", filtered)
 }

@@ -2,12 +2,15 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
-use crate::reference::guide::unpack_guide;
+use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::kept_radiance::{kept_radiance, pack_halves};
 use crate::reference::luminance::luminance;
+use crate::reference::reflection::FARTHEST_HIT;
+use crate::reference::specular_albedo::specular_albedo_from;
 use crate::reference::statistics::{count, Counter, Statistics};
 use crate::reference::{Image, HOLE};
 use crate::{Error, FrameConstants};
+use glam::IVec2;
 
 #[cfg(test)]
 mod tests;
@@ -24,6 +27,10 @@ pub struct DemodulateInputs<'a> {
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// rgb: albedo at the primary hit.
     pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// rgb: reflectance at normal incidence, from which the divisor of specular light comes where there is no albedo.
+    pub specular_f0: Option<&'a Image<[f32; 4]>>,
+    /// x: distance from the surface to what is seen in it, scene units; 0 or infinite: beyond the scene.
+    pub specular_hit_distance: Option<&'a Image<[f32; 4]>>,
     /// Whether the input is sub-sampled: what is not finite is a pixel without a sample then, and no bad value.
     pub has_holes: bool,
 }
@@ -31,7 +38,8 @@ pub struct DemodulateInputs<'a> {
 /// Outputs of [`demodulate`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct DemodulateOutputs {
-    /// rgb: irradiance of every signal, half precision; alpha 0, or [`HOLE`] where the input is sub-sampled and not finite.
+    /// rgb: irradiance of every signal, half precision; alpha 0, [`HOLE`] where the input is sub-sampled and not finite,
+    /// or the hit distance (0: unknown; [`FARTHEST_HIT`]: beyond the scene) where that is given.
     pub irradiance: Vec<Image<[f32; 4]>>,
     /// Bad radiances (once a signal) and albedos (once a pixel).
     pub statistics: Statistics,
@@ -45,15 +53,47 @@ pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
     (rgb.map(|a| if a.is_finite() { a.max(ALBEDO_EPSILON) } else { 1.0 }), rgb.iter().any(|a| !a.is_finite()))
 }
 
+/// The albedo of a pixel: the host's, or that of its reflectance at normal incidence; none in the background.
+pub(crate) fn albedo_at(
+    frame: &FrameConstants,
+    surface: &Surface,
+    albedo: Option<&Image<[f32; 4]>>,
+    specular_f0: Option<&Image<[f32; 4]>>,
+    p: IVec2,
+) -> Option<[f32; 4]> {
+    let given = albedo.map(|albedo| albedo.at(p));
+    let computed = || specular_f0.map(|f0| specular_albedo_from(frame, f0.at(p), p, surface));
+    given.or_else(computed).filter(|_| !surface.is_background())
+}
+
+/// A hit distance as half floats hold it, and whether it was bad.
+fn stored_hit_distance(distance: f32) -> (f32, bool) {
+    match distance {
+        d if d.is_nan() || d < 0.0 => (0.0, true),
+        0.0 => (FARTHEST_HIT, false),
+        d => (d.clamp(1.0 / 16384.0, FARTHEST_HIT), false),
+    }
+}
+
 /// Divides the radiance of every signal by the albedo. The background passes.
 pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> DemodulateOutputs {
     let extent = inputs.guide.extent();
-    let is_background = |p| unpack_guide(inputs.guide.at(p)).is_background();
     let divisors = Image::compute(extent, frame.render_extent, |p| {
-        divisor(inputs.albedo.filter(|_| !is_background(p)).map(|albedo| albedo.at(p)))
+        let surface = unpack_guide(inputs.guide.at(p));
+        let f0 = inputs.specular_f0.filter(|_| inputs.albedo.is_none() && !surface.is_background()).map(|f0| f0.at(p));
+        let is_f0_bad = f0.is_some_and(|f0| f0[..3].iter().any(|c| !c.is_finite()));
+        let (divisor, is_bad) = divisor(albedo_at(frame, &surface, inputs.albedo, inputs.specular_f0, p));
+        (divisor, is_bad || is_f0_bad)
+    });
+    let distances = inputs.specular_hit_distance.map(|image| {
+        Image::compute(extent, frame.render_extent, |p| match unpack_guide(inputs.guide.at(p)).is_background() {
+            true => (0.0, false),
+            false => stored_hit_distance(image.at(p)[0]),
+        })
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Albedo as usize] = count(divisors.texels().iter().map(|d| d.1));
+    statistics[Counter::HitDistance as usize] = distances.as_ref().map_or(0, |d| count(d.texels().iter().map(|d| d.1)));
     let mut irradiance = Vec::with_capacity(inputs.noisy.len());
     for noisy in inputs.noisy {
         let texels = Image::compute(extent, frame.render_extent, |p| {
@@ -65,7 +105,13 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
             }
         });
         statistics[Counter::Radiance as usize] += count(texels.texels().iter().map(|t| t.1));
-        irradiance.push(texels.map(|t| t.0));
+        irradiance.push(match &distances {
+            Some(distances) if irradiance.is_empty() => Image::compute(extent, frame.render_extent, |p| {
+                let ([r, g, b, _], _) = texels.at(p);
+                [r, g, b, store(distances.at(p).0)]
+            }),
+            _ => texels.map(|t| t.0),
+        });
     }
     DemodulateOutputs { irradiance, statistics }
 }
@@ -110,6 +156,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         guide: b.packed("guide")?,
         noisy: &noisy,
         albedo: b.optional_colour("albedo")?,
+        specular_f0: b.optional_colour("specular_f0")?,
+        specular_hit_distance: b.optional_colour("specular_hit_distance")?,
         has_holes: b.is_on("PAINTING")?,
     };
     let outputs = demodulate(b.frame, &inputs);

@@ -3,11 +3,11 @@
 use crate::config::EawWeights;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::conventions::forward;
 use crate::reference::guide::{unpack_guide, Surface};
+use crate::reference::projection::view_position;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
-use glam::{IVec2, Vec2, Vec3};
+use glam::{IVec2, Vec3};
 
 #[cfg(test)]
 mod tests;
@@ -20,9 +20,6 @@ pub const HOLE: f32 = -1.0;
 
 /// Sum of weights below which a hole sees no pixel of its kind.
 const SMALLEST_WEIGHT_SUM: f32 = 1e-6;
-
-/// Depths beyond it are no farther: squares of differences stay finite.
-const FARTHEST: f32 = 1e15;
 
 /// Inputs of [`eaw`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -118,17 +115,6 @@ fn filtered(frame: &FrameConstants, edges: &Edges, points: &Image<(Surface, Vec3
 
 fn rgb([r, g, b, _]: [f32; 4]) -> Vec3 {
     Vec3::new(r, g, b)
-}
-
-/// The surface point of a pixel in view space.
-fn view_position(frame: &FrameConstants, p: IVec2, linear_depth: f32) -> Vec3 {
-    let extent = Vec2::new(frame.render_extent[0] as f32, frame.render_extent[1] as f32);
-    let ndc = (p.as_vec2() + 0.5 + Vec2::from(frame.jitter)) / extent * 2.0 - 1.0;
-    let clip = &frame.clip_from_view;
-    let z = forward(frame) * linear_depth.min(FARTHEST);
-    let w = clip[2][3] * z + clip[3][3];
-    let axis = |i: usize| (ndc[i] * w - clip[2][i] * z - clip[3][i]) / clip[i][i];
-    Vec3::new(axis(0), axis(1), z)
 }
 
 /// Runs the stage on the bindings of a pass.

@@ -7,6 +7,7 @@ use crate::reference::conventions::{normal_encoding, normals_are_in_view_space};
 use crate::reference::guide::{fold_id, pack_guide, Surface};
 use crate::reference::octahedral::{from_square, octahedral10};
 use crate::reference::projection::Projections;
+use crate::reference::reflection::{is_roughness, roughness_of};
 use crate::reference::reprojection::{previous_normal, reproject, HostMotion, InstanceTransform};
 use crate::reference::statistics::{count, Counter, Statistics};
 use crate::reference::surface_motion::{pack_depth_gradient, pack_surface_motion};
@@ -81,6 +82,7 @@ struct Texel {
     surface_motion: [u16; 4],
     depth_gradient: u32,
     is_normal_bad: bool,
+    is_roughness_bad: bool,
     is_motion_bad: bool,
 }
 
@@ -95,6 +97,7 @@ pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
     let mut statistics = Statistics::default();
     statistics[Counter::Depth as usize] = count(depths.texels().iter().map(|d| d.1));
     statistics[Counter::Normal as usize] = count(texels.texels().iter().map(|t| t.is_normal_bad));
+    statistics[Counter::Roughness as usize] = count(texels.texels().iter().map(|t| t.is_roughness_bad));
     statistics[Counter::Motion as usize] = count(texels.texels().iter().map(|t| t.is_motion_bad));
     ImportOutputs {
         guide: texels.map(|t| t.guide),
@@ -120,10 +123,11 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
         return Texel { surface_motion: pack_surface_motion(motion, None), is_motion_bad: reprojection.is_bad, ..Texel::default() };
     }
     let (normal, is_normal_bad) = world_normal(frame, projections, inputs.normal.at(p));
+    let roughness = inputs.roughness.map_or(1.0, |r| r.at(p)[0]);
     let surface = Surface {
         linear_depth,
         normal: normal.to_array(),
-        roughness: inputs.roughness.map(|r| r.at(p)[0]).filter(|r| r.is_finite()).unwrap_or(1.0),
+        roughness: roughness_of(frame, roughness),
         // Id 0 is the background's, so that a host without ids has one surface.
         id: id.map_or(1, fold_id),
     };
@@ -133,6 +137,7 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
         surface_motion: pack_surface_motion(motion, Some((reprojection.depth_ratio, expected))),
         depth_gradient: pack_depth_gradient([IVec2::X, IVec2::Y].map(|axis| depth_difference(frame, depths, p, axis))),
         is_normal_bad,
+        is_roughness_bad: !is_roughness(roughness),
         is_motion_bad: reprojection.is_bad,
     }
 }

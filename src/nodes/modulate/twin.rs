@@ -1,6 +1,6 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
-use crate::nodes::demodulate::twin::divisor;
+use crate::nodes::demodulate::twin::{albedo_at, divisor};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::guide::unpack_guide;
@@ -11,6 +11,15 @@ use crate::{Error, FrameConstants};
 #[cfg(test)]
 mod tests;
 
+/// Albedos of specular light, as the stage `demodulate` was given them.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SpecularAlbedos<'a> {
+    /// rgb: reflectance of the coat or metal under light from everywhere.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// rgb: reflectance at normal incidence, for a host without the other.
+    pub f0: Option<&'a Image<[f32; 4]>>,
+}
+
 /// Inputs of [`modulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
 pub struct ModulateInputs<'a> {
@@ -20,6 +29,8 @@ pub struct ModulateInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// rgb: albedo, the one that `demodulate` was given.
     pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// rgb: albedo and reflectance at normal incidence of specular light, where the second signal is that.
+    pub specular: Option<SpecularAlbedos<'a>>,
     /// rgb: radiance that is added as it is.
     pub emission: Option<&'a Image<[f32; 4]>>,
 }
@@ -33,16 +44,17 @@ pub struct ModulateOutputs {
     pub statistics: Statistics,
 }
 
-/// `Σ_signals c·max(albedo, ε) + emission`.
+/// `Σ_signals c·max(albedo, ε) + emission`, with the albedo of each signal.
 pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutputs {
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
-        let is_background = unpack_guide(inputs.guide.at(p)).is_background();
-        let (albedo, _) = divisor(inputs.albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
+        let surface = unpack_guide(inputs.guide.at(p));
+        let (albedo, _) = divisor(inputs.albedo.filter(|_| !surface.is_background()).map(|albedo| albedo.at(p)));
+        let factors = [albedo, inputs.specular.map_or(albedo, |s| divisor(albedo_at(frame, &surface, s.albedo, s.f0, p)).0)];
         let [r, g, b, _] = inputs.emission.map_or([0.0; 4], |emission| emission.at(p));
         let is_bad = [r, g, b].iter().any(|e| !e.is_finite());
         let emission = if is_bad { [0.0; 3] } else { [r, g, b] };
         let radiance = [0, 1, 2].map(|i| {
-            let reflected: f32 = inputs.irradiance.iter().map(|signal| signal.at(p)[i] * albedo[i]).sum();
+            let reflected: f32 = inputs.irradiance.iter().zip(factors).map(|(signal, albedo)| signal.at(p)[i] * albedo[i]).sum();
             store(reflected + emission[i])
         });
         ([radiance[0], radiance[1], radiance[2], 1.0], is_bad)
@@ -54,10 +66,13 @@ pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutp
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let specular = b.is_on("SPECULAR")?;
     let inputs = ModulateInputs {
         guide: b.packed("guide")?,
         irradiance: &b.colours("filtered")?,
         albedo: b.optional_colour("albedo")?,
+        specular: specular
+            .then_some(SpecularAlbedos { albedo: b.optional_colour("specular_albedo")?, f0: b.optional_colour("specular_f0")? }),
         emission: b.optional_colour("emission")?,
     };
     let outputs = modulate(b.frame, &inputs);

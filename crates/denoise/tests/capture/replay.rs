@@ -102,7 +102,7 @@ fn assert_replays(folder: &Path, pictures: &[Picture]) {
 }
 
 fn a_replay_gives_the_same_bits() {
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         let folder = tempfile::tempdir().expect("a folder");
         let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
         let config = Config { signals, object_normal: signals == Signals::Apart, ..Config::new(EXTENT) };
@@ -210,7 +210,7 @@ fn replay_of(config: Config, change: impl Fn(u32, &mut Inputs)) -> Setup {
 
 fn every_preset_is_replayed() {
     let base = Config { firefly_filter: true, levels: 3, ..Config::new(EXTENT) };
-    for signals in [Signals::Together, Signals::Apart] {
+    for signals in Signals::ALL {
         replay_of(Config { signals, ..base }, |_, _| {});
         replay_of(Config { signals, preset: Preset::Asvgf, stratum_size: 4, ..base }, |i, inputs| inputs.params.reshaded = i != 3);
         for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {

@@ -4,7 +4,7 @@ use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
     AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
-    NormalEncoding, NormalSpace, Preset, Sampling, ViewForward,
+    NormalEncoding, NormalSpace, Preset, RoughnessEncoding, Sampling, ViewForward,
 };
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
@@ -32,6 +32,7 @@ fn the_description_of_an_old_capture_is_read() {
         motion_jittered: true,
         motion_depth: MotionDepth::Absolute,
         view_forward: ViewForward::PositiveZ,
+        roughness: RoughnessEncoding::Alpha,
     };
     let expected = Config {
         levels: 3,

@@ -1,7 +1,7 @@
 //! Channels of known renderers are found; missing ones are reported.
 
 use crate::samples::{self, Sample, Type};
-use atrous::config::{DepthEncoding, MotionDepth, Signals};
+use atrous::config::{DepthEncoding, MotionDepth, RoughnessEncoding, Signals};
 use atrous_denoise::error::ToolError;
 use atrous_denoise::frame;
 use atrous_denoise::frame_files;
@@ -82,6 +82,50 @@ fn blender() {
     // Objects without a pass index have 0, as the sky has.
     let ids = inputs.surface_id.expect("ids");
     assert_eq!((ids[0], ids[1]), (0, 1));
+}
+
+/// The glossy passes are specular light: what is left of the picture is diffuse.
+#[test]
+fn blender_with_glossy_passes() {
+    let half = Type::Half;
+    let sample = Sample::new(8, 6)
+        .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", half, 1.0)
+        .flat("ViewLayer.Depth.Z", Type::Float, 3.0)
+        .flat("ViewLayer.DiffCol.R ViewLayer.DiffCol.G ViewLayer.DiffCol.B", half, 0.5)
+        .flat("ViewLayer.DiffDir.R ViewLayer.DiffDir.G ViewLayer.DiffDir.B", half, 0.5)
+        .flat("ViewLayer.GlossDir.R ViewLayer.GlossDir.G ViewLayer.GlossDir.B", half, 0.75)
+        .flat("ViewLayer.GlossInd.R ViewLayer.GlossInd.G ViewLayer.GlossInd.B", half, 0.25)
+        .flat("ViewLayer.GlossCol.R ViewLayer.GlossCol.G ViewLayer.GlossCol.B", half, 0.25)
+        .flat("ViewLayer.Emit.R ViewLayer.Emit.G ViewLayer.Emit.B", half, 0.125);
+    let (_folder, setup, inputs) = good(&sample);
+    assert_eq!(setup.config.signals, Signals::Specular);
+    let image = |name: &str| inputs.images[name][1][0];
+    // Combined 1 = emission 0.125 + specular (0.75 + 0.25)·0.25 + the rest.
+    assert_eq!((image("noisy_specular"), image("noisy_diffuse"), image("specular_albedo")), (0.25, 0.625, 0.25));
+    assert_eq!(inputs.noisy[1][0], 1.0);
+}
+
+/// The split that data sets of this project have; their roughness is GGX's α.
+#[test]
+fn own_data_sets_with_specular_light() {
+    let sample = samples::frame(1)
+        .flat("diffuse.R diffuse.G diffuse.B", Type::Half, 0.25)
+        .flat("specular.R specular.G specular.B", Type::Half, 0.5)
+        .flat("specular_albedo.R specular_albedo.G specular_albedo.B", Type::Half, 0.75)
+        .flat("roughness.Y", Type::Half, 0.25)
+        .flat("hitdist.D", Type::Float, 3.5);
+    let (_folder, setup, inputs) = good(&sample);
+    assert_eq!((setup.config.signals, setup.config.conventions.roughness), (Signals::Specular, RoughnessEncoding::Alpha));
+    let expected = [
+        ("noisy_diffuse", 0.25),
+        ("noisy_specular", 0.5),
+        ("specular_albedo", 0.75),
+        ("roughness", 0.25),
+        ("specular_hit_distance", 3.5),
+    ];
+    for (name, value) in expected {
+        assert_eq!(inputs.images[name][3][0], value, "{name}");
+    }
 }
 
 #[test]

@@ -36,14 +36,23 @@ float specular_probability(Surface s, float view_cosine) {
     return coat + base > 0.0 ? coat / (coat + base) : 0.0;
 }
 
+// What a surface reflects: in all, and the part of it that the coat or the metal does.
+struct Reflected {
+    vec3 all;
+    vec3 specular;
+};
+
+Reflected scaled(Reflected r, vec3 by) { return Reflected(r.all * by, r.specular * by); }
+
 // Value times cosine of the light, and the density with which sample_bsdf gives that direction.
-vec3 evaluate_bsdf(Surface s, vec3 view, vec3 light, out float density) {
+Reflected evaluate_bsdf(Surface s, vec3 view, vec3 light, out float density) {
     density = 0.0;
+    Reflected result = Reflected(vec3(0.0), vec3(0.0));
     float nl = dot(s.normal, light);
     float nv = dot(s.normal, view);
-    if (nl <= 0.0 || nv <= 0.0 || dot(s.geometric_normal, light) <= 0.0) return vec3(0.0);
+    if (nl <= 0.0 || nv <= 0.0 || dot(s.geometric_normal, light) <= 0.0) return result;
     float probability = specular_probability(s, nv);
-    vec3 value = s.diffuse * INV_PI * (1.0 - fresnel(s.f0, nv)) * (1.0 - fresnel(s.f0, nl));
+    vec3 base = s.diffuse * INV_PI * (1.0 - fresnel(s.f0, nv)) * (1.0 - fresnel(s.f0, nl));
     density = (1.0 - probability) * nl * INV_PI;
     if (probability > 0.0) {
         float alpha = s.roughness * s.roughness;
@@ -51,10 +60,11 @@ vec3 evaluate_bsdf(Surface s, vec3 view, vec3 light, out float density) {
         float d = ggx_distribution(alpha, clamp(dot(s.normal, h), 0.0, 1.0));
         float lambda_v = smith_lambda(alpha, nv);
         float lambda_l = smith_lambda(alpha, nl);
-        value += fresnel(s.f0, dot(view, h)) * (d / (4.0 * nl * nv * (1.0 + lambda_v + lambda_l)));
+        result.specular = fresnel(s.f0, dot(view, h)) * (d / (4.0 * nl * nv * (1.0 + lambda_v + lambda_l))) * nl;
         density += probability * d / (4.0 * nv * (1.0 + lambda_v));
     }
-    return value * nl;
+    result.all = base * nl + result.specular;
+    return result;
 }
 
 vec3 sample_visible_normal(vec3 view, float alpha, vec2 u) {
@@ -73,7 +83,7 @@ vec3 sample_visible_normal(vec3 view, float alpha, vec2 u) {
 
 // A direction, its value times cosine over density as `weight` (0: absorbed), and its density. The number that
 // chooses the layer is stretched and used again, so that a path vertex needs one pair of random numbers.
-vec3 sample_bsdf(Surface s, vec3 view, vec2 u, out vec3 weight, out float density) {
+vec3 sample_bsdf(Surface s, vec3 view, vec2 u, out Reflected weight, out float density) {
     mat3 frame_of_normal = basis(s.normal);
     float probability = specular_probability(s, dot(s.normal, view));
     vec3 light;
@@ -87,19 +97,22 @@ vec3 sample_bsdf(Surface s, vec3 view, vec2 u, out vec3 weight, out float densit
         float phi = 2.0 * PI * u.y;
         light = frame_of_normal * vec3(r * cos(phi), r * sin(phi), sqrt(max(1.0 - u.x, 0.0)));
     }
-    vec3 value = evaluate_bsdf(s, view, light, density);
-    weight = density > 1.0e-8 ? value / density : vec3(0.0);
+    Reflected value = evaluate_bsdf(s, view, light, density);
+    weight = scaled(value, vec3(density > 1.0e-8 ? 1.0 / density : 0.0));
     return light;
 }
 
-// What a denoiser divides by: diffuse reflectance plus the directional albedo of the coat, after the fit of
-// Karis 2014 ("Physically based shading on mobile"). Near enough, and never exact: modulation undoes it.
-vec3 demodulation_albedo(Surface s, float view_cosine) {
+// What a denoiser divides diffuse light by.
+vec3 diffuse_albedo(Surface s) { return s.diffuse * (1.0 - s.f0); }
+
+// What a denoiser divides specular light by: the directional albedo of the coat or metal, after the fit of Karis 2014
+// ("Physically based shading on mobile"). Near enough, and never exact: modulation undoes it.
+vec3 specular_albedo(Surface s, float view_cosine) {
     vec4 r = s.roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * view_cosine)) * r.x + r.y;
     vec2 ab = vec2(-1.04, 1.04) * a + r.zw;
     float coat = clamp(50.0 * max(s.f0.r, max(s.f0.g, s.f0.b)), 0.0, 1.0);
-    return s.diffuse * (1.0 - s.f0) + coat * max(s.f0 * ab.x + ab.y, 0.0);
+    return coat * max(s.f0 * ab.x + ab.y, 0.0);
 }
 
 #endif

@@ -88,16 +88,21 @@ bool sample_light(vec3 from, vec2 u, out LightSample found) {
     return found.distance > 0.0;
 }
 
-// Reflected radiance from one sampled light. `weighted`: sampled directions find area lights, too.
-vec3 next_event(Surface s, vec3 view, vec2 u, bool weighted) {
+// Reflected radiance from one sampled light, and how far away that is. `weighted`: sampled directions find area lights, too.
+Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, out float distance) {
+    const Reflected nothing = Reflected(vec3(0.0), vec3(0.0));
     vec3 origin = ray_origin(s);
     LightSample found;
-    if (!sample_light(origin, u, found)) return vec3(0.0);
+    distance = 0.0;
+    if (!sample_light(origin, u, found)) return nothing;
+    distance = found.distance;
     float density;
-    vec3 reflected = evaluate_bsdf(s, view, found.direction, density) * found.radiance * medium_transmittance(found.distance);
-    if (weighted && found.density > 0.0) reflected *= found.density / (found.density + density);
-    if (max(reflected.r, max(reflected.g, reflected.b)) <= 0.0) return vec3(0.0);
-    return occluded(origin, found.direction, found.distance * 0.9995) ? vec3(0.0) : reflected;
+    vec3 arriving = found.radiance * medium_transmittance(found.distance);
+    Reflected reflected = scaled(evaluate_bsdf(s, view, found.direction, density), arriving);
+    if (weighted && found.density > 0.0) reflected = scaled(reflected, vec3(found.density / (found.density + density)));
+    if (max(reflected.all.r, max(reflected.all.g, reflected.all.b)) <= 0.0) return nothing;
+    if (occluded(origin, found.direction, found.distance * 0.9995)) return nothing;
+    return reflected;
 }
 
 #endif

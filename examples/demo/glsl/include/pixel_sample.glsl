@@ -29,11 +29,11 @@ PixelSample fetch_pixel_sample(ivec2 pixel) {
 // What was shaded, for the next frame: the surface as the visibility pass has it, a place on a triangle, which moves along with its object;
 // and x: the seed, yzw: the eye, world space. Shading depends on the view where surfaces are glossy, and on nothing of the camera but the
 // eye. It stays with the sample for as long as the sample is taken over, so that of two shadings of one sample only the scene differs.
-layout(set = 1, binding = 6) uniform utexture2D gradient_samples;
-layout(set = 1, binding = 7) uniform utexture2D previous_surfaces;
-layout(set = 1, binding = 8) uniform utexture2D previous_seeds;
-layout(set = 1, binding = 9, rgba32ui) uniform writeonly uimage2D surfaces;
-layout(set = 1, binding = 10, rgba32ui) uniform writeonly uimage2D seeds;
+layout(set = 1, binding = 9) uniform utexture2D gradient_samples;
+layout(set = 1, binding = 10) uniform utexture2D previous_surfaces;
+layout(set = 1, binding = 11) uniform utexture2D previous_seeds;
+layout(set = 1, binding = 12, rgba32ui) uniform writeonly uimage2D surfaces;
+layout(set = 1, binding = 13, rgba32ui) uniform writeonly uimage2D seeds;
 layout(push_constant) uniform Strata { int size; } strata;
 
 #define ATROUS_GRADIENT_SAMPLES gradient_samples

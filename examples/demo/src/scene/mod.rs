@@ -13,6 +13,7 @@ mod lamp;
 mod material;
 mod medium;
 mod mesh;
+mod mirror;
 mod pillars;
 mod shapes;
 
@@ -29,7 +30,7 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 5] = ["cornell", "pillars", "glossy", "hall", "fog"];
+pub const BUILT_IN: [&str; 6] = ["cornell", "pillars", "glossy", "mirror", "hall", "fog"];
 
 /// Parts of the animation that stand still.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -135,6 +136,7 @@ impl Scene {
             "cornell" => cornell::scene(),
             "pillars" => pillars::scene(),
             "glossy" => glossy::scene(),
+            "mirror" => mirror::scene(),
             "hall" => hall::scene(),
             "fog" => fog::scene(),
             _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,

@@ -86,8 +86,8 @@ impl PathTracer {
         let bound = buffers.bindings();
         let kinds = bound.map(Bound::kind);
         let scene_layout = SetLayout::new(gpu, &kinds)?;
-        let gbuffer_layout = SetLayout::new(gpu, &storage_images(8))?;
-        let lighting_layout = SetLayout::new(gpu, &storage_images(6))?;
+        let gbuffer_layout = SetLayout::new(gpu, &storage_images(11))?;
+        let lighting_layout = SetLayout::new(gpu, &storage_images(9))?;
         let mut tracer = Self {
             scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
             gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
@@ -253,7 +253,7 @@ impl PathTracer {
 }
 
 /// What the lighting pass reads and writes, in the order of its bindings.
-fn lit_images(outputs: &Outputs) -> [&Image; 6] {
-    let [direct, indirect, emission, scattered] = outputs.lighting();
-    [&outputs.visibility, &outputs.seed, direct, indirect, emission, scattered]
+fn lit_images(outputs: &Outputs) -> [&Image; 9] {
+    let [direct, indirect, emission, scattered, diffuse, specular, hit_distance] = outputs.lighting();
+    [&outputs.visibility, &outputs.seed, direct, indirect, emission, scattered, diffuse, specular, hit_distance]
 }

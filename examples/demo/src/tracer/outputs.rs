@@ -21,6 +21,12 @@ pub struct Outputs {
     pub object_normal: Image,
     /// `R16G16B16A16_SFLOAT`: diffuse reflectance plus the coat's or metal's directional albedo; 1: background. a: roughness.
     pub albedo: Image,
+    /// `R16G16B16A16_SFLOAT`: the part of `albedo` that divides diffuse light. a: 0.
+    pub diffuse_albedo: Image,
+    /// `R16G16B16A16_SFLOAT`: the part of `albedo` that divides specular light. a: 0.
+    pub specular_albedo: Image,
+    /// `R32_SFLOAT`: perceptual roughness, 0 to 1; 1: background.
+    pub roughness: Image,
     /// `R32G32B32A32_SFLOAT`: xy: previous minus current pixel position, y down, without jitter; z: linear depth of the
     /// point in the previous frame's camera (0: background); w: 0.
     pub motion: Image,
@@ -34,6 +40,12 @@ pub struct Outputs {
     pub emission: Image,
     /// `R32G32B32A32_SFLOAT`: direct plus indirect, for a denoiser that filters them together. a: 1.
     pub scattered: Image,
+    /// `R32G32B32A32_SFLOAT`: the part of `scattered` that the base reflects. a: 1.
+    pub diffuse: Image,
+    /// `R32G32B32A32_SFLOAT`: the part of `scattered` that the coat or the metal reflects. a: 1.
+    pub specular: Image,
+    /// `R32_SFLOAT`: distance from the surface to what is seen in it, scene units; 0: beyond the scene.
+    pub hit_distance: Image,
 }
 
 impl Outputs {
@@ -46,22 +58,40 @@ impl Outputs {
             normal: image("normal", vk::Format::R16G16B16A16_SFLOAT)?,
             object_normal: image("object_normal", vk::Format::R16G16B16A16_SFLOAT)?,
             albedo: image("albedo", vk::Format::R16G16B16A16_SFLOAT)?,
+            diffuse_albedo: image("diffuse_albedo", vk::Format::R16G16B16A16_SFLOAT)?,
+            specular_albedo: image("specular_albedo", vk::Format::R16G16B16A16_SFLOAT)?,
+            roughness: image("roughness", vk::Format::R32_SFLOAT)?,
             motion: image("motion", vk::Format::R32G32B32A32_SFLOAT)?,
             surface_id: image("surface_id", vk::Format::R32_UINT)?,
             direct: image("direct", vk::Format::R32G32B32A32_SFLOAT)?,
             indirect: image("indirect", vk::Format::R32G32B32A32_SFLOAT)?,
             emission: image("emission", vk::Format::R32G32B32A32_SFLOAT)?,
             scattered: image("scattered", vk::Format::R32G32B32A32_SFLOAT)?,
+            diffuse: image("diffuse", vk::Format::R32G32B32A32_SFLOAT)?,
+            specular: image("specular", vk::Format::R32G32B32A32_SFLOAT)?,
+            hit_distance: image("hit_distance", vk::Format::R32_SFLOAT)?,
         })
     }
 
     /// What the visibility pass writes, in the order of its bindings.
-    pub fn gbuffer(&self) -> [&Image; 8] {
-        [&self.visibility, &self.seed, &self.depth, &self.normal, &self.object_normal, &self.albedo, &self.motion, &self.surface_id]
+    pub fn gbuffer(&self) -> [&Image; 11] {
+        [
+            &self.visibility,
+            &self.seed,
+            &self.depth,
+            &self.normal,
+            &self.object_normal,
+            &self.albedo,
+            &self.motion,
+            &self.surface_id,
+            &self.diffuse_albedo,
+            &self.specular_albedo,
+            &self.roughness,
+        ]
     }
 
     /// What the lighting pass writes, in the order of its bindings.
-    pub fn lighting(&self) -> [&Image; 4] {
-        [&self.direct, &self.indirect, &self.emission, &self.scattered]
+    pub fn lighting(&self) -> [&Image; 7] {
+        [&self.direct, &self.indirect, &self.emission, &self.scattered, &self.diffuse, &self.specular, &self.hit_distance]
     }
 }

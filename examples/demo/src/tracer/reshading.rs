@@ -47,7 +47,7 @@ impl PathTracer {
         let image = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_UINT, extent);
         let copy = || -> Result<[Image; 2]> { Ok([image("sample_surfaces")?, image("sample_seeds")?]) };
         let samples = [copy()?, copy()?];
-        let mut kinds = storage_images(6);
+        let mut kinds = storage_images(9);
         kinds.extend([vk::DescriptorType::SAMPLED_IMAGE; 3]);
         kinds.extend(storage_images(2));
         let layout = SetLayout::new(gpu, &kinds)?;

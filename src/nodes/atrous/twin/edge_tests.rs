@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_depth_gradient, Surface};
+use crate::reference::{pack_depth_gradient, pack_reflection, SeenReflection, Surface};
 
 const EXTENT: [u32; 2] = [24, 9];
 
@@ -22,7 +22,7 @@ fn filtered(tuning: &Tuning, gradient: f32, left: impl Fn(i32, &mut Surface), ri
     // A large deviation: luminance alone would not stop.
     let mut image = paint(EXTENT, |x, _| if x < 12 { [1.0, 1.0, 1.0, 100.0] } else { [8.0, 8.0, 8.0, 100.0] });
     for level in 0..5 {
-        let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &depth_gradient, irradiance: &[&image] };
+        let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &depth_gradient, reflection: None, irradiance: &[&image] };
         image = atrous(&frame(EXTENT), tuning, AtrousLevel::new(level), &inputs).remove(0);
     }
     (0..24).map(|x| image.get(x, 4).expect("inside")[0]).collect()
@@ -79,7 +79,8 @@ fn luminance_stops_where_the_deviation_is_small() {
             let l = if x < 12 { 1.0 } else { 2.0 };
             [l, l, l, deviation]
         });
-        let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
+        let inputs =
+            AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
         let output = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0);
         output.get(12, 4).expect("inside")[0] - output.get(11, 4).expect("inside")[0]
     };
@@ -97,9 +98,36 @@ fn the_deviation_in_the_weight_is_blurred_over_three_by_three() {
     // The centre is certain, its neighbours are not: without the blur nothing would pass.
     let scene = guides([5, 5], |_, _| surface(10.0));
     let image = paint([5, 5], |x, y| if (x, y) == (2, 2) { [1.0, 1.0, 1.0, 0.0] } else { [2.0, 2.0, 2.0, 1.0] });
-    let inputs = AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, irradiance: &[&image] };
+    let inputs =
+        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
     let [l, ..] = atrous(&frame([5, 5]), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0).at(IVec2::new(2, 2));
     let (centre, w) = (9.0 / 64.0, (-1.0_f32 / (4.0 * 0.75_f32.sqrt() + 1e-4)).exp());
     let expected = (centre + (1.0 - centre) * w * 2.0) / (centre + (1.0 - centre) * w);
     assert!((l - expected).abs() < 2e-3, "{l} for {expected}");
+}
+
+#[test]
+fn a_mirror_is_not_filtered_and_the_roughest_surface_as_diffuse_light_is() {
+    let extent = [24, 16];
+    let at = camera(extent, glam::Vec3::ZERO);
+    let frame = frame_with(&crate::Config::new(extent), &at, &at);
+    let scene = guides(extent, |_, _| surface(4.0));
+    let image = noise(extent, 7).map(|t| [t[0], t[0], t[0], 4.0]);
+    let filtered = |seen: Option<SeenReflection>| {
+        let reflection = seen.map(|seen| Image::new(extent, pack_reflection(&seen)));
+        let inputs = AtrousInputs {
+            guide: &scene.guide,
+            depth_gradient: &scene.depth_gradient,
+            reflection: reflection.as_ref(),
+            irradiance: &[&image],
+        };
+        atrous(&frame, &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0)
+    };
+    let at = |roughness, hit_distance| filtered(Some(SeenReflection { hit_distance, roughness })).at(IVec2::new(9, 9))[0];
+    let (own, diffuse) = (image.at(IVec2::new(9, 9))[0], filtered(None).at(IVec2::new(9, 9))[0]);
+    assert!((at(0.0, 3.0) - own).abs() < 1e-3 && (own - diffuse).abs() > 0.05, "{own} {diffuse}");
+    assert!((at(1.0, 3.0) - diffuse).abs() < 1e-3, "{} {diffuse}", at(1.0, 3.0));
+    // Half-way, and what touches the surface is sharper than what lies far behind it.
+    let distance = |value: f32| (value - diffuse).abs();
+    assert!(distance(at(0.3, 0.01)) > 2.0 * distance(at(0.3, 50.0)), "{} {}", at(0.3, 0.01), at(0.3, 50.0));
 }

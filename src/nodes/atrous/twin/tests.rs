@@ -13,7 +13,8 @@ fn run(frame: &FrameConstants, level: u32, guides: &Guides, image: &Image<[f32; 
 }
 
 fn tuned(frame: &FrameConstants, tuning: &Tuning, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-    let inputs = AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance: &[image] };
+    let inputs =
+        AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, reflection: None, irradiance: &[image] };
     atrous(frame, tuning, AtrousLevel::new(level), &inputs).remove(0)
 }
 
@@ -112,7 +113,8 @@ fn signals_share_nothing_but_geometry() {
     let (a, b, c) =
         (with_deviation(&noise(EXTENT, 1), 0.2), with_deviation(&noise(EXTENT, 2), 0.4), with_deviation(&noise(EXTENT, 3), 0.1));
     let guides = guides(EXTENT, |x, y| surface(4.0 + 0.01 * (x * y) as f32));
-    let inputs = AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance: &[&a, &b, &c] };
+    let inputs =
+        AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, reflection: None, irradiance: &[&a, &b, &c] };
     let together = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(1), &inputs);
     assert_eq!(together.len(), 3);
     for (output, image) in together.iter().zip([&a, &b, &c]) {

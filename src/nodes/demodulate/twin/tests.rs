@@ -1,13 +1,17 @@
 //! Division, bad values, background.
 
 use super::*;
+use crate::nodes::modulate::twin::SpecularAlbedos;
 use crate::reference::test_scene::*;
 use crate::reference::{modulate, ModulateInputs, LARGEST_HALF};
 
 const EXTENT: [u32; 2] = [6, 4];
 
 fn run(guides: &Guides, noisy: &[&Image<[f32; 4]>], albedo: Option<&Image<[f32; 4]>>) -> DemodulateOutputs {
-    demodulate(&frame(EXTENT), &DemodulateInputs { guide: &guides.guide, noisy, albedo, has_holes: false })
+    demodulate(
+        &frame(EXTENT),
+        &DemodulateInputs { guide: &guides.guide, noisy, albedo, specular_f0: None, specular_hit_distance: None, has_holes: false },
+    )
 }
 
 fn flat() -> Guides {
@@ -29,7 +33,7 @@ fn modulation_brings_the_radiance_back() {
     let albedo = noise(EXTENT, 2).map(|t| [t[0], 0.0, 1e-4, 0.0]);
     let guides = guides(EXTENT, |x, _| surface(if x == 2 { 0.0 } else { 4.0 }));
     let c = run(&guides, &[&noisy], Some(&albedo)).irradiance.remove(0);
-    let inputs = ModulateInputs { guide: &guides.guide, irradiance: &[&c], albedo: Some(&albedo), emission: None };
+    let inputs = ModulateInputs { guide: &guides.guide, irradiance: &[&c], albedo: Some(&albedo), specular: None, emission: None };
     let back = modulate(&frame(EXTENT), &inputs).denoised_radiance;
     for (given, back) in noisy.texels().iter().zip(back.texels()) {
         assert!((0..3).all(|i| (given[i] - back[i]).abs() <= 1.1e-3 * given[i]), "{given:?} {back:?}");
@@ -47,7 +51,7 @@ fn bad_radiance_is_counted_and_zero() {
     let first = paint(EXTENT, |x, _| if x < 4 { bad[x as usize] } else { [1.0; 4] });
     let second = paint(EXTENT, |x, _| if x == 5 { bad[0] } else { [1.0; 4] });
     let output = run(&flat(), &[&first, &second], None);
-    assert_eq!(output.statistics, [0, 0, 0, 3 * 4 + 4, 0, 0, 0, 0]);
+    assert_eq!(output.statistics, [0, 0, 0, 3 * 4 + 4, 0, 0, 0, 0, 0, 0]);
     let row = &output.irradiance[0].texels()[..6];
     assert_eq!(row[..3], [[0.0; 4]; 3]);
     assert_eq!(row[3], [0.0, 2.0, LARGEST_HALF, 0.0]);
@@ -60,7 +64,7 @@ fn bad_albedo_is_counted_once_and_divides_nothing() {
     let albedo =
         paint(EXTENT, |x, _| [if x == 1 { f32::NAN } else { 0.5 }, 0.5, if x == 1 { f32::INFINITY } else { 0.5 }, f32::NAN]);
     let output = run(&flat(), &[&noisy, &noisy], Some(&albedo));
-    assert_eq!(output.statistics, [0, 0, 0, 0, 4, 0, 0, 0]);
+    assert_eq!(output.statistics, [0, 0, 0, 0, 4, 0, 0, 0, 0, 0]);
     assert_eq!(output.irradiance[1].texels()[..2], [[2.0, 2.0, 2.0, 0.0], [1.0, 2.0, 1.0, 0.0]]);
 }
 
@@ -69,7 +73,7 @@ fn the_background_keeps_its_radiance_but_no_bad_value() {
     let sky = guides(EXTENT, |_, _| surface(0.0));
     let noisy = paint(EXTENT, |x, _| [if x == 0 { f32::NAN } else { 3.0 }, -1.0, 1e6, 0.0]);
     let output = run(&sky, &[&noisy], Some(&Image::new(EXTENT, [f32::NAN; 4])));
-    assert_eq!(output.statistics, [0, 0, 0, 4, 0, 0, 0, 0], "albedo is not looked at");
+    assert_eq!(output.statistics, [0, 0, 0, 4, 0, 0, 0, 0, 0, 0], "albedo is not looked at");
     assert_eq!(output.irradiance[0].texels()[..2], [[0.0; 4], [3.0, 0.0, LARGEST_HALF, 0.0]]);
 }
 
@@ -81,8 +85,66 @@ fn outside_the_render_extent_nothing_is_read() {
     let expected = run(&flat(), &[&noisy], Some(&noisy));
     let loose = embed(&noisy, large, [f32::NAN; 4]);
     let guides = guides(large, |_, _| surface(4.0));
-    let inputs = DemodulateInputs { guide: &guides.guide, noisy: &[&loose], albedo: Some(&loose), has_holes: false };
+    let inputs = DemodulateInputs {
+        guide: &guides.guide,
+        noisy: &[&loose],
+        albedo: Some(&loose),
+        specular_f0: None,
+        specular_hit_distance: None,
+        has_holes: false,
+    };
     let output = demodulate(&in_large, &inputs);
     assert_eq!(output.irradiance[0], embed(&expected.irradiance[0], large, [0.0; 4]));
-    assert_eq!(output.statistics, [0; 8]);
+    assert_eq!(output.statistics, Statistics::default());
+}
+
+#[test]
+fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
+    let extent = [6, 1];
+    let guides = guides(extent, |x, _| surface(if x == 5 { 0.0 } else { 4.0 }));
+    let given = [0.0, 2.5, f32::NAN, -1.0, f32::INFINITY, f32::NAN];
+    let (noisy, distances) = (Image::new(extent, [1.0; 4]), paint(extent, |x, _| [given[x as usize]; 4]));
+    let inputs = DemodulateInputs {
+        guide: &guides.guide,
+        noisy: &[&noisy],
+        albedo: None,
+        specular_f0: None,
+        specular_hit_distance: Some(&distances),
+        has_holes: false,
+    };
+    let output = demodulate(&frame(extent), &inputs);
+    let stored: Vec<f32> = output.irradiance[0].texels().iter().map(|texel| texel[3]).collect();
+    assert_eq!(stored, [FARTHEST_HIT, 2.5, 0.0, 0.0, FARTHEST_HIT, 0.0]);
+    assert_eq!(output.statistics[Counter::HitDistance as usize], 2, "the background has no hit");
+}
+
+#[test]
+fn specular_light_comes_back_through_either_albedo() {
+    let guides = guides(EXTENT, |_, _| Surface { roughness: 0.4, ..surface(4.0) });
+    let (noisy, none) = (Image::new(EXTENT, [0.5, 0.25, 2.0, 0.0]), Image::new(EXTENT, [0.0; 4]));
+    let reflectance = paint(EXTENT, |x, _| if x == 0 { [f32::NAN, 0.0, 0.5, 0.0] } else { [0.9, 0.0, 0.04, 0.0] });
+    for (albedo, f0) in [(Some(&reflectance), None), (None, Some(&reflectance))] {
+        let inputs = DemodulateInputs {
+            guide: &guides.guide,
+            noisy: &[&noisy],
+            albedo,
+            specular_f0: f0,
+            specular_hit_distance: None,
+            has_holes: false,
+        };
+        let frame = frame(EXTENT);
+        let divided = demodulate(&frame, &inputs);
+        assert_eq!(divided.statistics[Counter::Albedo as usize], EXTENT[1]);
+        assert_ne!(divided.irradiance[0].at(IVec2::X), noisy.at(IVec2::X));
+        let inputs = ModulateInputs {
+            guide: &guides.guide,
+            irradiance: &[&none, &divided.irradiance[0]],
+            albedo: None,
+            specular: Some(SpecularAlbedos { albedo, f0 }),
+            emission: None,
+        };
+        for texel in modulate(&frame, &inputs).denoised_radiance.texels() {
+            assert!((0..3).all(|i| (texel[i] / noisy.at(IVec2::ZERO)[i] - 1.0).abs() < 2e-3), "{texel:?}");
+        }
+    }
 }

@@ -16,12 +16,13 @@ fn signals_are_summed_and_emission_is_added() {
         guide: &guides.guide,
         irradiance: &[&direct, &indirect],
         albedo: Some(&albedo),
+        specular: None,
         emission: Some(&emission),
     };
     let output = modulate(&frame(EXTENT), &inputs);
     let expected = [[1.5, 1.25, 1.125, 1.0], [2.5, 3.25, 12.0, 1.0], [4.0, 7.0, 12.0, 1.0]];
     assert_eq!(output.denoised_radiance.texels(), &expected);
-    assert_eq!(output.statistics, [0, 0, 0, 0, 0, 1, 0, 0]);
+    assert_eq!(output.statistics, [0, 0, 0, 0, 0, 1, 0, 0, 0, 0]);
 }
 
 #[test]
@@ -29,8 +30,13 @@ fn the_result_is_a_finite_radiance() {
     let guides = guides(EXTENT, |_, _| surface(4.0));
     let bright = Image::new(EXTENT, [LARGEST_HALF; 4]);
     let emission = Image::new(EXTENT, [3e38, -1e30, 0.0, 0.0]);
-    let inputs =
-        ModulateInputs { guide: &guides.guide, irradiance: &[&bright, &bright], albedo: Some(&bright), emission: Some(&emission) };
+    let inputs = ModulateInputs {
+        guide: &guides.guide,
+        irradiance: &[&bright, &bright],
+        albedo: Some(&bright),
+        specular: None,
+        emission: Some(&emission),
+    };
     let output = modulate(&frame(EXTENT), &inputs);
     assert_eq!(output.denoised_radiance.texels()[0], [LARGEST_HALF, 0.0, LARGEST_HALF, 1.0]);
 }

@@ -4,7 +4,7 @@ use super::super::super::test_scene::*;
 use super::super::super::{Bindings, Twin};
 use super::*;
 use crate::graph::{Feedback, Graph, Port, Stage};
-use crate::nodes::{Accumulation, Demodulate, Import, Modulate, Variance};
+use crate::nodes::{Accumulation, Albedo, Demodulate, Import, Modulate, Variance};
 use crate::ResetReason;
 use glam::Vec3;
 
@@ -31,12 +31,12 @@ fn declaration(stage: &Stage) -> Declaration {
     let mut g = Graph::new(EXTENT);
     let guides = g.import(Import { surface_id: false, ..Import::default() });
     let noisy = g.radiance("noisy_radiance");
-    let irradiance = g.demodulate(&guides, &noisy, Demodulate { albedo: false, ..Demodulate::default() });
+    let irradiance = g.demodulate(&guides, &noisy, Demodulate { albedo: Albedo::None, ..Demodulate::default() });
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
     let halved = g.stage(stage).bind("bright", estimate.image()).add().image("halved").expect("it writes it");
-    let radiance = g.modulate(&guides, &Port::of(halved), Modulate { albedo: false, emission: false });
+    let radiance = g.modulate(&guides, &Port::of(halved), Modulate { albedo: false, emission: false, ..Modulate::default() });
     g.output("dim", &radiance);
     g.finish().expect("valid")
 }

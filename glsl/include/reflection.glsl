@@ -1,0 +1,54 @@
+// What is seen in a glossy surface: how far behind it, how wide its lobe. Twin: src/reference/reflection.rs.
+// Source: [Lagarde and de Rousiers 2014] dominant direction of GGX; the mirror equation for curved surfaces, as [Zimmer et al. 2015] use it.
+#ifndef REFLECTION_GLSL
+#define REFLECTION_GLSL
+#include "frame.glsl"
+#include "conventions.glsl"
+
+struct Reflection {
+    float hit_distance;  // scene units; 0: unknown
+    float roughness;     // perceptual
+};
+
+// Stored for what is beyond the scene.
+const float FARTHEST_HIT = 65504.0;
+
+uint pack_reflection(Reflection r) { return packHalf2x16(vec2(min(r.hit_distance, FARTHEST_HIT), r.roughness)); }
+
+Reflection unpack_reflection(uint packed) {
+    vec2 halves = unpackHalf2x16(packed);
+    return Reflection(halves.x, halves.y);
+}
+
+// Width parameter of the GGX distribution.
+float lobe_width(float roughness) { return roughness * roughness; }
+
+// Share of a lobe's light that moves as an image in a mirror does: 1, a mirror, to 0, a surface that is as bright from everywhere.
+float mirror_share(float roughness) {
+    float smoothness = 1.0 - lobe_width(roughness);
+    return clamp(smoothness * (sqrt(smoothness) + lobe_width(roughness)), 0.0, 1.0);
+}
+
+// Pixels that the lobe of a surface covers at the distance of what is seen in it.
+float lobe_radius(float linear_depth, Reflection r) {
+    if (r.hit_distance == 0.0) return 65504.0;
+    float z = forward_sign() * (linear_depth + r.hit_distance);
+    float w = abs(frame.clip_from_view[2][3] * z + frame.clip_from_view[3][3]);
+    float pixels = 0.5 * float(frame.render_extent.y) * abs(frame.clip_from_view[1][1]) / max(w, 1e-20);
+    return min(lobe_width(r.roughness) * r.hit_distance * pixels, 65504.0);
+}
+
+// Hit distance as a share of the way from the eye: bounded, and next to what moves on the screen, so that means are taken of it. 0 of the
+// background, too.
+float nearness_of(float linear_depth, float hit_distance) { return hit_distance / max(linear_depth + hit_distance, 1e-20); }
+
+float hit_distance_of(float linear_depth, float nearness) {
+    return nearness > 0.0 ? clamp(linear_depth * nearness / max(1.0 - nearness, 1e-6), 1.0 / 16384.0, FARTHEST_HIT) : 0.0;
+}
+
+// Distance behind a surface of the image of what it reflects. Convex surfaces, of positive curvature, pull it near.
+float image_distance(Reflection r, float curvature) {
+    return r.hit_distance * mirror_share(r.roughness) / max(1.0 + 2.0 * curvature * r.hit_distance, 0.1);
+}
+
+#endif

@@ -1,0 +1,15 @@
+// Perceptual roughness from a host's image. Twin: src/reference/reflection.rs.
+#ifndef ROUGHNESS_GLSL
+#define ROUGHNESS_GLSL
+#include "conventions.glsl"
+#include "finite.glsl"
+
+bool is_roughness(float stored) { return is_finite(stored) && stored >= 0.0 && stored <= 1.0; }
+
+// What is not finite counts as rough, which is filtered most.
+float roughness_of(float stored) {
+    float roughness = is_finite(stored) ? clamp(stored, 0.0, 1.0) : 1.0;
+    return has_convention(ROUGHNESS_ALPHA) ? sqrt(roughness) : roughness;
+}
+
+#endif

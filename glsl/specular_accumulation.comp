@@ -1,0 +1,293 @@
+#version 450
+// Blends what is seen in glossy surfaces with its own past, looked up where the surface was and where the image behind it was.
+// Source: virtual motion of reflections [Zimmer et al. 2015]; two reprojections of which the better one counts [Stachowiak 2015]; the blend is
+// that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe.
+// In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
+//      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
+// Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units) and roughness.
+// optional: roughness, history_confidence
+#extension GL_EXT_control_flow_attributes : require
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(push_constant) uniform Push {
+    uint present;
+    float alpha;
+    float alpha_moments;
+    float max_history_length;
+    float depth_tolerance;
+    float normal_tolerance;
+} push;
+
+#include "frame.glsl"
+#include "optional.glsl"
+#include "surface_motion.glsl"
+#include "moments.glsl"
+#include "luminance.glsl"
+#include "view_position.glsl"
+#include "forward_projection.glsl"
+#include "roughness.glsl"
+#include "reflection.glsl"
+
+const uint ROUGHNESS = 6u;
+const uint HISTORY_CONFIDENCE = 7u;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform utexture2D previous_guide;
+layout(set = 0, binding = 3) uniform utexture2D surface_motion;
+layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
+layout(set = 0, binding = 5) uniform texture2D noisy;
+layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
+layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
+layout(set = 0, binding = 8) uniform texture2D history;
+layout(set = 0, binding = 9) uniform utexture2D previous_moments;
+layout(set = 0, binding = 10) uniform utexture2D previous_reflection;
+layout(set = 0, binding = 11, rgba16f) uniform writeonly image2D accumulated;
+layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_moments;
+layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
+
+// The surface of a pixel, with what is expected of it in the previous frame.
+struct Centre {
+    ivec2 p;
+    uvec4 packed;
+    vec3 position;   // world space
+    vec3 sight;      // from the eye, of unit length
+    vec3 normal;
+    float depth;
+    vec2 gradient;   // of depth, scene units per pixel
+    SurfaceMotion motion;
+    vec2 surface_position;  // in the previous frame, pixels; centres are whole numbers
+};
+
+// What the past holds at one position.
+struct Past {
+    float weight;
+    float frames;
+    float nearness;  // mean of hit distance / (depth + hit distance)
+    float roughness;
+    vec3 irradiance;
+    float mean;
+    float second_moment;
+};
+
+const float MIN_TAP_WEIGHT = 0.01;
+
+Centre centre_of(ivec2 p, uvec4 packed) {
+    Centre c;
+    c.p = p;
+    c.packed = packed;
+    c.depth = unpack_depth(packed);
+    vec3 view = view_position(p, c.depth);
+    c.position = (frame.world_from_view * vec4(view, 1.0)).xyz;
+    c.sight = normalize(mat3(frame.world_from_view) * (view - view_position(p, 0.0)));
+    c.normal = unpack_normal(packed);
+    c.gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    c.motion = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+    c.surface_position = previous_position(p, c.motion.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
+    return c;
+}
+
+// Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs.
+float hit_distance_now(Centre c, float own, float roughness) {
+    float radius = lobe_radius(c.depth, Reflection(own, roughness));
+    float sharpness = 1.0 / max(radius * radius, 1e-6);
+    vec2 sum = vec2(0.0);
+    // Registers are scarce here: unrolled, its taps would all be in flight at once.
+    [[dont_unroll]] for (int y = -1; y <= 1; ++y)
+        [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
+            ivec2 q = c.p + ivec2(x, y), tap = nearest_inside(q);
+            float distance = texelFetch(noisy, tap, 0).a;
+            uvec4 packed = texelFetch(guide, tap, 0);
+            bool same = q == tap && distance > 0.0 && unpack_depth(packed) != 0.0 && unpack_id(packed) == unpack_id(c.packed);
+            float weight = same ? exp2(-float(x * x + y * y) * min(sharpness, 64.0)) : 0.0;
+            sum += weight * vec2(nearness_of(unpack_depth(packed), distance), 1.0);
+        }
+    return sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
+}
+
+// Pixels between normals of which the curvature is made: the guide's are rounded to half a degree.
+const int CURVATURE_REACH = 3;
+
+// Curvature towards one side, 1 / scene unit; positive: convex. False: another surface is there.
+bool curvature_towards(Centre c, ivec2 offset, out float curvature) {
+    ivec2 q = c.p + offset;
+    curvature = 0.0;
+    if (!is_inside(q)) return false;
+    uvec4 packed = texelFetch(guide, q, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
+    vec3 way = (frame.world_from_view * vec4(view_position(q, z), 1.0)).xyz - c.position;
+    curvature = dot(unpack_normal(packed) - c.normal, way) / max(dot(way, way), 1e-20);
+    return true;
+}
+
+// The flatter side of each axis counts: where two faces meet, the other one tells of the edge.
+float curvature_along(Centre c, ivec2 axis) {
+    float before, behind;
+    bool has_before = curvature_towards(c, -CURVATURE_REACH * axis, before);
+    bool has_behind = curvature_towards(c, CURVATURE_REACH * axis, behind);
+    if (!has_before || !has_behind) return 0.0;
+    return abs(before) < abs(behind) ? before : behind;
+}
+
+float mean_curvature(Centre c) { return 0.5 * (curvature_along(c, ivec2(1, 0)) + curvature_along(c, ivec2(0, 1))); }
+
+// Where a point of the world that stands still was on the screen; false: behind the camera.
+bool previous_pixel_position(vec3 world, out vec2 position) {
+    vec4 clip = frame.previous_clip_from_world * vec4(world, 1.0);
+    vec2 extent = vec2(frame.previous_render_extent);
+    position = (clip.xy / clip.w * 0.5 + 0.5) * extent - frame.jitter * (extent / vec2(frame.render_extent)) - 0.5;
+    // What lies far outside has no pixel, and its number none either.
+    return clip.w > 0.0 && all(lessThan(abs(position), vec2(1e6)));
+}
+
+// Where the image behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
+bool virtual_position(Centre c, float distance, float share, out vec2 position) {
+    vec2 still;
+    if (!previous_pixel_position(c.position, still)) return false;
+    if (!previous_pixel_position(c.position + c.sight * distance, position)) return false;
+    position += (c.surface_position - still) * (1.0 - share);
+    return true;
+}
+
+bool is_same_surface(Centre c, ivec2 tap) {
+    if (!is_inside_previous(tap)) return false;
+    uvec4 packed = texelFetch(previous_guide, tap, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
+    vec2 aside = vec2(tap) - c.surface_position;
+    float previous_z = c.depth * (1.0 + c.motion.depth_ratio);
+    float expected = previous_z + dot(c.gradient, aside);
+    float slack = push.depth_tolerance * previous_z + (abs(c.gradient.x) + abs(c.gradient.y)) * (1.0 + 0.1 * length(aside));
+    return abs(z - expected) <= slack && dot(unpack_normal(packed), c.motion.previous_normal) >= push.normal_tolerance;
+}
+
+Past nothing() { return Past(0.0, 0.0, 0.0, 0.0, vec3(0.0), 0.0, 0.0); }
+
+// The tested 2x2 taps around a position, as a mean.
+Past past_at(Centre c, vec2 position) {
+    Past sum = nothing();
+    vec2 corner = floor(position), f = position - corner;
+    [[dont_unroll]] for (int i = 0; i < 4; ++i) {
+        ivec2 offset = ivec2(i & 1, i >> 1), tap = ivec2(corner) + offset;
+        float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+        if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
+        Moments m = unpack_moments(texelFetch(previous_moments, tap, 0));
+        Reflection r = unpack_reflection(texelFetch(previous_reflection, tap, 0).x);
+        sum.weight += weight;
+        sum.frames += weight * m.history_length;
+        sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
+        sum.roughness += weight * r.roughness;
+        sum.irradiance += weight * texelFetch(history, tap, 0).rgb;
+        sum.mean += weight * m.mean;
+        sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
+    }
+    if (sum.weight < MIN_TAP_WEIGHT) return nothing();
+    float scale = 1.0 / sum.weight;
+    return Past(sum.weight, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, sum.irradiance * scale, sum.mean * scale,
+                sum.second_moment * scale);
+}
+
+// Whether the surface at a pixel of the previous frame mirrored the same thing: the lobe there holds the direction to it.
+bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
+    ivec2 q = ivec2(floor(position + 0.5));
+    if (!is_inside_previous(q)) return false;
+    uvec4 packed = texelFetch(previous_guide, q, 0);
+    float z = unpack_depth(packed);
+    if (z == 0.0) return false;
+    vec3 at = previous_world_position(q, z).xyz, beyond = previous_world_position(q, 2.0 * z).xyz;
+    vec3 mirrored = reflect(normalize(beyond - at), unpack_normal(packed));
+    vec3 thing = c.position + reflect(c.sight, c.normal) * min(distance, 1e4 * c.depth);
+    vec3 difference = mirrored - normalize(thing - at);
+    // Normals of the guide are rounded to half a degree, and a mirror doubles that.
+    float tolerance = 0.06 + 2.0 * lobe_width(roughness);
+    return dot(difference, difference) <= tolerance * tolerance;
+}
+
+// Frames that a past is worth whose content is `error` pixels off in each of them.
+float worth(float frames, float error, float tolerance) { return min(frames, tolerance / max(error, 1e-4)); }
+
+float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
+
+float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
+
+Past mixed(Past a, Past b, float share) {
+    return Past(1.0, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share),
+                mix(a.irradiance, b.irradiance, share), mix(a.mean, b.mean, share), mix(a.second_moment, b.second_moment, share));
+}
+
+// The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
+Past best_past(Centre c, float roughness, inout float hit_distance) {
+    Past surface = past_at(c, c.surface_position);
+    float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
+    if (surface.weight > 0.0 && surface.nearness > 0.0 && hit_distance > 0.0) {
+        // A lobe that covers pixels is blurred anyway, and its hits are noisy.
+        float share = radius * radius / (1.0 + radius * radius) * surface.frames / (1.0 + surface.frames);
+        hit_distance = hit_distance_of(c.depth, mix(nearness_of(c.depth, hit_distance), surface.nearness, share));
+    }
+    float curvature = mean_curvature(c), share = mirror_share(roughness);
+    float tolerance = 0.5 + 0.5 * radius;
+    vec2 position = c.surface_position;
+    Reflection r = Reflection(hit_distance, roughness);
+    Past image = nothing();
+    bool found = hit_distance > 0.0 && virtual_position(c, image_distance(r, curvature), share, position);
+    if (found && is_in_lobe(c, position, hit_distance, roughness)) image = past_at(c, position);
+    if (found) surface.frames = worth(surface.frames, distance(position, c.surface_position), tolerance);
+    if (image.weight > 0.0) {
+        vec2 remembered = position;
+        Reflection before = Reflection(hit_distance_of(c.depth, image.nearness), roughness);
+        bool known = virtual_position(c, image_distance(before, curvature), share, remembered);
+        image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
+        // Another thing is seen there now, or another finish of the surface.
+        float change = abs(nearness_of(c.depth, hit_distance) - image.nearness) * share / (0.05 + lobe_width(roughness));
+        change += abs(roughness - image.roughness) * 8.0;
+        image.frames = worth(image.frames, change, 2.0);
+    }
+    if (surface.weight == 0.0) return image;
+    if (image.weight == 0.0) return surface;
+    float a = surface.frames * surface.frames, b = image.frames * image.frames;
+    return mixed(surface, image, b / max(a + b, 1e-20));
+}
+
+vec4 blend(vec3 irradiance, Past past, float change, inout Moments moments) {
+    float scale = frame.exposure_ratio;
+    vec3 before = storable(past.irradiance * scale);
+    float mean = min(past.mean * scale, 65504.0);
+    float variance = min(max(0.0, past.second_moment - past.mean * past.mean) * scale * scale, 65504.0 * 65504.0);
+    float frames = min(past.frames + 1.0, push.max_history_length);
+    if (is_present(HISTORY_CONFIDENCE)) frames = min(frames, 1.0 / max(adapted(push.alpha, change), 1e-6));
+    float alpha = max(adapted(push.alpha, change), 1.0 / frames);
+    float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / frames);
+    float difference = moments.mean - mean;
+    moments.mean = mean + alpha_moments * difference;
+    moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
+    moments.history_length = frames;
+    moments.reason = REASON_NONE;
+    return vec4(alpha < 1.0 ? mix(before, irradiance, alpha) : irradiance, 0.0);
+}
+
+void main() {
+    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_inside(p)) return;
+    uvec4 packed = texelFetch(guide, p, 0);
+    vec4 value = texelFetch(noisy, p, 0);
+    float rough = roughness_of(is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0);
+    bool background = unpack_depth(packed) == 0.0;
+    Moments moments = Moments(luminance(value.rgb), 0.0, 1.0, background ? REASON_NONE : REASON_RESET);
+    Reflection seen = Reflection(0.0, rough);
+    vec3 irradiance = value.rgb;
+    if (!background) {
+        Centre c = centre_of(p, packed);
+        seen.hit_distance = hit_distance_now(c, value.a, rough);
+        if (!has_flag(FLAG_RESET)) {
+            Past past = best_past(c, rough, seen.hit_distance);
+            moments.reason = REASON_DEPTH;
+            if (past.weight > 0.0) irradiance = blend(irradiance, past, change_at(p), moments).rgb;
+        }
+    }
+    imageStore(accumulated, p, vec4(storable(irradiance), length_or_reason(moments)));
+    imageStore(new_moments, p, uvec4(pack_luminance_moments(moments)));
+    imageStore(reflection, p, uvec4(pack_reflection(seen)));
+}

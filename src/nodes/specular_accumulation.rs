@@ -1,0 +1,75 @@
+//! Blends specular light with its own past, found where the surface was and where the image of what it mirrors was.
+//! \[Zimmer et al. 2015\], \[Stachowiak 2015\]
+
+pub(crate) mod twin;
+
+use crate::contract::Lifetime;
+use crate::graph::{Accumulated, Confidence, Feedback, Graph, Guides, History, Irradiance, Pass, Port, Reflection, Value};
+use crate::graph::{HDR, HOST_SCALAR, PACKED_32};
+use crate::shaders;
+
+/// Parameters of the node `specular_accumulation`.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SpecularAccumulation {
+    /// Source of the history. Default: [`Feedback::Accumulated`].
+    pub feedback: Feedback,
+    /// Confidence that may shorten the history of a pixel \[ASVGF\]. Default: none.
+    pub confidence: Option<Confidence>,
+    /// Smallest weight of the new sample. Default: [`crate::Tuning::alpha`].
+    pub alpha: Value,
+    /// Smallest weight of the new sample in the moments. Default: [`crate::Tuning::alpha_moments`].
+    pub alpha_moments: Value,
+}
+
+/// Outputs of the node `specular_accumulation`.
+#[derive(Clone, Copy, Debug)]
+pub struct AccumulatedSpecular {
+    /// Specular irradiance, blended with its past.
+    pub accumulated: Accumulated,
+    /// The history that the next frame reads; give it to the node `variance`.
+    pub history: History,
+    /// What is seen in the surfaces.
+    pub reflection: Reflection,
+}
+
+impl Graph {
+    /// Accumulates what [`Self::demodulate`] made of specular light with [`crate::nodes::Albedo::Specular`]; one signal. The optional
+    /// input `roughness` says how wide lobes are; without it all surfaces are rough.
+    pub fn specular_accumulation(
+        &mut self,
+        guides: &Guides,
+        irradiance: &Irradiance,
+        parameters: SpecularAccumulation,
+    ) -> AccumulatedSpecular {
+        let label = self.label_of(irradiance);
+        let node = self.node("specular_accumulation", &label);
+        if irradiance.signals() != 1 {
+            self.fail(&node, "irradiance", "two signals were given; specular light is one".to_owned());
+        }
+        let accumulated: Accumulated = Port::of(self.named_image("accumulated", &label, HDR, 1, Lifetime::Transient));
+        let history = self.history(&accumulated, parameters.feedback);
+        let reflection = self.named_image("reflection", &label, PACKED_32, 1, Lifetime::History);
+        let pass = Pass::new(&node, &shaders::SPECULAR_ACCUMULATION)
+            .value("alpha", parameters.alpha)
+            .value("alpha_moments", parameters.alpha_moments)
+            .bind("guide", guides.guide)
+            .previous("previous_guide", guides.guide)
+            .bind("surface_motion", guides.surface_motion)
+            .bind("depth_gradient", guides.depth_gradient)
+            .bind("noisy", irradiance.image())
+            .bind("roughness", self.input("roughness", HOST_SCALAR, 1, true))
+            .bind_some("history_confidence", parameters.confidence.map(|confidence| confidence.image()))
+            .previous("history", history.colour()[0])
+            .previous("previous_moments", history.moments()[0])
+            .previous("previous_reflection", reflection)
+            .bind("accumulated", accumulated.image())
+            .bind("new_moments", history.new_moments()[0])
+            .bind("reflection", reflection);
+        self.add(pass);
+        AccumulatedSpecular {
+            accumulated: self.renewed(&accumulated),
+            history,
+            reflection: Reflection { image: self.refreshed(reflection) },
+        }
+    }
+}

@@ -1,0 +1,238 @@
+//! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
+
+use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::bindings::Bindings;
+use crate::reference::conventions::is_reset;
+use crate::reference::guide::{unpack_guide, Surface};
+use crate::reference::luminance::texel_luminance;
+use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
+use crate::reference::projection::{extent_ratio, view_position};
+use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
+use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Error, FrameConstants, Tuning};
+use glam::{IVec2, Mat4, Vec2, Vec3};
+
+mod curvature;
+mod past;
+#[cfg(test)]
+mod tests;
+
+use past::Past;
+
+/// Images that the previous frame left.
+#[derive(Clone, Copy, Debug)]
+pub struct PreviousSpecular<'a> {
+    /// The guide.
+    pub guide: &'a Image<[u16; 4]>,
+    /// rgb: irradiance.
+    pub history: &'a Image<[f32; 4]>,
+    /// See [`crate::reference::unpack_moments`].
+    pub moments: &'a Image<[u16; 4]>,
+    /// The image `reflection`, see [`crate::reference::unpack_reflection`].
+    pub reflection: &'a Image<u32>,
+}
+
+/// Inputs of [`specular_accumulation`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct SpecularAccumulationInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `surface_motion`, from the stage `import`.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// rgb: specular irradiance; alpha: hit distance, as the stage `demodulate` has it (0: unknown).
+    pub noisy: &'a Image<[f32; 4]>,
+    /// x: roughness of the host.
+    pub roughness: Option<&'a Image<[f32; 4]>>,
+    /// Confidence in the history.
+    pub history_confidence: Option<&'a Image<f32>>,
+    /// The previous frame, which is not read in a reset frame.
+    pub previous: PreviousSpecular<'a>,
+}
+
+/// Outputs of [`specular_accumulation`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpecularAccumulationOutputs {
+    /// rgb: accumulated irradiance, half precision; alpha 0.
+    pub accumulated: Image<[f32; 4]>,
+    /// See [`crate::reference::unpack_moments`].
+    pub moments: Image<[u16; 4]>,
+    /// See [`crate::reference::unpack_reflection`].
+    pub reflection: Image<u32>,
+}
+
+/// The frame with what all of its pixels share.
+struct Scene<'a> {
+    frame: &'a FrameConstants,
+    tuning: &'a Tuning,
+    inputs: &'a SpecularAccumulationInputs<'a>,
+    rect: RenderRect,
+    world_from_view: Mat4,
+    surfaces: Image<Surface>,
+    previous_surfaces: Image<Surface>,
+}
+
+/// The surface of a pixel, with what is expected of it in the previous frame.
+struct Centre {
+    p: IVec2,
+    surface: Surface,
+    /// World space.
+    position: Vec3,
+    /// From the eye, of unit length, world space.
+    sight: Vec3,
+    /// Of depth, scene units per pixel.
+    gradient: Vec2,
+    motion: SurfaceMotion,
+    /// Where it was, pixels of the previous frame; centres are whole numbers.
+    surface_position: Vec2,
+}
+
+/// Accumulates specular light along the motion of surfaces and of what is seen in them, whichever tells more.
+pub fn specular_accumulation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &SpecularAccumulationInputs,
+) -> SpecularAccumulationOutputs {
+    let scene = Scene::new(frame, tuning, inputs);
+    let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| scene.accumulated(p));
+    SpecularAccumulationOutputs {
+        accumulated: texels.map(|t| t.0),
+        moments: texels.map(|t| pack_moments(&t.1)),
+        reflection: texels.map(|t| pack_reflection(&t.2)),
+    }
+}
+
+impl<'a> Scene<'a> {
+    fn new(frame: &'a FrameConstants, tuning: &'a Tuning, inputs: &'a SpecularAccumulationInputs<'a>) -> Self {
+        let extent = inputs.guide.extent();
+        let surfaces = |guide: &Image<[u16; 4]>, size| Image::compute(extent, size, |p| unpack_guide(guide.at(p)));
+        Self {
+            frame,
+            tuning,
+            inputs,
+            rect: RenderRect::new(frame.render_extent),
+            world_from_view: Mat4::from_cols_array_2d(&frame.world_from_view),
+            surfaces: surfaces(inputs.guide, frame.render_extent),
+            previous_surfaces: match is_reset(frame) {
+                true => Image::new(extent, Surface::default()),
+                false => surfaces(inputs.previous.guide, frame.previous_render_extent),
+            },
+        }
+    }
+}
+
+impl Scene<'_> {
+    fn accumulated(&self, p: IVec2) -> ([f32; 4], Moments, SeenReflection) {
+        let [r, g, b, own_distance] = self.inputs.noisy.at(p);
+        let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
+        let surface = self.surfaces.at(p);
+        let fresh = |reason: Reason| {
+            let mean = texel_luminance([r, g, b, 0.0]);
+            ([store(r), store(g), store(b), 0.0], Moments { mean, deviation: 0.0, history_length: 1.0, reason: reason as u16 })
+        };
+        let with = |(texel, moments), seen| (texel, moments, seen);
+        if surface.is_background() {
+            return with(fresh(Reason::None), SeenReflection { hit_distance: 0.0, roughness });
+        }
+        let c = self.centre(p, surface);
+        let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance, roughness), roughness };
+        if is_reset(self.frame) {
+            return with(fresh(Reason::Reset), seen);
+        }
+        match self.best_past(&c, &mut seen) {
+            Some(past) => with(self.blend(p, [r, g, b], &past), seen),
+            None => with(fresh(Reason::Depth), seen),
+        }
+    }
+
+    fn world(&self, view: Vec3) -> Vec3 {
+        self.world_from_view.transform_point3(view)
+    }
+
+    fn centre(&self, p: IVec2, surface: Surface) -> Centre {
+        let view = view_position(self.frame, p, surface.linear_depth);
+        let sight = self.world_from_view.transform_vector3(view - view_position(self.frame, p, 0.0)).normalize();
+        let motion = unpack_surface_motion(self.inputs.surface_motion.at(p));
+        Centre {
+            p,
+            surface,
+            position: self.world(view),
+            sight,
+            gradient: unpack_depth_gradient(self.inputs.depth_gradient.at(p)).into(),
+            motion,
+            surface_position: (p.as_vec2() + 0.5) * extent_ratio(self.frame) + Vec2::from(motion.motion) - 0.5,
+        }
+    }
+
+    /// Hit distance of this frame, over as many of 3×3 pixels as the lobe blurs.
+    fn hit_distance_now(&self, c: &Centre, own: f32, roughness: f32) -> f32 {
+        let radius = lobe_radius(self.frame, c.surface.linear_depth, SeenReflection { hit_distance: own, roughness });
+        let sharpness = (1.0 / (radius * radius).max(1e-6)).min(64.0);
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for (offset, q) in self.rect.window(c.p, 1, 1) {
+            let (tap, distance) = (self.surfaces.at(q), self.inputs.noisy.at(q)[3]);
+            if distance > 0.0 && !tap.is_background() && tap.id == c.surface.id {
+                let weight = (-(offset.length_squared() as f32) * sharpness).exp2();
+                sum += weight * nearness(tap.linear_depth, distance);
+                weights += weight;
+            }
+        }
+        if weights > 0.0 {
+            hit_distance_of(c.surface.linear_depth, sum / weights)
+        } else {
+            0.0
+        }
+    }
+
+    /// Blends a pixel with its past as \[SVGF 4.1\] does.
+    fn blend(&self, p: IVec2, noisy: [f32; 3], past: &Past) -> ([f32; 4], Moments) {
+        let scale = self.frame.exposure_ratio;
+        let change = self.inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
+        let mut frames = (past.frames + 1.0).min(self.tuning.max_history_length);
+        if self.inputs.history_confidence.is_some() {
+            frames = frames.min(1.0 / adapted(self.tuning.alpha).max(1e-6));
+        }
+        let alpha = adapted(self.tuning.alpha).max(1.0 / frames);
+        let alpha_moments = adapted(self.tuning.alpha_moments).max(1.0 / frames);
+        let [r, g, b] = [0, 1, 2].map(|i| {
+            let before = (past.irradiance[i] * scale).clamp(0.0, LARGEST_HALF);
+            store(if alpha < 1.0 { before + alpha * (noisy[i] - before) } else { noisy[i] })
+        });
+        let mean = (past.mean * scale).min(LARGEST_HALF);
+        let variance = ((past.second_moment - past.mean * past.mean).max(0.0) * scale * scale).min(LARGEST_HALF * LARGEST_HALF);
+        let difference = texel_luminance([noisy[0], noisy[1], noisy[2], 0.0]) - mean;
+        let moments = Moments {
+            mean: mean + alpha_moments * difference,
+            deviation: ((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference)).sqrt(),
+            history_length: frames,
+            reason: Reason::None as u16,
+        };
+        ([r, g, b, 0.0], moments)
+    }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = SpecularAccumulationInputs {
+        guide: b.packed("guide")?,
+        surface_motion: b.packed("surface_motion")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        noisy: b.colour("noisy")?,
+        roughness: b.optional_colour("roughness")?,
+        history_confidence: b.optional_scalar("history_confidence")?,
+        previous: PreviousSpecular {
+            guide: b.packed("previous_guide")?,
+            history: b.colour("history")?,
+            moments: b.packed("previous_moments")?,
+            reflection: b.uint("previous_reflection")?,
+        },
+    };
+    let outputs = specular_accumulation(b.frame, b.tuning, &inputs);
+    let (accumulated, new_moments) = split_moments(&outputs.accumulated, &outputs.moments);
+    b.write("accumulated", accumulated)?;
+    b.write("new_moments", new_moments)?;
+    b.write("reflection", outputs.reflection)
+}

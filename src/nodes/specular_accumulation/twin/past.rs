@@ -1,0 +1,175 @@
+//! The past of a reflection: where the surface was, where the image behind it was, and how much each is worth.
+
+use super::{Centre, Scene};
+use crate::reference::forward_projection::previous_world_position;
+use crate::reference::moments::unpack_moments;
+use crate::reference::reflection::{
+    hit_distance_of, image_distance, lobe_radius, lobe_width, mirror_share, nearness, unpack_reflection, SeenReflection,
+};
+use crate::reference::render_rect::RenderRect;
+use glam::{IVec2, Mat4, Vec2, Vec3, Vec4Swizzles};
+
+/// Smallest sum of bilinear weights that taps are trusted with.
+const SMALLEST_WEIGHT_SUM: f32 = 0.01;
+
+/// Mean of what the tested taps hold.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Past {
+    /// Frames that it is worth.
+    pub frames: f32,
+    /// Hit distance as a share of the way from the eye.
+    pub nearness: f32,
+    pub roughness: f32,
+    pub irradiance: [f32; 3],
+    pub mean: f32,
+    pub second_moment: f32,
+}
+
+impl Past {
+    fn add(&mut self, tap: &Self, weight: f32) {
+        self.frames += weight * tap.frames;
+        self.nearness += weight * tap.nearness;
+        self.roughness += weight * tap.roughness;
+        (0..3).for_each(|i| self.irradiance[i] += weight * tap.irradiance[i]);
+        self.mean += weight * tap.mean;
+        self.second_moment += weight * tap.second_moment;
+    }
+
+    fn blend(&self, other: &Self, share: f32) -> Self {
+        let mut sum = Self::default();
+        sum.add(self, 1.0 - share);
+        sum.add(other, share);
+        sum
+    }
+}
+
+/// Frames that a past is worth whose content is `error` pixels off in each of them.
+fn worth(frames: f32, error: f32, tolerance: f32) -> f32 {
+    frames.min(tolerance / error.max(1e-4))
+}
+
+impl Scene<'_> {
+    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
+    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<Past> {
+        let depth = c.surface.linear_depth;
+        let mut surface = self.past_at(c, c.surface_position);
+        let radius = lobe_radius(self.frame, depth, *seen);
+        if let Some(past) = surface.filter(|past| past.nearness > 0.0 && seen.hit_distance > 0.0) {
+            let share = radius * radius / (1.0 + radius * radius) * past.frames / (1.0 + past.frames);
+            let now = nearness(depth, seen.hit_distance);
+            seen.hit_distance = hit_distance_of(depth, now + share * (past.nearness - now));
+        }
+        let (curvature, share) = (self.mean_curvature(c), mirror_share(seen.roughness));
+        let tolerance = 0.5 + 0.5 * radius;
+        let position_of = |seen| self.virtual_position(c, image_distance(seen, curvature), share);
+        let position = Some(*seen).filter(|seen| seen.hit_distance > 0.0).and_then(position_of);
+        let image = position.filter(|position| self.is_in_lobe(c, *position, *seen));
+        let mut image = image.and_then(|position| self.past_at(c, position));
+        if let Some(past) = &mut surface {
+            let moved = position.map_or(0.0, |position| position.distance(c.surface_position));
+            past.frames = worth(past.frames, moved, tolerance);
+        }
+        if let (Some(past), Some(position)) = (&mut image, position) {
+            let before = SeenReflection { hit_distance: hit_distance_of(depth, past.nearness), ..*seen };
+            let remembered = position_of(before).unwrap_or(position);
+            past.frames = worth(past.frames, position.distance(remembered), tolerance);
+            let distance = (nearness(depth, seen.hit_distance) - past.nearness).abs();
+            let change = distance * share / (0.05 + lobe_width(seen.roughness)) + (seen.roughness - past.roughness).abs() * 8.0;
+            past.frames = worth(past.frames, change, 2.0);
+        }
+        match (surface, image) {
+            (Some(surface), Some(image)) => {
+                let [a, b] = [surface, image].map(|past| past.frames * past.frames);
+                Some(surface.blend(&image, b / (a + b).max(1e-20)))
+            }
+            (surface, image) => surface.or(image),
+        }
+    }
+
+    /// Where a point of the world that stands still was on the screen; `None`: behind the camera.
+    fn previous_pixel_position(&self, world: Vec3) -> Option<Vec2> {
+        let clip = Mat4::from_cols_array_2d(&self.frame.previous_clip_from_world) * world.extend(1.0);
+        let extent = Vec2::from(self.frame.previous_render_extent.map(|side| side as f32));
+        let ratio = extent / Vec2::from(self.frame.render_extent.map(|side| side as f32));
+        let position = (clip.xy() / clip.w * 0.5 + 0.5) * extent - Vec2::from(self.frame.jitter) * ratio - 0.5;
+        (clip.w > 0.0 && position.abs().cmplt(Vec2::splat(1e6)).all()).then_some(position)
+    }
+
+    /// Where the image at a distance behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
+    fn virtual_position(&self, c: &Centre, distance: f32, share: f32) -> Option<Vec2> {
+        let still = self.previous_pixel_position(c.position)?;
+        let position = self.previous_pixel_position(c.position + c.sight * distance)?;
+        Some(position + (c.surface_position - still) * (1.0 - share))
+    }
+
+    fn is_same_surface(&self, c: &Centre, q: IVec2) -> bool {
+        if !RenderRect::new(self.frame.previous_render_extent).contains(q) {
+            return false;
+        }
+        let tap = self.previous_surfaces.at(q);
+        if tap.is_background() || tap.id != c.surface.id {
+            return false;
+        }
+        let aside = q.as_vec2() - c.surface_position;
+        let previous_depth = c.surface.linear_depth * (1.0 + c.motion.depth_ratio);
+        let expected = previous_depth + c.gradient.dot(aside);
+        let slope = c.gradient.abs().element_sum() * (1.0 + 0.1 * aside.length());
+        (tap.linear_depth - expected).abs() <= self.tuning.depth_tolerance * previous_depth + slope
+            && tap.unit_normal().dot(c.motion.previous_normal.into()) >= self.tuning.normal_tolerance
+    }
+
+    /// The mean of the tested 2×2 taps around a position.
+    fn past_at(&self, c: &Centre, position: Vec2) -> Option<Past> {
+        let corner = position.floor();
+        let f = position - corner;
+        let (mut sum, mut weights) = (Past::default(), 0.0);
+        for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+            let q = corner.as_ivec2() + IVec2::new(x, y);
+            let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
+            if weight > 0.0 && self.is_same_surface(c, q) {
+                sum.add(&self.tap(c, q), weight);
+                weights += weight;
+            }
+        }
+        (weights >= SMALLEST_WEIGHT_SUM).then(|| {
+            let mut mean = Past::default();
+            mean.add(&sum, 1.0 / weights);
+            mean
+        })
+    }
+
+    fn tap(&self, c: &Centre, q: IVec2) -> Past {
+        let previous = &self.inputs.previous;
+        let (moments, seen) = (unpack_moments(previous.moments.at(q)), unpack_reflection(previous.reflection.at(q)));
+        let [r, g, b, _] = previous.history.at(q);
+        Past {
+            frames: moments.history_length,
+            nearness: nearness(c.surface.linear_depth, seen.hit_distance),
+            roughness: seen.roughness,
+            irradiance: [r, g, b],
+            mean: moments.mean,
+            second_moment: moments.deviation * moments.deviation + moments.mean * moments.mean,
+        }
+    }
+
+    /// Whether the surface at a pixel of the previous frame mirrored the same thing: its lobe holds the direction to it.
+    fn is_in_lobe(&self, c: &Centre, position: Vec2, seen: SeenReflection) -> bool {
+        let q = (position + 0.5).floor().as_ivec2();
+        if !RenderRect::new(self.frame.previous_render_extent).contains(q) {
+            return false;
+        }
+        let tap = self.previous_surfaces.at(q);
+        if tap.is_background() {
+            return false;
+        }
+        let at = |depth| previous_world_position(self.frame, q, depth).xyz();
+        let position = at(tap.linear_depth);
+        let sight = (at(2.0 * tap.linear_depth) - position).normalize();
+        let reach = seen.hit_distance.min(1e4 * c.surface.linear_depth);
+        let thing = c.position + c.sight.reflect(c.surface.unit_normal()) * reach;
+        let difference = sight.reflect(tap.unit_normal()) - (thing - position).normalize();
+        // Normals of the guide are rounded to half a degree, and a mirror doubles that.
+        let tolerance = 0.06 + 2.0 * lobe_width(seen.roughness);
+        difference.length_squared() <= tolerance * tolerance
+    }
+}

@@ -1,0 +1,202 @@
+use super::*;
+use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs};
+use crate::reference::guide::pack_guide;
+use crate::reference::reflection::unpack_reflection;
+use crate::reference::surface_motion::pack_surface_motion;
+use crate::reference::test_scene::*;
+use crate::Config;
+
+const EXTENT: [u32; 2] = [32, 16];
+/// Pixels from one side of the image to the other side of a square one: the focal length of the test's camera.
+const FOCAL: f32 = 8.0;
+const WALL: f32 = 4.0;
+/// Of the camera from frame to frame, to the right, scene units.
+const STEP: f32 = 2.0;
+
+/// A wall that faces a camera that slides, with a history whose value is the column.
+struct Wall {
+    frame: FrameConstants,
+    guides: Guides,
+    noisy: Image<[f32; 4]>,
+    roughness: Image<[f32; 4]>,
+    history: Image<[f32; 4]>,
+    moments: Image<[u16; 4]>,
+    reflection: Image<u32>,
+}
+
+impl Wall {
+    fn new(step: f32, hit_distance: f32, roughness: f32) -> Self {
+        let cameras = [0.0, step].map(|x| camera(EXTENT, Vec3::new(x, 0.0, 0.0)));
+        let mut guides = guides(EXTENT, |_, _| surface(WALL));
+        let motion = pack_surface_motion([step * FOCAL / WALL, 0.0], Some((0.0, [0.0, 0.0, 1.0])));
+        guides.surface_motion = Image::new(EXTENT, motion);
+        let moments = Moments { mean: 4.0, deviation: 1.0, history_length: 1000.0, reason: 0 };
+        Self {
+            frame: frame_with(&Config::new(EXTENT), &cameras[0], &cameras[1]),
+            guides,
+            noisy: Image::new(EXTENT, [0.0, 0.0, 0.0, hit_distance]),
+            roughness: Image::new(EXTENT, [roughness; 4]),
+            history: paint(EXTENT, |x, _| [x as f32; 4]),
+            moments: Image::new(EXTENT, pack_moments(&moments)),
+            reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness })),
+        }
+    }
+
+    fn inputs(&self) -> SpecularAccumulationInputs<'_> {
+        SpecularAccumulationInputs {
+            guide: &self.guides.guide,
+            surface_motion: &self.guides.surface_motion,
+            depth_gradient: &self.guides.depth_gradient,
+            noisy: &self.noisy,
+            roughness: Some(&self.roughness),
+            history_confidence: None,
+            previous: PreviousSpecular {
+                guide: &self.guides.guide,
+                history: &self.history,
+                moments: &self.moments,
+                reflection: &self.reflection,
+            },
+        }
+    }
+
+    fn run(&self) -> SpecularAccumulationOutputs {
+        specular_accumulation(&self.frame, &tuning(), &self.inputs())
+    }
+
+    /// Columns from a pixel in the middle to that of the history which it took over.
+    fn shift(&self) -> f32 {
+        self.run().accumulated.at(IVec2::new(15, 8))[0] - 15.0
+    }
+}
+
+/// History alone, for as long as it is worth.
+fn tuning() -> Tuning {
+    Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..Tuning::default() }
+}
+
+#[test]
+fn what_is_seen_in_a_mirror_moves_as_its_image_behind_the_mirror() {
+    let image = STEP * FOCAL / (WALL + 4.0);
+    assert!((Wall::new(STEP, 4.0, 0.0).shift() - image).abs() < 0.05, "{} for {image}", Wall::new(STEP, 4.0, 0.0).shift());
+    // The sky stands still on the screen of a camera that slides.
+    assert!(Wall::new(STEP, FARTHEST, 0.0).shift().abs() < 0.05);
+}
+
+const FARTHEST: f32 = crate::reference::FARTHEST_HIT;
+
+#[test]
+fn rough_surfaces_and_unknown_distances_move_as_the_surface() {
+    let expected = STEP * FOCAL / WALL;
+    for (hit_distance, roughness) in [(4.0, 1.0), (0.0, 0.0), (0.0, 1.0)] {
+        let shift = Wall::new(STEP, hit_distance, roughness).shift();
+        assert!((shift - expected).abs() < 0.05, "{hit_distance} {roughness}: {shift}");
+    }
+}
+
+#[test]
+fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
+    let mut wall = Wall::new(0.7, 0.0, 1.0);
+    wall.noisy = noise(EXTENT, 3);
+    let tuning = Tuning::default();
+    let ours = specular_accumulation(&wall.frame, &tuning, &wall.inputs());
+    let signal = SignalHistory { irradiance: &wall.history, moments: &wall.moments };
+    let diffuse = temporal_accumulation(
+        &wall.frame,
+        &tuning,
+        &TemporalAccumulationInputs {
+            guide: &wall.guides.guide,
+            surface_motion: &wall.guides.surface_motion,
+            depth_gradient: &wall.guides.depth_gradient,
+            irradiance: &[&wall.noisy],
+            object_normals: None,
+            history_confidence: None,
+            repair: false,
+            sharp: false,
+            light_ratio: None,
+            previous: Some(PreviousFrame { guide: &wall.guides.guide, signals: &[signal] }),
+        },
+    );
+    for p in [IVec2::new(3, 3), IVec2::new(12, 9), IVec2::new(20, 15)] {
+        let (a, b) = (ours.accumulated.at(p), diffuse.irradiance[0].at(p));
+        assert!((a[0] - b[0]).abs() < 0.02, "{p}: {a:?} {b:?}");
+        assert_eq!(ours.moments.at(p)[2], diffuse.moments[0].at(p)[2], "{p}: history length");
+    }
+}
+
+#[test]
+fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
+    let length = |wall: &Wall| crate::reference::unpack_moments(wall.run().moments.at(IVec2::new(10, 8))).history_length;
+    let same = Wall::new(0.0, 4.0, 0.0);
+    assert!(length(&same) > 900.0, "{}", length(&same));
+    for before in [SeenReflection { hit_distance: 0.5, roughness: 0.0 }, SeenReflection { hit_distance: 4.0, roughness: 0.8 }] {
+        let mut other = Wall::new(0.0, 4.0, 0.0);
+        other.reflection = Image::new(EXTENT, pack_reflection(&before));
+        other.guides.surface_motion = Image::new(EXTENT, pack_surface_motion([100.0, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
+        assert!(length(&other) < 10.0, "{before:?}: {}", length(&other));
+    }
+}
+
+#[test]
+fn a_lobe_takes_the_distance_of_its_surroundings_and_a_mirror_its_own() {
+    let of = |roughness| {
+        let mut wall = Wall::new(0.0, 4.0, roughness);
+        wall.noisy = paint(EXTENT, |x, y| [0.0, 0.0, 0.0, if (x + y) % 2 == 0 { 2.0 } else { 8.0 }]);
+        wall.frame = reset(wall.frame);
+        unpack_reflection(wall.run().reflection.at(IVec2::new(10, 8))).hit_distance
+    };
+    assert!((of(0.0) - 2.0).abs() < 0.01, "{}", of(0.0));
+    assert!(of(0.9) > 3.0, "{}", of(0.9));
+}
+
+#[test]
+fn a_ball_is_as_curved_as_its_radius_says() {
+    let (radius, middle, extent) = (2.0, Vec3::new(0.0, 0.0, -5.0), [64, 64]);
+    let at = camera(extent, Vec3::ZERO);
+    let frame = frame_with(&Config::new(extent), &at, &at);
+    let guides = guides(extent, |x, y| {
+        let sight = view_position(&frame, IVec2::new(x, y), 1.0).normalize();
+        let along = sight.dot(middle);
+        let inside = along * along - middle.length_squared() + radius * radius;
+        if inside <= 0.0 {
+            return Surface::default();
+        }
+        let position = sight * (along - inside.sqrt());
+        Surface { linear_depth: -position.z, normal: ((position - middle) / radius).into(), roughness: 0.0, id: 1 }
+    });
+    let (noisy, moments) = (Image::new(extent, [0.0; 4]), Image::new(extent, [0; 4]));
+    let (history, reflection) = (noisy.clone(), Image::new(extent, 0));
+    let inputs = SpecularAccumulationInputs {
+        guide: &guides.guide,
+        surface_motion: &guides.surface_motion,
+        depth_gradient: &guides.depth_gradient,
+        noisy: &noisy,
+        roughness: None,
+        history_confidence: None,
+        previous: PreviousSpecular { guide: &guides.guide, history: &history, moments: &moments, reflection: &reflection },
+    };
+    let tuning = tuning();
+    let scene = Scene::new(&frame, &tuning, &inputs);
+    let curvature = |p: IVec2| scene.mean_curvature(&scene.centre(p, scene.surfaces.at(p)));
+    for p in [IVec2::new(32, 32), IVec2::new(26, 35)] {
+        assert!((curvature(p) * radius - 1.0).abs() < 0.2, "{p}: {}", curvature(p));
+    }
+    let flat = Wall::new(0.0, 4.0, 0.0);
+    let inputs = flat.inputs();
+    let scene = Scene::new(&flat.frame, &tuning, &inputs);
+    let p = IVec2::new(10, 8);
+    assert_eq!(scene.mean_curvature(&scene.centre(p, scene.surfaces.at(p))), 0.0);
+}
+
+#[test]
+fn the_background_passes_and_a_reset_drops_the_past() {
+    let mut wall = Wall::new(0.0, 4.0, 0.2);
+    wall.noisy = noise(EXTENT, 5);
+    let p = IVec2::new(4, 4);
+    let fresh = specular_accumulation(&reset(wall.frame), &tuning(), &wall.inputs());
+    assert!((fresh.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);
+    assert_eq!(crate::reference::unpack_moments(fresh.moments.at(p)).reason, Reason::Reset as u16);
+    wall.guides.guide = Image::new(EXTENT, pack_guide(&Surface::default()));
+    let sky = wall.run();
+    assert!((sky.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);
+    assert_eq!(unpack_reflection(sky.reflection.at(p)).hit_distance, 0.0);
+}

@@ -1,0 +1,63 @@
+//! The filter of specular light, which presets have beside that of diffuse light.
+
+use crate::config::{Config, Signals};
+use crate::graph::{Confidence, Feedback, Graph, Guides, Irradiance, Radiance, Reflection};
+use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, Modulate, SpecularAccumulation, Variance};
+
+/// Parameters of [`specular`]: what differs from preset to preset.
+#[derive(Clone, Copy, Debug)]
+pub struct Specular {
+    /// Source of the history.
+    pub feedback: Feedback,
+    /// Estimator of the variance.
+    pub variance: Variance,
+    /// Kernel of the wavelet levels.
+    pub kernel: Kernel,
+    /// Confidence in the history.
+    pub confidence: Option<Confidence>,
+}
+
+impl Default for Specular {
+    fn default() -> Self {
+        Self {
+            feedback: Feedback::Accumulated,
+            variance: Variance { estimator: Estimator::Fading, ..Variance::default() },
+            kernel: Kernel::Box,
+            confidence: None,
+        }
+    }
+}
+
+/// Filters `noisy_specular`: irradiance by the specular albedo, and what is seen in the surfaces.
+///
+/// It reads `levels` of the configuration.
+pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
+    let noisy = g.radiance("noisy_specular");
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, ..Demodulate::default() });
+    let Specular { feedback, variance, kernel, confidence } = specular;
+    let parameters = SpecularAccumulation { feedback, confidence, ..SpecularAccumulation::default() };
+    let found = g.specular_accumulation(guides, &irradiance, parameters);
+    let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
+    let feedback = (feedback == Feedback::Filtered).then_some(found.history);
+    let atrous = Atrous { levels: config.levels, kernel, feedback, reflection: Some(found.reflection), ..Atrous::default() };
+    (g.atrous(guides, &estimate, atrous).into(), found.reflection)
+}
+
+/// Radiance of what a preset filtered, with specular light beside it where [`Signals::Specular`] asks for it.
+pub(super) fn modulated(g: &mut Graph, guides: &Guides, config: &Config, filtered: Irradiance, parameters: Specular) -> Radiance {
+    if config.signals != Signals::Specular {
+        return g.modulate(guides, &filtered, Modulate::default());
+    }
+    let (reflected, _) = specular(g, guides, config, parameters);
+    let both = g.pair(&filtered, &reflected);
+    g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() })
+}
+
+/// The noisy radiance of the whole picture, of which gradients are made: diffuse and specular light as a pair.
+pub(super) fn compared(g: &mut Graph, noisy: &Radiance, config: &Config) -> Radiance {
+    if config.signals != Signals::Specular {
+        return *noisy;
+    }
+    let specular = g.radiance("noisy_specular");
+    g.pair(noisy, &specular)
+}

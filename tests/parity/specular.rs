@@ -1,0 +1,37 @@
+//! Specular light with what hosts leave out, and at resolutions that change.
+
+use super::super::support::{assert_valid, scene::Scene, session_with, upload};
+use super::run;
+use atrous::config::{Conventions, Preset, RoughnessEncoding, Signals};
+use atrous::executor::SessionOptions;
+use atrous::{Config, Tuning};
+
+/// A reflectance at normal incidence in the place of an albedo, GGX's α in the place of the roughness, and no hit distance at first.
+pub fn by_f0() {
+    let conventions = Conventions { roughness: RoughnessEncoding::Alpha, ..Conventions::default() };
+    let config = Config { signals: Signals::Specular, preset: Preset::Best, conventions, ..Config::new([40, 23]) };
+    let scene = Scene { speed: 0.12, ..Scene::new([40, 23]) };
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for i in 0..4 {
+        let guides = scene.frame(i, i);
+        upload(&mut s, &guides);
+        s.upload("specular_f0", &guides.albedo).expect("specular_f0");
+        s.unbind("specular_albedo").expect("optional");
+        if i < 2 {
+            s.unbind("specular_hit_distance").expect("optional");
+        }
+        run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
+    }
+    assert_valid();
+}
+
+pub fn other_resolutions() {
+    let config = Config { signals: Signals::Specular, ..Config::new([48, 32]) };
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for (i, extent) in (0..).zip([[48, 32], [31, 20], [40, 27], [48, 32]]) {
+        let scene = Scene { speed: 0.12, allocated: [48, 32], ..Scene::new(extent) };
+        upload(&mut s, &scene.frame(i, i));
+        run(&mut s, &scene.params(i), &Tuning::default());
+    }
+    assert_valid();
+}
