@@ -79,6 +79,7 @@ fn the_guide_has_the_memory_of_every_preset() {
         (Preset::Svgf, Signals::Apart),
         (Preset::Asvgf, Signals::Together),
         (Preset::Best, Signals::Together),
+        (Preset::Best, Signals::Specular),
         (Preset::Stabilize, Signals::Together),
         (Preset::Percentile, Signals::Together),
         (Preset::Eaw, Signals::Together),

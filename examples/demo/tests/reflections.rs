@@ -9,7 +9,7 @@ use atrous_demo::{DenoiserOptions, FrameDenoiser, Gpu, PathTracer, SceneOptions,
 use support::{built_in, Validated};
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
-const PATHS: u32 = 128;
+const PATHS: u32 = 64;
 
 type Picture = Vec<[f32; 3]>;
 
@@ -66,7 +66,7 @@ fn lag(picture: &Picture, truths: &[Picture], rectangle: [f32; 4]) -> usize {
 #[test]
 fn what_moves_in_a_still_mirror_is_not_behind() {
     let Some(gpu) = Validated::new() else { return };
-    let (pictures, truths) = run(&gpu, "mirror", 24, 4, &[options(Signals::Specular)]);
+    let (pictures, truths) = run(&gpu, "mirror", 20, 3, &[options(Signals::Specular)]);
     assert!(lag(&pictures[0], &truths, [0.2, 0.1, 0.5, 0.55]) <= 1);
 }
 
@@ -74,7 +74,7 @@ fn what_moves_in_a_still_mirror_is_not_behind() {
 #[test]
 fn reflections_follow_a_moving_camera_and_have_less_error_apart() {
     let Some(gpu) = Validated::new() else { return };
-    let (pictures, truths) = run(&gpu, "glossy", 20, 4, &[options(Signals::Together), options(Signals::Specular)]);
+    let (pictures, truths) = run(&gpu, "glossy", 16, 3, &[options(Signals::Together), options(Signals::Specular)]);
     let metals = [0.2, 0.1, 0.75, 0.8];
     assert_eq!(lag(&pictures[1], &truths, metals), 0);
     let truth = cut(&truths[0], metals);
