@@ -1,9 +1,8 @@
 //! Images and buffers of a host, for inputs and outputs.
 
-use super::scope::Scope;
-use super::storage::Storage;
+use super::storage::{Object, StoredImage};
 use super::Executor;
-use crate::contract::{Lifetime, Shape};
+use crate::contract::{Lifetime, ResourceState, Shape};
 use crate::error::Error;
 use ash::vk;
 
@@ -24,6 +23,13 @@ pub struct HostImage {
     pub stage: vk::PipelineStageFlags2,
     /// Accesses of those stages.
     pub access: vk::AccessFlags2,
+}
+
+impl HostImage {
+    /// The state that the host has it in.
+    pub(super) fn state(&self) -> ResourceState {
+        ResourceState::new(self.stage, self.access, self.layout)
+    }
 }
 
 impl Executor {
@@ -48,7 +54,7 @@ impl Executor {
             let pixels = |e: [u32; 2]| format!("{}x{} pixels", e[0], e[1]);
             return Err(Error::Size { resource: name.to_owned(), given: pixels(image.extent), needed: pixels(extent) });
         }
-        self.memory.storages.bind(id, Storage::of_host_image(&image));
+        self.memory.storages.bind(id, Object::Image(StoredImage::of_host(&image)), [image.state(); 2]);
         Ok(())
     }
 
@@ -77,7 +83,8 @@ impl Executor {
             let (given, needed) = (format!("{size} bytes"), format!("at least {needed} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
         }
-        self.memory.storages.bind(id, Storage::of_host_buffer(buffer, size, Scope { stage, access, ..Scope::NONE }));
+        let state = ResourceState::new(stage, access, vk::ImageLayout::UNDEFINED);
+        self.memory.storages.bind(id, Object::Buffer { buffer, size }, [state; 2]);
         Ok(())
     }
 

@@ -13,7 +13,6 @@ mod memory;
 mod profiler;
 mod readback;
 mod resize;
-mod scope;
 mod session;
 mod session_inputs;
 mod session_objects;
@@ -139,7 +138,7 @@ impl Executor {
         let (declaration, storages) = (self.denoiser.declaration(), &self.memory.storages);
         let is_required = |id| declaration.resource(id).lifetime != Lifetime::Input { optional: true };
         let mut ids = (0..declaration.resources().len() as u32).map(ResourceId);
-        let missing = ids.find(|&id| storages.is_lost(id) || is_required(id) && storages.storage(id, 0).is_none());
+        let missing = ids.find(|&id| storages.is_lost(id) || is_required(id) && storages.object(id, 0).is_none());
         if let Some(id) = missing {
             return Err(Error::NotBound(declaration.resource(id).name.to_owned()));
         }
@@ -268,14 +267,9 @@ impl Executor {
                     self.barriers.poison(&self.device, cmd, self.denoiser.declaration(), frame, &mut self.memory.storages);
                 }
             }
-            let declaration = self.denoiser.declaration();
-            let decl = &declaration.passes()[pass];
             let omit = self.options.omit_barriers_before == Some(pass);
-            self.barriers.before_pass(&self.device, cmd, declaration, frame, pass, omit, &mut self.memory.storages);
-            self.bindings.clear();
-            for u in &decl.uses {
-                self.bindings.push(self.memory.storages.binding(u.resource, declaration.copy(u, frame), u.access));
-            }
+            self.barriers.before_pass(&self.device, cmd, frame, pass, omit, &mut self.memory.storages);
+            self.memory.storages.bindings(pass, frame, &mut self.bindings);
             if let Some(labels) = &self.labels {
                 labels.cmd_begin_debug_utils_label(cmd, &vk::DebugUtilsLabelEXT::default().label_name(self.memory.label(pass)));
             }
