@@ -24,6 +24,7 @@ mod hosts;
 #[cfg(feature = "hot-reload")]
 mod hot_reload;
 mod input_sets;
+mod one_call;
 mod parity;
 mod pattern;
 mod percentile;
@@ -71,6 +72,7 @@ fn main() {
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },
+        Group { name: "one_call", tests: one_call::TESTS, needs_device: true },
         Group { name: "parity", tests: parity::TESTS, needs_device: true },
         Group { name: "pattern", tests: pattern::TESTS, needs_device: true },
         Group { name: "percentile", tests: percentile::TESTS, needs_device: true },

@@ -1,18 +1,35 @@
-//! The barriers of the tracker, recorded with synchronization2.
+//! The barriers of the tracker, recorded.
 
 use super::storage::{Object, Storages, StoredImage};
 use crate::contract::{
-    Access, Barrier, BarrierTarget, Barriers2, Declaration, FrameContext, Lifetime, ResourceId, ResourceState, UseFrame, WHOLE,
+    Access, Barrier, BarrierTarget, Barriers2, Declaration, FrameContext, LegacyBarriers, Lifetime, PhysicalResource, ResourceId,
+    ResourceState, UseFrame, WHOLE,
 };
 use ash::vk;
 
 /// Records barriers; the lists are kept from pass to pass, so that a steady state allocates nothing.
-#[derive(Default)]
-pub(crate) struct Barriers {
-    arguments: Barriers2,
+pub(crate) enum Barriers {
+    Synchronization2(Barriers2),
+    Legacy(LegacyBarriers),
 }
 
 impl Barriers {
+    /// Barriers by synchronization2, or by `vkCmdPipelineBarrier`.
+    pub fn new(legacy: bool) -> Self {
+        if legacy {
+            Self::Legacy(LegacyBarriers::default())
+        } else {
+            Self::Synchronization2(Barriers2::default())
+        }
+    }
+
+    fn set(&mut self, barriers: &[Barrier], physical: impl Fn(ResourceId, usize) -> Option<PhysicalResource>) {
+        match self {
+            Self::Synchronization2(arguments) => arguments.set(barriers, physical),
+            Self::Legacy(arguments) => arguments.set(barriers, physical),
+        }
+    }
+
     /// # Safety
     /// Obligations of `Executor::record`.
     pub unsafe fn before_pass(
@@ -26,7 +43,7 @@ impl Barriers {
     ) {
         let (tracker, objects) = storages.split();
         let barriers = tracker.barriers(pass, frame);
-        self.arguments.set(if omit { &[] } else { barriers }, |id, copy| objects.physical(id, copy));
+        self.set(if omit { &[] } else { barriers }, |id, copy| objects.physical(id, copy));
         // SAFETY: `cmd` is recording outside a render pass; what is bound is live, and in the state that the tracker says.
         unsafe { self.flush(device, cmd) };
     }
@@ -37,7 +54,7 @@ impl Barriers {
     /// Obligations of `Executor::record`.
     pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storages: &mut Storages) {
         let (tracker, objects) = storages.split();
-        self.arguments.set(tracker.hand_back(), |id, copy| objects.physical(id, copy));
+        self.set(tracker.hand_back(), |id, copy| objects.physical(id, copy));
         // SAFETY: `cmd` is recording outside a render pass; the host keeps what it bound alive, in the state that the tracker says.
         unsafe { self.flush(device, cmd) };
     }
@@ -57,7 +74,7 @@ impl Barriers {
         discard: bool,
     ) {
         let (tracker, objects) = storages.split();
-        self.arguments.set(tracker.access(id, copy, next, discard), |id, copy| objects.physical(id, copy));
+        self.set(tracker.access(id, copy, next, discard), |id, copy| objects.physical(id, copy));
         // SAFETY: `cmd` is recording outside a render pass; the object is live, and in the state that the tracker says.
         unsafe { self.flush(device, cmd) };
     }
@@ -75,7 +92,7 @@ impl Barriers {
         discard: bool,
     ) {
         let target = BarrierTarget::Image { resource: ResourceId(0), copy: 0 };
-        self.arguments.set(&[Barrier { target, from, to, discard }], |_, _| Some(object.physical()));
+        self.set(&[Barrier { target, from, to, discard }], |_, _| Some(object.physical()));
         // SAFETY: `cmd` is recording outside a render pass; the object is live, and in the state that the caller says.
         unsafe { self.flush(device, cmd) };
     }
@@ -123,10 +140,17 @@ impl Barriers {
     /// # Safety
     /// Obligations of `Executor::record`; every object of the arguments is live, and in the state that its barrier comes from.
     unsafe fn flush(&self, device: &ash::Device, cmd: vk::CommandBuffer) {
-        if !self.arguments.is_empty() {
-            // SAFETY: `cmd` is recording outside a render pass on a device with synchronization2; images and buffers are live, and
-            // in the layouts named.
-            unsafe { device.cmd_pipeline_barrier2(cmd, &self.arguments.dependency_info()) };
+        // SAFETY: `cmd` is recording outside a render pass, and the device has synchronization2 where it is used; images and buffers
+        // are live, and in the layouts named.
+        unsafe {
+            match self {
+                Self::Synchronization2(b) if !b.is_empty() => device.cmd_pipeline_barrier2(cmd, &b.dependency_info()),
+                Self::Legacy(b) if !b.is_empty() => {
+                    let none = vk::DependencyFlags::empty();
+                    device.cmd_pipeline_barrier(cmd, b.src_stage, b.dst_stage, none, &b.memory, &b.buffers, &b.images);
+                }
+                _ => {}
+            }
         }
     }
 }

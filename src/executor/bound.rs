@@ -38,6 +38,11 @@ impl Executor {
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
     pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
+        self.bind_image_until(name, image, image.state())
+    }
+
+    /// Binds an image of the host, which is handed back in the state `after`.
+    pub(super) fn bind_image_until(&mut self, name: &str, image: HostImage, after: ResourceState) -> Result<(), Error> {
         let declaration = self.denoiser.declaration();
         let id = declaration.named(name)?;
         let resource = declaration.resource(id);
@@ -54,7 +59,7 @@ impl Executor {
             let pixels = |e: [u32; 2]| format!("{}x{} pixels", e[0], e[1]);
             return Err(Error::Size { resource: name.to_owned(), given: pixels(image.extent), needed: pixels(extent) });
         }
-        self.memory.storages.bind(id, Object::Image(StoredImage::of_host(&image)), [image.state(); 2]);
+        self.memory.storages.bind(id, Object::Image(StoredImage::of_host(&image)), [image.state(), after]);
         Ok(())
     }
 
