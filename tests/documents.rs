@@ -9,6 +9,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_readme_shows_a_part_of_host_ash", the_readme_shows_a_part_of_host_ash),
     ("the_guide_shows_parts_of_the_hosts", the_guide_shows_parts_of_the_hosts),
     ("the_glue_of_an_ash_host_is_small", the_glue_of_an_ash_host_is_small),
+    ("a_field_of_a_configuration_names_its_default", a_field_of_a_configuration_names_its_default),
     ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),
     ("the_guide_has_the_memory_of_every_preset", the_guide_has_the_memory_of_every_preset),
     ("the_guide_has_what_each_access_means", the_guide_has_what_each_access_means),
@@ -56,6 +57,42 @@ fn the_glue_of_an_ash_host_is_small() {
     assert!(!inside && lines > 30, "{lines} lines of examples/host_ash.rs are marked as glue");
     assert!(lines <= 60, "a new host has {lines} lines of glue to write; 60 are allowed");
     println!("examples/host_ash.rs: {lines} lines of glue");
+}
+
+/// Names and documentation of the public fields of a struct.
+fn fields(source: &str, name: &str) -> Vec<(String, String)> {
+    let body = source.split_once(&format!("pub struct {name} {{")).expect(name).1.split_once("\n}").expect(name).0;
+    let (mut fields, mut doc) = (Vec::new(), String::new());
+    for line in body.lines().map(str::trim) {
+        if let Some(text) = line.strip_prefix("///") {
+            doc += text;
+        } else if let Some(field) = line.strip_prefix("pub ").and_then(|l| l.split_once(':')) {
+            fields.push((field.0.to_owned(), std::mem::take(&mut doc)));
+        }
+    }
+    fields
+}
+
+fn a_field_of_a_configuration_names_its_default() {
+    let config = Config::new([1, 1]);
+    let values = [format!("{config:#?}"), format!("{:#?}", config.conventions)];
+    let sources = [include_str!("../src/config/mod.rs"), include_str!("../src/config/conventions.rs")];
+    for ((name, source), values) in ["Config", "Conventions"].into_iter().zip(sources).zip(values) {
+        let fields = fields(source, name);
+        assert!(fields.len() > 9, "{name} has {} fields", fields.len());
+        for (field, doc) in fields {
+            let value = values.lines().find_map(|l| l.strip_prefix(&format!("    {field}: "))).expect(&field).trim_end_matches(',');
+            let expected = match field.as_str() {
+                "allocated_extent" => "No default".to_owned(),
+                "eaw_weights" => "Default: all three".to_owned(),
+                "conventions" => "Default: those of [`Conventions::default`]".to_owned(),
+                _ if value == "inf" => "Default: infinity".to_owned(),
+                _ if value.starts_with(char::is_uppercase) => format!("::{value}`]"),
+                _ => format!("Default: {value}"),
+            };
+            assert!(doc.contains("efault") && doc.contains(&expected), "{name}::{field} is {value}, and says:{doc}");
+        }
+    }
 }
 
 /// What a host can configure, as far as it changes the declaration.
