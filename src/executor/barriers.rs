@@ -91,6 +91,7 @@ impl Barriers {
         [from, to]: [ResourceState; 2],
         discard: bool,
     ) {
+        // The number means nothing: there is one object.
         let target = BarrierTarget::Image { resource: ResourceId(0), copy: 0 };
         self.set(&[Barrier { target, from, to, discard }], |_, _| Some(object.physical()));
         // SAFETY: `cmd` is recording outside a render pass; the object is live, and in the state that the caller says.

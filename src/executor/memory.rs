@@ -213,7 +213,7 @@ impl Memory {
         // SAFETY: the device is live; formats and extents were checked against it.
         let image = unsafe { self.device.create_image(&info, None) }.map_err(Error::vulkan("vkCreateImage"))?;
         self.objects.owned.push(Owned::Image(image));
-        Ok(StoredImage { image, view: vk::ImageView::null(), format, extent })
+        Ok(StoredImage::new(image, vk::ImageView::null(), format, extent))
     }
 
     unsafe fn create_view(&mut self, image: &StoredImage) -> Result<vk::ImageView, Error> {

@@ -16,22 +16,23 @@ pub(crate) struct StoredImage {
     pub view: vk::ImageView,
     pub format: vk::Format,
     pub extent: [u32; 2],
+    /// Every aspect of the format: barriers name all of them.
+    pub aspects: vk::ImageAspectFlags,
 }
 
 impl StoredImage {
+    pub fn new(image: vk::Image, view: vk::ImageView, format: vk::Format, extent: [u32; 2]) -> Self {
+        let aspects = Texel::of(format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects());
+        Self { image, view, format, extent, aspects }
+    }
+
     pub fn of_host(host: &HostImage) -> Self {
-        let &HostImage { image, view, format, extent, .. } = host;
-        Self { image, view, format, extent }
+        Self::new(host.image, host.view, host.format, host.extent)
     }
 
     /// Whether texels are unsigned integers.
     pub fn is_uint(&self) -> bool {
         component_of(self.format) == Some(Component::Uint)
-    }
-
-    /// Every aspect: barriers name all of them.
-    fn aspects(&self) -> vk::ImageAspectFlags {
-        Texel::of(self.format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects())
     }
 
     /// Bytes of a texel in a copy of the image of this resource.
@@ -62,9 +63,7 @@ impl Object {
 
     pub fn physical(&self) -> PhysicalResource {
         match *self {
-            Self::Image(stored @ StoredImage { image, view, .. }) => {
-                PhysicalResource::Image { image, view, aspects: stored.aspects() }
-            }
+            Self::Image(StoredImage { image, view, aspects, .. }) => PhysicalResource::Image { image, view, aspects },
             Self::Buffer { buffer, .. } => PhysicalResource::buffer(buffer),
         }
     }
