@@ -4,77 +4,84 @@
 //! frame. Prints a checksum of every denoised frame: `cargo run --no-default-features --features shaderc --example host_ash`.
 
 use ash::vk;
-use atrous::{Access, Binding, Config, Denoiser, Device, FrameContext, FrameParams, Phase, ResourceDecl, Shape, Tuning};
+use atrous::config::Preset;
+use atrous::{
+    Access, Binding, Config, Denoiser, Device, FrameContext, FrameParams, LegacyBarriers, Phase, PhysicalResource, ResourceDecl,
+    ResourceId, ResourceState, Shape, Tracker, Tuning,
+};
 use atrous_synthetic as synthetic;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-/// What was last done to a resource: that is all that a barrier needs to know.
-type State = (vk::PipelineStageFlags, vk::AccessFlags, vk::ImageLayout);
-
-const UNTOUCHED: State = (vk::PipelineStageFlags::TOP_OF_PIPE, vk::AccessFlags::empty(), vk::ImageLayout::UNDEFINED);
-const COPIED_FROM: State =
-    (vk::PipelineStageFlags::TRANSFER, vk::AccessFlags::TRANSFER_READ, vk::ImageLayout::TRANSFER_SRC_OPTIMAL);
-const READ_BY_HOST: State = (vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ, vk::ImageLayout::UNDEFINED);
-
-fn state(access: Access) -> State {
-    let (stage, mask) = access.legacy_scope();
-    (stage, mask, access.image().layout)
-}
+const PRESET: Preset = Preset::Svgf;
 
 /// An image or a buffer of the engine.
-#[derive(Default)]
 struct Resource {
-    image: vk::Image,
-    view: vk::ImageView,
-    buffer: vk::Buffer,
+    physical: PhysicalResource,
     memory: vk::DeviceMemory,
-    state: State,
 }
 
 struct Engine {
     device: ash::Device,
     queue: vk::Queue,
     cmd: vk::CommandBuffer,
-    staging: Resource,
+    staging: vk::Buffer,
     mapped: *mut u8,
     /// By `ResourceId`, then copy: two of a history, none of an input that the engine does not have.
     resources: Vec<Vec<Resource>>,
+    // glue: begin
+    tracker: Tracker,
+    /// Kept from pass to pass.
+    barriers: LegacyBarriers,
+    bindings: Vec<Binding>,
+    // glue: end
 }
 
 impl Engine {
     // README: begin
     /// One frame: the phases of the denoiser lie around the engine's own lighting pass.
     fn frame(&mut self, denoiser: &mut Denoiser, params: &FrameParams, input: &synthetic::Frame) -> Result<()> {
-        let frame = denoiser.begin_frame(params, &Tuning::default())?;
+        let frame = denoiser.begin_frame(params, &Tuning::for_preset(PRESET))?;
         self.draw_guides(denoiser, input)?;
         self.denoise(denoiser, &frame, Phase::BeforeLighting)?;
         self.trace_paths(denoiser, input)?;
         self.denoise(denoiser, &frame, Phase::AfterLighting)
     }
 
+    // glue: begin
     /// The passes of a phase, each behind the barriers that its declared uses ask for.
-    fn denoise(&mut self, denoiser: &mut Denoiser, frame: &FrameContext, phase: Phase) -> Result<()> {
-        for index in 0..denoiser.declaration().passes().len() {
-            let declaration = denoiser.declaration();
-            let pass = &declaration.passes()[index];
-            if pass.phase != phase {
-                continue;
-            }
-            let mut bindings = Vec::new();
-            for u in &pass.uses {
-                let copies = &mut self.resources[u.resource.0 as usize];
-                bindings.push(match copies.get_mut(declaration.copy(u, frame)) {
-                    Some(resource) => barrier(&self.device, self.cmd, resource, state(u.access), u.access.reads()),
-                    None => Binding::Absent, // an optional input
-                });
-            }
-            // SAFETY: every resource is in its declared layout now, and earlier writes are visible.
-            unsafe { denoiser.record(self.cmd, frame, index, &bindings)? };
+    fn denoise(&mut self, denoiser: &Denoiser, frame: &FrameContext, phase: Phase) -> Result<()> {
+        let physical = |id: ResourceId, copy: usize| Some(self.resources[id.0 as usize].get(copy)?.physical);
+        for pass in denoiser.declaration().passes_of(phase) {
+            self.barriers.set(self.tracker.barriers(pass, frame), physical);
+            self.record_barriers();
+            self.tracker.bindings(pass, frame, physical, &mut self.bindings);
+            // SAFETY: the barriers bring every resource to its declared layout and make earlier writes visible.
+            unsafe { denoiser.record(self.cmd, frame, pass, &self.bindings)? };
         }
         Ok(())
     }
     // README: end
+
+    // integrate.md: begin
+    /// The image of an input or an output, behind the barrier before a use of the engine's own.
+    fn access(&mut self, id: ResourceId, next: ResourceState, discard: bool) -> Result<vk::Image> {
+        let resource = &self.resources[id.0 as usize][0];
+        self.barriers.set(self.tracker.access(id, 0, next, discard), |_, _| Some(resource.physical));
+        self.record_barriers();
+        let PhysicalResource::Image { image, .. } = resource.physical else { return Err("not an image".into()) };
+        Ok(image)
+    }
+
+    fn record_barriers(&self) {
+        let (b, none) = (&self.barriers, vk::DependencyFlags::empty());
+        if !b.is_empty() {
+            // SAFETY: the command buffer is recording outside a render pass; everything is live, and as the tracker says.
+            unsafe { self.device.cmd_pipeline_barrier(self.cmd, b.src_stage, b.dst_stage, none, &b.memory, &b.buffers, &b.images) };
+        }
+    }
+    // integrate.md: end
+    // glue: end
 
     /// A G-buffer pass would stand here.
     fn draw_guides(&mut self, denoiser: &Denoiser, input: &synthetic::Frame) -> Result<()> {
@@ -91,14 +98,13 @@ impl Engine {
     }
 
     fn upload(&mut self, denoiser: &Denoiser, name: &str, bytes: &[u8]) -> Result<()> {
-        let id = denoiser.declaration().find(name).ok_or("no such resource")?.0 as usize;
-        let (resource, layout) = (&mut self.resources[id][0], state(Access::Clear).2);
-        barrier(&self.device, self.cmd, resource, state(Access::Clear), false);
+        let id = denoiser.declaration().find(name).ok_or("no such resource")?;
+        let (offset, target) = (id.0 as usize * STAGING_EACH, self.access(id, Access::Clear.into(), true)?);
         // SAFETY: this part of the staging buffer is this image's own, and the frame before is complete.
         unsafe {
-            self.mapped.add(id * STAGING_EACH).copy_from_nonoverlapping(bytes.as_ptr(), bytes.len());
-            let regions = [whole_image(id * STAGING_EACH)];
-            self.device.cmd_copy_buffer_to_image(self.cmd, self.staging.buffer, resource.image, layout, &regions);
+            self.mapped.add(offset).copy_from_nonoverlapping(bytes.as_ptr(), bytes.len());
+            let (regions, layout) = ([whole_image(offset)], vk::ImageLayout::TRANSFER_DST_OPTIMAL);
+            self.device.cmd_copy_buffer_to_image(self.cmd, self.staging, target, layout, &regions);
         }
         Ok(())
     }
@@ -112,20 +118,22 @@ impl Engine {
             self.device.begin_command_buffer(self.cmd, &vk::CommandBufferBeginInfo::default())?;
             self.frame(denoiser, &params, &synthetic::Frame::new(index))?;
             let id = denoiser.declaration().find("denoised_radiance").ok_or("no output")?;
-            let output = &mut self.resources[id.0 as usize][0];
-            barrier(&self.device, self.cmd, output, COPIED_FROM, true);
-            barrier(&self.device, self.cmd, &mut self.staging, state(Access::Clear), false);
-            self.device.cmd_copy_image_to_buffer(self.cmd, output.image, COPIED_FROM.2, self.staging.buffer, &[whole_image(0)]);
-            barrier(&self.device, self.cmd, &mut self.staging, READ_BY_HOST, true);
+            let (output, layout) = (self.access(id, ResourceState::COPY_SOURCE, false)?, ResourceState::COPY_SOURCE.layout);
+            let offset = self.resources.len() * STAGING_EACH;
+            self.device.cmd_copy_image_to_buffer(self.cmd, output, layout, self.staging, &[whole_image(offset)]);
+            let copied = vk::MemoryBarrier::default().src_access_mask(vk::AccessFlags::TRANSFER_WRITE);
+            let read = [copied.dst_access_mask(vk::AccessFlags::HOST_READ)];
+            let (stages, none) = ([vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::HOST], vk::DependencyFlags::empty());
+            self.device.cmd_pipeline_barrier(self.cmd, stages[0], stages[1], none, &read, &[], &[]);
             self.device.end_command_buffer(self.cmd)?;
             self.device.queue_submit(self.queue, &[vk::SubmitInfo::default().command_buffers(&[self.cmd])], vk::Fence::null())?;
             self.device.queue_wait_idle(self.queue)?;
-            Ok(std::slice::from_raw_parts(self.mapped, STAGING_EACH / 2).to_vec())
+            Ok(std::slice::from_raw_parts(self.mapped.add(offset), STAGING_EACH / 2).to_vec())
         }
     }
 }
 
-/// Bytes of the staging buffer for each resource: four floats a texel, which is what this engine's inputs have.
+/// Bytes of the staging buffer for each resource, and for the result: four floats a texel, which is what this engine's inputs have.
 const STAGING_EACH: usize = (synthetic::EXTENT[0] * synthetic::EXTENT[1] * 16) as usize;
 
 fn whole_image(offset: usize) -> vk::BufferImageCopy {
@@ -135,33 +143,12 @@ fn whole_image(offset: usize) -> vk::BufferImageCopy {
     copy.image_extent(vk::Extent3D { width, height, depth: 1 })
 }
 
-fn whole() -> vk::ImageSubresourceRange {
-    vk::ImageSubresourceRange::default().aspect_mask(vk::ImageAspectFlags::COLOR).level_count(1).layer_count(1)
-}
-
-/// Waits for what was last done to the resource, brings it to the next state, and says how to bind it.
-fn barrier(device: &ash::Device, cmd: vk::CommandBuffer, resource: &mut Resource, next: State, keep: bool) -> Binding {
-    let now = std::mem::replace(&mut resource.state, next);
-    let (old_layout, none) = (if keep { now.2 } else { vk::ImageLayout::UNDEFINED }, vk::DependencyFlags::empty());
-    if resource.image == vk::Image::null() {
-        let barrier = vk::MemoryBarrier::default().src_access_mask(now.1).dst_access_mask(next.1);
-        // SAFETY: the command buffer is recording.
-        unsafe { device.cmd_pipeline_barrier(cmd, now.0, next.0, none, &[barrier], &[], &[]) };
-        return Binding::Buffer { buffer: resource.buffer, offset: 0, range: vk::WHOLE_SIZE };
-    }
-    let barrier = vk::ImageMemoryBarrier::default().image(resource.image).subresource_range(whole());
-    let barrier = barrier.src_access_mask(now.1).dst_access_mask(next.1).old_layout(old_layout).new_layout(next.2);
-    // SAFETY: the command buffer is recording, the image is live.
-    unsafe { device.cmd_pipeline_barrier(cmd, now.0, next.0, none, &[], &[], &[barrier]) };
-    Binding::Image { view: resource.view, layout: next.2 }
-}
-
 /// One copy of a resource, with memory of its own. (An engine with a frame graph lets transients share.)
 ///
 /// # Safety
 /// The device is live.
 unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropertyFlags) -> Result<Resource> {
-    let (device, mut resource) = (host.device, Resource { state: UNTOUCHED, ..Resource::default() });
+    let device = host.device;
     // SAFETY: the device is live; every object is created on it, and bound to memory of its own requirements.
     unsafe {
         let types = host.instance.get_physical_device_memory_properties(host.physical_device);
@@ -175,9 +162,10 @@ unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropert
         match decl.shape {
             Shape::Buffer { size } => {
                 let info = vk::BufferCreateInfo::default().size(size).usage(decl.buffer_usage);
-                resource.buffer = device.create_buffer(&info, None)?;
-                resource.memory = allocate(device.get_buffer_memory_requirements(resource.buffer))?;
-                device.bind_buffer_memory(resource.buffer, resource.memory, 0)?;
+                let buffer = device.create_buffer(&info, None)?;
+                let memory = allocate(device.get_buffer_memory_requirements(buffer))?;
+                device.bind_buffer_memory(buffer, memory, 0)?;
+                Ok(Resource { physical: PhysicalResource::buffer(buffer), memory })
             }
             Shape::Image { format, .. } => {
                 let [width, height] = decl.extent(synthetic::EXTENT).unwrap_or(synthetic::EXTENT);
@@ -186,15 +174,16 @@ unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropert
                 let usage = decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;
                 let info = vk::ImageCreateInfo::default().image_type(vk::ImageType::TYPE_2D).format(format).usage(usage);
                 let info = info.extent(vk::Extent3D { width, height, depth: 1 }).mip_levels(1).array_layers(1);
-                resource.image = device.create_image(&info.samples(vk::SampleCountFlags::TYPE_1), None)?;
-                resource.memory = allocate(device.get_image_memory_requirements(resource.image))?;
-                device.bind_image_memory(resource.image, resource.memory, 0)?;
-                let info = vk::ImageViewCreateInfo::default().image(resource.image).view_type(vk::ImageViewType::TYPE_2D);
-                resource.view = device.create_image_view(&info.format(format).subresource_range(whole()), None)?;
+                let image = device.create_image(&info.samples(vk::SampleCountFlags::TYPE_1), None)?;
+                let memory = allocate(device.get_image_memory_requirements(image))?;
+                device.bind_image_memory(image, memory, 0)?;
+                let info = vk::ImageViewCreateInfo::default().image(image).view_type(vk::ImageViewType::TYPE_2D);
+                let range = vk::ImageSubresourceRange::default().aspect_mask(vk::ImageAspectFlags::COLOR);
+                let info = info.format(format).subresource_range(range.level_count(1).layer_count(1));
+                Ok(Resource { physical: PhysicalResource::color(image, device.create_image_view(&info, None)?), memory })
             }
         }
     }
-    Ok(resource)
 }
 
 /// Runs the sequence and prints a checksum of every frame.
@@ -215,7 +204,8 @@ fn main() -> Result<()> {
         let pool = device.create_command_pool(&info.flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER), None)?;
         let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
         let (queue, cmd) = (device.get_device_queue(family, 0), device.allocate_command_buffers(&info)?[0]);
-        let mut denoiser = Denoiser::new(host, Config::new(synthetic::EXTENT).declare()?)?;
+        let mut denoiser = Denoiser::new(host, Config { preset: PRESET, ..Config::new(synthetic::EXTENT) }.declare()?)?;
+        // glue: begin
         let mut resources = Vec::new();
         for decl in denoiser.declaration().resources() {
             let is_input = decl.name == "surface_id" || synthetic::NAMES.contains(&decl.name.as_str());
@@ -223,22 +213,31 @@ fn main() -> Result<()> {
             let copies: Result<_> = copies.map(|_| create(host, decl, vk::MemoryPropertyFlags::DEVICE_LOCAL)).collect();
             resources.push(copies?);
         }
-        let staging = ResourceDecl {
-            shape: Shape::Buffer { size: (resources.len() * STAGING_EACH) as u64 },
+        // glue: end
+        let staged = ResourceDecl {
+            shape: Shape::Buffer { size: ((resources.len() + 1) * STAGING_EACH) as u64 },
             buffer_usage: vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST,
             ..denoiser.declaration().resources()[0].clone()
         };
-        let staging = create(host, &staging, vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT)?;
-        let mapped = device.map_memory(staging.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty())?.cast();
-        let mut engine = Engine { device: device.clone(), queue, cmd, staging, mapped, resources };
+        let staged = create(host, &staged, vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT)?;
+        let PhysicalResource::Buffer { buffer: staging, .. } = staged.physical else { return Err("no buffer".into()) };
+        let mapped = device.map_memory(staged.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty())?.cast();
+        // glue: begin
+        let (tracker, barriers, bindings) = (Tracker::new(denoiser.declaration()), LegacyBarriers::default(), Vec::new());
+        // glue: end
+        let mut engine = Engine { device: device.clone(), queue, cmd, staging, mapped, resources, tracker, barriers, bindings };
         for index in 0..synthetic::FRAMES {
             println!("{}", synthetic::report(index, &engine.run(&mut denoiser, index)?));
         }
         drop(denoiser);
-        for resource in engine.resources.iter().flatten().chain([&engine.staging]) {
-            device.destroy_image_view(resource.view, None);
-            device.destroy_image(resource.image, None);
-            device.destroy_buffer(resource.buffer, None);
+        for resource in engine.resources.iter().flatten().chain([&staged]) {
+            match resource.physical {
+                PhysicalResource::Image { image, view, .. } => {
+                    device.destroy_image_view(view, None);
+                    device.destroy_image(image, None);
+                }
+                PhysicalResource::Buffer { buffer, .. } => device.destroy_buffer(buffer, None),
+            }
             device.free_memory(resource.memory, None);
         }
         device.destroy_command_pool(pool, None);

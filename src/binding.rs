@@ -13,9 +13,10 @@ const GRADIENT_INPUTS: [&str; 2] = ["reshaded_radiance", "sparse_gradient"];
 /// Closed by the contract: a host may match every one, and another would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binding {
-    /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`.
+    /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`. A depth
+    /// view may be sampled in `DEPTH_STENCIL_READ_ONLY_OPTIMAL` and the other read-only layouts of depth as well.
     Image {
-        /// 2D colour (or depth) view of mip 0, layer 0.
+        /// 2D view of mip 0, layer 0: of the colour, or of the depth aspect alone.
         view: vk::ImageView,
         /// Layout of the image.
         layout: vk::ImageLayout,

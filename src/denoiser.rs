@@ -1,7 +1,7 @@
 //! Records a declaration into a host's command buffers: the Vulkan objects of its passes, and nothing else.
 
 use crate::binding::{absent_gradients, check_bindings, descriptor, present, Binding};
-use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
+use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work, WHOLE};
 use crate::device::Device;
 use crate::error::Error;
 use crate::frame_life::{check_slot, FrameLife};
@@ -9,6 +9,7 @@ use crate::pipeline::{Bindable, Descriptor, Pipelines};
 use crate::requirements::Requirements;
 use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
 use ash::vk;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Records the passes of a declaration. It owns pipelines and descriptor pools, and nothing else: no image, no buffer, no memory.
 ///
@@ -21,7 +22,7 @@ pub struct Denoiser {
     /// Limits of the physical device, which another extent has to keep as well.
     limits: vk::PhysicalDeviceLimits,
     /// Whether the warning about missing gradients was logged.
-    warned: bool,
+    warned: AtomicBool,
 }
 
 impl Denoiser {
@@ -47,7 +48,7 @@ impl Denoiser {
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
         let (device, limits) = (device.clone(), properties.limits);
-        Ok(Self { life: FrameLife::new(&declaration), declaration, device, pipelines, limits, warned: false })
+        Ok(Self { life: FrameLife::new(&declaration), declaration, device, pipelines, limits, warned: AtomicBool::new(false) })
     }
 
     /// Declares everything for images of another extent, and keeps every pipeline and descriptor set: the passes are the same. The
@@ -96,8 +97,8 @@ impl Denoiser {
     }
 
     /// Warns once, since a host that leaves gradients out does so in every frame.
-    fn warn_of_missing_gradients(&mut self, why: &str) {
-        if !self.declaration.has_other_confidence() && !std::mem::replace(&mut self.warned, true) {
+    fn warn_of_missing_gradients(&self, why: &str) {
+        if !self.declaration.has_other_confidence() && !self.warned.swap(true, Relaxed) {
             let what = self.declaration.config().map_or("the graph".to_owned(), |config| format!("the preset {:?}", config.preset));
             log::warn!("atrous: {why}. Without gradients {what} behaves as Svgf");
         }
@@ -136,6 +137,9 @@ impl Denoiser {
     /// `bindings` stand in the order of the pass's `uses`. Clobbers: compute pipeline, compute descriptor set 0, push constants
     /// (and thereby the state of `VK_EXT_descriptor_heap`).
     ///
+    /// It takes `&self`, so that the closures of a frame graph can share a denoiser in an [`Arc`](std::sync::Arc): several threads
+    /// may record different passes, or the same pass in different slots, at once. Each pass has a descriptor set for each slot.
+    ///
     /// # Errors
     /// [`Error::Bindings`] or [`Error::NotBound`] when `bindings` do not fit the pass, [`Error::FrameSlot`] when the frame has a slot
     /// beyond the last; nothing is recorded then.
@@ -147,8 +151,9 @@ impl Denoiser {
     ///   of `cmd`.
     /// - GPU work recorded earlier with the same `frame_slot` is complete.
     /// - `frame` was begun by this denoiser, and since its last [`Self::resize`].
+    /// - No other thread records the same pass with the same `frame_slot` meanwhile.
     pub unsafe fn record(
-        &mut self,
+        &self,
         cmd: vk::CommandBuffer,
         frame: &FrameContext,
         pass: usize,
@@ -167,7 +172,7 @@ impl Denoiser {
     /// # Safety
     /// Obligations of [`Self::record`]; nothing else bound a compute pipeline since `bound` was set.
     pub(crate) unsafe fn record_after(
-        &mut self,
+        &self,
         cmd: vk::CommandBuffer,
         frame: &FrameContext,
         pass: usize,
@@ -244,15 +249,8 @@ impl Denoiser {
 
     unsafe fn clear(&self, cmd: vk::CommandBuffer, bindings: &[Binding]) {
         let [Binding::ClearedImage { image, layout }] = *bindings else { return };
-        let range = vk::ImageSubresourceRange {
-            aspect_mask: vk::ImageAspectFlags::COLOR,
-            base_mip_level: 0,
-            level_count: 1,
-            base_array_layer: 0,
-            layer_count: 1,
-        };
         // SAFETY: `cmd` is recording outside a render pass; the image is live and in this layout.
-        unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[range]) };
+        unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[WHOLE]) };
     }
 
     /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not

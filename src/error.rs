@@ -93,6 +93,9 @@ pub enum Error {
         /// Each missing version, feature, limit or format.
         missing: Vec<String>,
     },
+    /// A handle of the host that is null.
+    #[error("`{0}` is null; give the host's own, which is live")]
+    NullHandle(&'static str),
     /// No Vulkan loader or device.
     #[error("no Vulkan device: {0}. Install a driver, e.g. Debian's mesa-vulkan-drivers (software), or check VK_DRIVER_FILES")]
     NoDevice(String),

@@ -2,14 +2,15 @@
 
 use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, PassDecl, Tuning};
 use crate::error::Error;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// The memory of the frame before, and how far the frame that was begun last has come.
 pub(crate) struct FrameLife {
     state: FrameState,
     /// Passes of which each has to be recorded before the frame can be history: all up to the last that writes one.
     needed: Vec<bool>,
-    /// Passes of the frame that was begun last that are still to be recorded.
-    missing: Vec<bool>,
+    /// Passes of the frame that was begun last that are still to be recorded: by any thread, since recording shares the denoiser.
+    missing: Vec<AtomicBool>,
     warned: bool,
 }
 
@@ -21,13 +22,18 @@ impl FrameLife {
         // A host may leave a view out of a frame; nothing reads it.
         let is_needed = |(index, pass): (usize, &PassDecl)| index < end && !pass.draws_view();
         let needed: Vec<bool> = passes.iter().enumerate().map(is_needed).collect();
-        Self { state: FrameState::default(), missing: vec![false; needed.len()], needed, warned: false }
+        Self {
+            state: FrameState::default(),
+            missing: needed.iter().map(|_| AtomicBool::new(false)).collect(),
+            needed,
+            warned: false,
+        }
     }
 
     /// Starts a frame, which drops all history where the frame before was not recorded.
     pub fn begin(&mut self, declaration: &Declaration, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let mut state = self.state.clone();
-        let is_whole = !self.missing.contains(&true);
+        let is_whole = !self.missing.iter().any(|missing| missing.load(Relaxed));
         if !is_whole {
             state.invalidate();
         }
@@ -40,13 +46,13 @@ impl FrameLife {
             );
         }
         self.state = state;
-        self.missing.clone_from(&self.needed);
+        self.missing.iter_mut().zip(&self.needed).for_each(|(missing, needed)| *missing.get_mut() = *needed);
         Ok(frame)
     }
 
     /// Notes that a pass was recorded.
-    pub fn recorded(&mut self, pass: usize) {
-        self.missing[pass] = false;
+    pub fn recorded(&self, pass: usize) {
+        self.missing[pass].store(false, Relaxed);
     }
 
     pub fn invalidate(&mut self) {
@@ -55,12 +61,12 @@ impl FrameLife {
 
     pub fn restart_at(&mut self, index: u64) {
         self.state.restart_at(index);
-        self.missing.fill(false);
+        self.missing.iter_mut().for_each(|missing| *missing.get_mut() = false);
     }
 
     pub fn resize(&mut self) {
         self.state.resize();
-        self.missing.fill(false);
+        self.missing.iter_mut().for_each(|missing| *missing.get_mut() = false);
     }
 }
 

@@ -45,12 +45,14 @@ struct Integrate;
 #[doc = include_str!("../docs/add_a_stage.md")]
 struct AddAStage;
 
+/// The Vulkan bindings of the public interface, for hosts that have another version or none.
+pub use ash;
 pub use binding::Binding;
 pub use choice::Choice;
 pub use config::Config;
 pub use contract::*;
 pub use denoiser::Denoiser;
-pub use device::Device;
+pub use device::{Device, LoadedDevice};
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};
 pub use requirements::Requirements;

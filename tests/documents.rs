@@ -8,6 +8,8 @@ use std::collections::BTreeSet;
 pub const TESTS: &[DeviceTest] = &[
     ("the_readme_shows_a_part_of_host_ash", the_readme_shows_a_part_of_host_ash),
     ("the_guide_shows_parts_of_the_hosts", the_guide_shows_parts_of_the_hosts),
+    ("the_glue_of_an_ash_host_is_small", the_glue_of_an_ash_host_is_small),
+    ("a_field_of_a_configuration_names_its_default", a_field_of_a_configuration_names_its_default),
     ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),
     ("the_guide_has_the_memory_of_every_preset", the_guide_has_the_memory_of_every_preset),
     ("the_guide_has_what_each_access_means", the_guide_has_what_each_access_means),
@@ -16,17 +18,23 @@ pub const TESTS: &[DeviceTest] = &[
 
 const GUIDE: &str = include_str!("../docs/integrate.md");
 
+/// Markers around what lies between an engine's own frame graph and the denoiser.
+const GLUE_BEGIN: &str = "// glue: begin";
+const GLUE_END: &str = "// glue: end";
+
 /// The lines between the markers, without their common indentation.
 fn excerpt(source: &str, document: &str) -> String {
     let marker = |which: &str| format!("// {document}: {which}");
     let inside = source.lines().skip_while(|l| l.trim() != marker("begin")).skip(1);
-    let lines: Vec<_> = inside.take_while(|l| l.trim() != marker("end")).collect();
+    let inside = inside.take_while(|l| l.trim() != marker("end"));
+    let lines: Vec<_> = inside.filter(|l| ![GLUE_BEGIN, GLUE_END].contains(&l.trim())).collect();
     let indentation = lines.iter().filter(|l| !l.is_empty()).map(|l| l.len() - l.trim_start().len()).min().unwrap_or(0);
     lines.iter().map(|l| format!("{}\n", l.get(indentation..).unwrap_or_default())).collect()
 }
 
 fn the_guide_shows_parts_of_the_hosts() {
     let hosts = [
+        ("host_ash.rs", include_str!("../examples/host_ash.rs")),
         ("host_vk_graph.rs", include_str!("../examples/host_vk_graph.rs")),
         ("host_cpp/main.cpp", include_str!("../examples/host_cpp/main.cpp")),
     ];
@@ -34,6 +42,56 @@ fn the_guide_shows_parts_of_the_hosts() {
         let excerpt = excerpt(source, "integrate.md");
         assert!(excerpt.lines().count() > 5, "examples/{name} has no part that is marked");
         assert!(GUIDE.contains(&excerpt), "docs/integrate.md must have this from examples/{name}:\n{excerpt}");
+    }
+}
+
+fn the_glue_of_an_ash_host_is_small() {
+    let (mut lines, mut inside) = (0, false);
+    for line in include_str!("../examples/host_ash.rs").lines().map(str::trim) {
+        match line {
+            GLUE_BEGIN => inside = true,
+            GLUE_END => inside = false,
+            _ => lines += usize::from(inside && !line.is_empty()),
+        }
+    }
+    assert!(!inside && lines > 30, "{lines} lines of examples/host_ash.rs are marked as glue");
+    assert!(lines <= 60, "a new host has {lines} lines of glue to write; 60 are allowed");
+    println!("examples/host_ash.rs: {lines} lines of glue");
+}
+
+/// Names and documentation of the public fields of a struct.
+fn fields(source: &str, name: &str) -> Vec<(String, String)> {
+    let body = source.split_once(&format!("pub struct {name} {{")).expect(name).1.split_once("\n}").expect(name).0;
+    let (mut fields, mut doc) = (Vec::new(), String::new());
+    for line in body.lines().map(str::trim) {
+        if let Some(text) = line.strip_prefix("///") {
+            doc += text;
+        } else if let Some(field) = line.strip_prefix("pub ").and_then(|l| l.split_once(':')) {
+            fields.push((field.0.to_owned(), std::mem::take(&mut doc)));
+        }
+    }
+    fields
+}
+
+fn a_field_of_a_configuration_names_its_default() {
+    let config = Config::new([1, 1]);
+    let values = [format!("{config:#?}"), format!("{:#?}", config.conventions)];
+    let sources = [include_str!("../src/config/mod.rs"), include_str!("../src/config/conventions.rs")];
+    for ((name, source), values) in ["Config", "Conventions"].into_iter().zip(sources).zip(values) {
+        let fields = fields(source, name);
+        assert!(fields.len() > 9, "{name} has {} fields", fields.len());
+        for (field, doc) in fields {
+            let value = values.lines().find_map(|l| l.strip_prefix(&format!("    {field}: "))).expect(&field).trim_end_matches(',');
+            let expected = match field.as_str() {
+                "allocated_extent" => "No default".to_owned(),
+                "eaw_weights" => "Default: all three".to_owned(),
+                "conventions" => "Default: those of [`Conventions::default`]".to_owned(),
+                _ if value == "inf" => "Default: infinity".to_owned(),
+                _ if value.starts_with(char::is_uppercase) => format!("::{value}`]"),
+                _ => format!("Default: {value}"),
+            };
+            assert!(doc.contains("efault") && doc.contains(&expected), "{name}::{field} is {value}, and says:{doc}");
+        }
     }
 }
 

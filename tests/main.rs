@@ -24,6 +24,8 @@ mod hosts;
 #[cfg(feature = "hot-reload")]
 mod hot_reload;
 mod input_sets;
+mod one_call;
+mod packages;
 mod parity;
 mod pattern;
 mod percentile;
@@ -72,6 +74,8 @@ fn main() {
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },
+        Group { name: "one_call", tests: one_call::TESTS, needs_device: true },
+        Group { name: "packages", tests: packages::TESTS, needs_device: false },
         Group { name: "parity", tests: parity::TESTS, needs_device: true },
         Group { name: "pattern", tests: pattern::TESTS, needs_device: true },
         Group { name: "percentile", tests: percentile::TESTS, needs_device: true },

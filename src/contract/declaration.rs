@@ -82,6 +82,11 @@ impl Declaration {
         &self.passes
     }
 
+    /// The indices of the passes of a phase, in order.
+    pub fn passes_of(&self, phase: Phase) -> impl Iterator<Item = usize> + '_ {
+        (0..self.passes.len()).filter(move |&pass| self.passes[pass].phase == phase)
+    }
+
     /// The extent that images are allocated with.
     pub fn allocated_extent(&self) -> [u32; 2] {
         self.setup.allocated_extent

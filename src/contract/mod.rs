@@ -14,6 +14,7 @@ mod pipeline_decl;
 mod resource;
 mod setup;
 mod statistics;
+mod tracker;
 mod tuning;
 
 mod alias;
@@ -35,4 +36,6 @@ pub use pipeline_decl::{PipelineConstant, PipelineDecl};
 pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
 pub use setup::Setup;
 pub(crate) use statistics::STATISTICS_COUNT;
+pub(crate) use tracker::WHOLE;
+pub use tracker::{Barrier, BarrierTarget, Barriers2, LegacyBarriers, PhysicalResource, ResourceState, Tracker};
 pub use tuning::{ToneCurve, Tuning, TuningField};

@@ -1,9 +1,8 @@
 //! Images and buffers of a host, for inputs and outputs.
 
-use super::scope::Scope;
-use super::storage::Storage;
+use super::storage::{Object, StoredImage};
 use super::Executor;
-use crate::contract::{Lifetime, Shape};
+use crate::contract::{Lifetime, ResourceState, Shape};
 use crate::error::Error;
 use ash::vk;
 
@@ -26,12 +25,24 @@ pub struct HostImage {
     pub access: vk::AccessFlags2,
 }
 
+impl HostImage {
+    /// The state that the host has it in.
+    pub(super) fn state(&self) -> ResourceState {
+        ResourceState::new(self.stage, self.access, self.layout)
+    }
+}
+
 impl Executor {
     /// Binds an image of the host to an input or an output, until it is bound anew.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
     pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
+        self.bind_image_until(name, image, image.state())
+    }
+
+    /// Binds an image of the host, which is handed back in the state `after`.
+    pub(super) fn bind_image_until(&mut self, name: &str, image: HostImage, after: ResourceState) -> Result<(), Error> {
         let declaration = self.denoiser.declaration();
         let id = declaration.named(name)?;
         let resource = declaration.resource(id);
@@ -48,7 +59,7 @@ impl Executor {
             let pixels = |e: [u32; 2]| format!("{}x{} pixels", e[0], e[1]);
             return Err(Error::Size { resource: name.to_owned(), given: pixels(image.extent), needed: pixels(extent) });
         }
-        self.memory.storages.bind(id, Storage::of_host_image(&image));
+        self.memory.storages.bind(id, Object::Image(StoredImage::of_host(&image)), [image.state(), after]);
         Ok(())
     }
 
@@ -77,7 +88,8 @@ impl Executor {
             let (given, needed) = (format!("{size} bytes"), format!("at least {needed} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
         }
-        self.memory.storages.bind(id, Storage::of_host_buffer(buffer, size, Scope { stage, access, ..Scope::NONE }));
+        let state = ResourceState::new(stage, access, vk::ImageLayout::UNDEFINED);
+        self.memory.storages.bind(id, Object::Buffer { buffer, size }, [state; 2]);
         Ok(())
     }
 

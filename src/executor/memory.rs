@@ -1,9 +1,8 @@
 //! Images, buffers and their memory: histories with memory of their own, transients aliased by lifetime.
 
-use super::barriers::WHOLE;
-use super::storage::{Object, Storage, Storages, StoredImage};
+use super::storage::{Object, Storages, StoredImage};
 use super::{AllocatedMemory, ExecutorOptions};
-use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span};
+use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span, WHOLE};
 use crate::device::Device;
 use crate::error::Error;
 use ash::vk;
@@ -106,8 +105,7 @@ impl Memory {
                         Shape::Buffer { size } => self.own_buffer(resource, size)?,
                     }
                 };
-                let storage = Storage::own(object);
-                self.storages.set(ResourceId(index as u32), copy, storage);
+                self.storages.set(ResourceId(index as u32), copy, object);
                 match resource.lifetime {
                     Lifetime::Output => self.objects.allocated.output += bytes,
                     Lifetime::Transient => self.objects.allocated.transient += bytes,
@@ -182,7 +180,7 @@ impl Memory {
             for ((id, image), offset) in ids.iter().zip(images).zip(&offsets) {
                 self.device.bind_image_memory(image.image, memory, base + offset).map_err(Error::vulkan("vkBindImageMemory"))?;
                 let view = self.create_view(&image)?;
-                self.storages.set(*id, 0, Storage::own(Object::Image(StoredImage { view, ..image })));
+                self.storages.set(*id, 0, Object::Image(StoredImage { view, ..image }));
             }
         }
         self.storages.share(&ids, &spans, &offsets);
@@ -215,7 +213,7 @@ impl Memory {
         // SAFETY: the device is live; formats and extents were checked against it.
         let image = unsafe { self.device.create_image(&info, None) }.map_err(Error::vulkan("vkCreateImage"))?;
         self.objects.owned.push(Owned::Image(image));
-        Ok(StoredImage { image, view: vk::ImageView::null(), format, extent })
+        Ok(StoredImage::new(image, vk::ImageView::null(), format, extent))
     }
 
     unsafe fn create_view(&mut self, image: &StoredImage) -> Result<vk::ImageView, Error> {

@@ -10,10 +10,10 @@ mod capture;
 mod headless;
 mod input_set;
 mod memory;
+mod one_call;
 mod profiler;
 mod readback;
 mod resize;
-mod scope;
 mod session;
 mod session_inputs;
 mod session_objects;
@@ -23,6 +23,7 @@ mod transfer;
 pub use bound::HostImage;
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
 pub use input_set::InputSet;
+pub use one_call::LentImage;
 pub use profiler::PassTime;
 pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
@@ -50,6 +51,8 @@ pub struct ExecutorOptions {
     pub no_aliasing: bool,
     /// Times every pass by timestamps. Needs a queue family with `timestampValidBits`.
     pub timestamps: bool,
+    /// Places barriers by `vkCmdPipelineBarrier`: for devices without synchronization2, which is not asked for then.
+    pub legacy_barriers: bool,
     /// Labels every pass. `VK_EXT_debug_utils` is enabled on the instance.
     pub debug_labels: bool,
     /// Leaves out the barriers before the pass of this index. Breaks it on purpose, to prove that validation is listening.
@@ -86,21 +89,24 @@ impl Executor {
     /// Creates the denoiser, and allocates histories, transients and outputs.
     ///
     /// # Errors
-    /// Errors of [`Denoiser::new`] and [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
+    /// Errors of [`Denoiser::new`] and, unless [`ExecutorOptions::legacy_barriers`] is set,
+    /// [`Requirements::check_executor_device`]; [`Error::OutOfMemory`].
     ///
     /// # Safety
-    /// Obligations of [`Denoiser::new`]; the device has `synchronization2` enabled. Drop the executor only after its GPU work is
+    /// Obligations of [`Denoiser::new`]; the device has `synchronization2` enabled, or `legacy_barriers` is set. Drop the executor only after its GPU work is
     /// complete.
     pub unsafe fn new(host: Device<'_>, declaration: Declaration, options: ExecutorOptions) -> Result<Self, Error> {
         // SAFETY: instance, physical device and device are live, belong together and outlive the executor; the device has
         // synchronization2, and its formats and limits were checked first.
         unsafe {
-            Requirements::new(&declaration).check_executor_device(host)?;
+            if !options.legacy_barriers {
+                Requirements::new(&declaration).check_executor_device(host)?;
+            }
             let denoiser = Denoiser::new(host, declaration)?;
             let memory = Memory::new(host, denoiser.declaration(), &options)?;
             let passes = denoiser.declaration().passes().len();
             let profiler = if options.timestamps {
-                Some(Profiler::new(host, denoiser.declaration().setup().frames_in_flight, passes)?)
+                Some(Profiler::new(host, denoiser.declaration().setup().frames_in_flight, passes, options.legacy_barriers)?)
             } else {
                 None
             };
@@ -109,7 +115,7 @@ impl Executor {
                 denoiser,
                 device: host.device.clone(),
                 memory,
-                barriers: Barriers::default(),
+                barriers: Barriers::new(options.legacy_barriers),
                 profiler,
                 labels,
                 options,
@@ -139,7 +145,7 @@ impl Executor {
         let (declaration, storages) = (self.denoiser.declaration(), &self.memory.storages);
         let is_required = |id| declaration.resource(id).lifetime != Lifetime::Input { optional: true };
         let mut ids = (0..declaration.resources().len() as u32).map(ResourceId);
-        let missing = ids.find(|&id| storages.is_lost(id) || is_required(id) && storages.storage(id, 0).is_none());
+        let missing = ids.find(|&id| storages.is_lost(id) || is_required(id) && storages.object(id, 0).is_none());
         if let Some(id) = missing {
             return Err(Error::NotBound(declaration.resource(id).name.to_owned()));
         }
@@ -185,6 +191,18 @@ impl Executor {
     /// complete; bound images and buffers are live, and in the state that they were bound with. Phases of a frame are recorded in
     /// order. The frame was begun since the last [`Self::resize`].
     pub unsafe fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
+        // SAFETY: the obligations are the same.
+        unsafe { self.record_passes(cmd, frame, phase)? };
+        // SAFETY: `cmd` is recording outside a render pass, and what the host bound is live.
+        unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
+        Ok(())
+    }
+
+    /// Records a phase, and leaves what the host lent in the states in which the passes left it.
+    ///
+    /// # Safety
+    /// Obligations of [`Self::record`].
+    unsafe fn record_passes(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, phase: Phase) -> Result<(), Error> {
         check_slot(self.denoiser.declaration(), frame)?;
         #[cfg(feature = "capture")]
         // SAFETY: work recorded earlier with the frame's slot is complete, so that nothing writes to the buffers of its capture.
@@ -214,8 +232,6 @@ impl Executor {
         unsafe {
             self.record_capture(cmd, frame, phase)
         };
-        // SAFETY: `cmd` is recording outside a render pass, and what the host bound is live.
-        unsafe { self.barriers.hand_back(&self.device, cmd, &mut self.memory.storages) };
         Ok(())
     }
 
@@ -268,14 +284,9 @@ impl Executor {
                     self.barriers.poison(&self.device, cmd, self.denoiser.declaration(), frame, &mut self.memory.storages);
                 }
             }
-            let declaration = self.denoiser.declaration();
-            let decl = &declaration.passes()[pass];
             let omit = self.options.omit_barriers_before == Some(pass);
-            self.barriers.before_pass(&self.device, cmd, declaration, frame, pass, omit, &mut self.memory.storages);
-            self.bindings.clear();
-            for u in &decl.uses {
-                self.bindings.push(self.memory.storages.binding(u.resource, declaration.copy(u, frame), u.access));
-            }
+            self.barriers.before_pass(&self.device, cmd, frame, pass, omit, &mut self.memory.storages);
+            self.memory.storages.bindings(pass, frame, &mut self.bindings);
             if let Some(labels) = &self.labels {
                 labels.cmd_begin_debug_utils_label(cmd, &vk::DebugUtilsLabelEXT::default().label_name(self.memory.label(pass)));
             }

@@ -22,12 +22,14 @@ pub(crate) struct Profiler {
     /// Nanoseconds per tick.
     period: f64,
     queries_per_stamp: usize,
+    /// Whether the device lacks synchronization2.
+    legacy: bool,
 }
 
 impl Profiler {
     /// # Safety
     /// Obligations of `Executor::new`.
-    pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize) -> Result<Self, Error> {
+    pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize, legacy: bool) -> Result<Self, Error> {
         // SAFETY: instance and physical device are live and belong together.
         let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
         // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on
@@ -42,6 +44,7 @@ impl Profiler {
             newest: Vec::with_capacity(passes),
             period: f64::from(properties.limits.timestamp_period),
             queries_per_stamp,
+            legacy,
         };
         for _ in 0..slots {
             let info = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(queries as u32);
@@ -98,11 +101,17 @@ impl Profiler {
     }
 
     unsafe fn stamp(&self, cmd: vk::CommandBuffer, slot: u32, stamp: u32) {
-        let (stage, n) = (vk::PipelineStageFlags2::ALL_COMMANDS, self.queries_per_stamp as u32);
+        let (pool, n) = (self.pools[slot as usize], self.queries_per_stamp as u32);
         for query in stamp * n..(stamp + 1) * n {
-            // SAFETY: `cmd` is recording on a device with synchronization2; the pool is ours, and the query was reset in this
-            // frame.
-            unsafe { self.device.cmd_write_timestamp2(cmd, stage, self.pools[slot as usize], query) };
+            // SAFETY: `cmd` is recording on a device with synchronization2, or without where `legacy` is set; the pool is ours, and
+            // the query was reset in this frame.
+            unsafe {
+                if self.legacy {
+                    self.device.cmd_write_timestamp(cmd, vk::PipelineStageFlags::ALL_COMMANDS, pool, query);
+                } else {
+                    self.device.cmd_write_timestamp2(cmd, vk::PipelineStageFlags2::ALL_COMMANDS, pool, query);
+                }
+            }
         }
     }
 

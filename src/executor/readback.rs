@@ -1,11 +1,10 @@
 //! Copies of resources for tools, captures and tests.
 
-use super::barriers::buffer_barrier;
-use super::scope::Scope;
-use super::storage::{Object, Storage, StoredImage};
+use super::barriers::Barriers;
+use super::storage::{Object, StoredImage};
 use super::transfer::region;
 use super::Executor;
-use crate::contract::{FrameContext, Lifetime, ResourceId, UseFrame};
+use crate::contract::{Access, FrameContext, Lifetime, ResourceId, ResourceState, UseFrame};
 use crate::error::Error;
 use ash::vk;
 use atrous_texel::Texel;
@@ -36,8 +35,8 @@ impl Executor {
     /// texels have no known size.
     pub fn readback(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<Readback, Error> {
         let (id, copy) = self.locate(name, frame, which)?;
-        let storage = self.memory.storages.storage(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
-        Ok(match storage.object {
+        let object = self.memory.storages.object(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        Ok(match *object {
             Object::Image(image @ StoredImage { format, extent: [width, height], .. }) => {
                 Readback { format, bytes: u64::from(width) * u64::from(height) * image.texel_bytes(name)? }
             }
@@ -63,15 +62,17 @@ impl Executor {
         buffer: vk::Buffer,
     ) -> Result<(), Error> {
         let (id, copy) = self.locate(name, frame, which)?;
-        let storage = self.memory.storages.storage_mut(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
-        // SAFETY: `cmd` is recording outside a render pass; the storage is live, has usage `TRANSFER_SRC` and the state that its
-        // scope says; `buffer` is live, with room for it.
+        let Self { memory, barriers, device, .. } = self;
+        let storages = &mut memory.storages;
+        let object = *storages.object(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let before = storages.state(id, copy);
+        // SAFETY: `cmd` is recording outside a render pass; the object is live, has usage `TRANSFER_SRC` and the state that the
+        // tracker says; `buffer` is live, with room for it.
         unsafe {
-            let home = storage.scope;
-            self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
-            copy_out(&self.device, cmd, storage, buffer);
-            if storage.home.is_some() {
-                self.barriers.single(&self.device, cmd, storage, home, true);
+            barriers.before_access(device, cmd, storages, (id, copy), ResourceState::COPY_SOURCE, false);
+            copy_out(device, cmd, barriers, object, buffer);
+            if storages.is_lent(id) {
+                barriers.before_access(device, cmd, storages, (id, copy), before, false);
             }
         }
         Ok(())
@@ -88,14 +89,18 @@ impl Executor {
     }
 }
 
-unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Storage, buffer: vk::Buffer) {
-    let scope = |stage, access| Scope { stage, access, layout: vk::ImageLayout::UNDEFINED };
-    let copied = scope(vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
+/// What copies leave in a buffer, and what the host may then read there.
+pub(super) const COPIED: ResourceState = ResourceState::of(Access::Clear);
+pub(super) const READ_BY_HOST: ResourceState =
+    ResourceState::new(vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_READ, vk::ImageLayout::UNDEFINED);
+
+unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, barriers: &mut Barriers, from: Object, buffer: vk::Buffer) {
+    let target = Object::Buffer { buffer, size: vk::WHOLE_SIZE };
     // SAFETY: `cmd` is recording and the buffer live. An earlier copy may have filled the same buffer.
-    unsafe { buffer_barrier(device, cmd, buffer, copied, copied) };
+    unsafe { barriers.single(device, cmd, target, [COPIED, COPIED], false) };
     // SAFETY: `cmd` is recording; image or buffer is live and in the state of a copy's source, and `buffer` has room for all of it.
     unsafe {
-        match storage.object {
+        match from {
             Object::Image(StoredImage { image, format, extent, .. }) => {
                 let layout = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
                 device.cmd_copy_image_to_buffer(cmd, image, layout, buffer, &[region(format, extent)]);
@@ -107,5 +112,5 @@ unsafe fn copy_out(device: &ash::Device, cmd: vk::CommandBuffer, storage: &Stora
         }
     }
     // SAFETY: `cmd` is recording and the buffer live, written by the copy before.
-    unsafe { buffer_barrier(device, cmd, buffer, copied, scope(vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_READ)) };
+    unsafe { barriers.single(device, cmd, target, [COPIED, READ_BY_HOST], false) };
 }

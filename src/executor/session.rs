@@ -52,6 +52,7 @@ impl Session {
             poison: options.poison,
             no_aliasing: options.keep_transients,
             timestamps: options.timestamps && gpu.has_timestamps(),
+            legacy_barriers: false,
             debug_labels: gpu.validates(),
             omit_barriers_before: options.omit_barriers_before,
         };
@@ -65,7 +66,7 @@ impl Session {
             buffers: BTreeMap::new(),
             staging: None,
             commands,
-            barriers: Barriers::default(),
+            barriers: Barriers::new(false),
             frame: None,
             gpu,
         })

@@ -1,13 +1,11 @@
 //! Inputs of a session: images and buffers from slices.
 
-use super::barriers::buffer_barrier;
-use super::scope::Scope;
+use super::readback::COPIED;
 use super::session::Session;
 use super::session_objects::OwnedImage;
-use super::storage::Storage;
+use super::storage::{Object, StoredImage};
 use super::transfer::{region, Staging, UPLOADED};
-use super::HostImage;
-use crate::contract::Shape;
+use crate::contract::{ResourceState, Shape};
 use crate::error::Error;
 use ash::vk;
 use std::sync::Arc;
@@ -86,19 +84,19 @@ impl Session {
         self.executor.bind_image(name, host)?;
         self.inputs.insert(name.to_owned(), owned);
         self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
-        let mut storage = Storage::of_host_image(&HostImage { layout: vk::ImageLayout::UNDEFINED, ..host });
+        let image = Object::Image(StoredImage::of_host(&host));
         self.submit(|session, cmd| {
             let buffer = session.staging.as_ref().map_or(vk::Buffer::null(), |s| s.buffer);
             let device = session.gpu.device();
             // SAFETY: command buffer is recording; image and buffer are live and large enough.
             unsafe {
                 // The staging buffer may have been filled by a copy before the host wrote to it.
-                let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
-                buffer_barrier(device, cmd, buffer, copied, Scope::COPY_SOURCE);
-                session.barriers.single(device, cmd, &mut storage, Scope::of(crate::Access::Clear), false);
+                let staged = Object::Buffer { buffer, size: vk::WHOLE_SIZE };
+                session.barriers.single(device, cmd, staged, [COPIED, ResourceState::COPY_SOURCE], false);
+                session.barriers.single(device, cmd, image, [UPLOADED, COPIED], true);
                 let layout = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
                 device.cmd_copy_buffer_to_image(cmd, buffer, host.image, layout, &[region(format, extent)]);
-                session.barriers.single(device, cmd, &mut storage, UPLOADED, true);
+                session.barriers.single(device, cmd, image, [COPIED, UPLOADED], false);
             }
             Ok(())
         })

@@ -1,9 +1,8 @@
 //! The Vulkan objects that a session owns.
 
-use super::barriers::WHOLE;
-use super::scope::Scope;
 use super::transfer::UPLOADED;
 use super::HostImage;
+use crate::contract::{ResourceState, WHOLE};
 use crate::error::Error;
 use ash::vk;
 
@@ -112,7 +111,7 @@ impl OwnedImage {
     /// The image as an input, in the state in which uploads leave it.
     pub fn uploaded(&self) -> HostImage {
         let &Self { image, view, format, extent, .. } = self;
-        let Scope { stage, access, layout } = UPLOADED;
+        let ResourceState { stage, access, layout, .. } = UPLOADED;
         HostImage { image, view, format, extent, layout, stage, access }
     }
 }

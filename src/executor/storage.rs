@@ -1,9 +1,10 @@
-//! Physical images and buffers: what was last done to each, and which share memory. Knows no device.
+//! Physical images and buffers of a declaration, with their tracker. Knows no device.
 
-use super::scope::Scope;
 use super::HostImage;
 use crate::binding::Binding;
-use crate::contract::{component_of, Access, Component, Declaration, ResourceId, Span};
+use crate::contract::{
+    component_of, Component, Declaration, FrameContext, PhysicalResource, ResourceId, ResourceState, Span, Tracker,
+};
 use crate::error::Error;
 use ash::vk;
 use atrous_texel::Texel;
@@ -15,17 +16,23 @@ pub(crate) struct StoredImage {
     pub view: vk::ImageView,
     pub format: vk::Format,
     pub extent: [u32; 2],
+    /// Every aspect of the format: barriers name all of them.
+    pub aspects: vk::ImageAspectFlags,
 }
 
 impl StoredImage {
+    pub fn new(image: vk::Image, view: vk::ImageView, format: vk::Format, extent: [u32; 2]) -> Self {
+        let aspects = Texel::of(format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects());
+        Self { image, view, format, extent, aspects }
+    }
+
+    pub fn of_host(host: &HostImage) -> Self {
+        Self::new(host.image, host.view, host.format, host.extent)
+    }
+
     /// Whether texels are unsigned integers.
     pub fn is_uint(&self) -> bool {
         component_of(self.format) == Some(Component::Uint)
-    }
-
-    /// Every aspect: barriers name all of them.
-    pub fn aspects(&self) -> vk::ImageAspectFlags {
-        Texel::of(self.format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects())
     }
 
     /// Bytes of a texel in a copy of the image of this resource.
@@ -45,81 +52,67 @@ pub(crate) enum Object {
     Buffer { buffer: vk::Buffer, size: u64 },
 }
 
-/// A physical image or buffer with what was last done to it.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Storage {
-    pub object: Object,
-    pub scope: Scope,
-    /// State that a host's image or buffer is brought back to; `None` for our own.
-    pub home: Option<Scope>,
-    /// Whether a barrier changed its state since it was handed back.
-    pub touched: bool,
-}
-
-impl Storage {
-    /// An image or buffer of our own, with undefined content.
-    pub fn own(object: Object) -> Self {
-        Self { object, scope: Scope::NONE, home: None, touched: false }
-    }
-
-    pub fn of_host_image(host: &HostImage) -> Self {
-        let &HostImage { image, view, format, extent, stage, access, layout } = host;
-        Self::of_host(Object::Image(StoredImage { image, view, format, extent }), Scope { stage, access, layout })
-    }
-
-    pub fn of_host_buffer(buffer: vk::Buffer, size: u64, home: Scope) -> Self {
-        Self::of_host(Object::Buffer { buffer, size }, home)
-    }
-
-    fn of_host(object: Object, home: Scope) -> Self {
-        Self { object, scope: home, home: Some(home), touched: false }
-    }
-
+impl Object {
     /// The image, where it is one.
     pub fn image(&self) -> Option<&StoredImage> {
-        match &self.object {
-            Object::Image(image) => Some(image),
-            Object::Buffer { .. } => None,
+        match self {
+            Self::Image(image) => Some(image),
+            Self::Buffer { .. } => None,
         }
+    }
+
+    pub fn physical(&self) -> PhysicalResource {
+        match *self {
+            Self::Image(StoredImage { image, view, aspects, .. }) => PhysicalResource::Image { image, view, aspects },
+            Self::Buffer { buffer, .. } => PhysicalResource::buffer(buffer),
+        }
+    }
+}
+
+/// Objects by resource, then copy.
+pub(crate) struct Objects(Vec<[Option<Object>; 2]>);
+
+impl Objects {
+    pub fn physical(&self, id: ResourceId, copy: usize) -> Option<PhysicalResource> {
+        self.get(id, copy).map(Object::physical)
+    }
+
+    fn get(&self, id: ResourceId, copy: usize) -> Option<&Object> {
+        self.0.get(id.0 as usize)?.get(copy)?.as_ref()
     }
 }
 
 /// Every physical image and buffer of a declaration.
 pub(crate) struct Storages {
-    /// Storages by resource, then copy.
-    storages: Vec<[Option<Storage>; 2]>,
-    /// Storages of resources to which nothing of the host is bound, by resource: an output of our own, or nothing.
-    own: Vec<Option<Storage>>,
+    objects: Objects,
+    tracker: Tracker,
+    /// The states in which the host lends what it bound, by resource; `None` where nothing of the host is bound.
+    lent: Vec<Option<[ResourceState; 2]>>,
+    /// Objects of resources in whose place the host bound one, by resource: an output of our own, and its state.
+    own: Vec<Option<(Object, ResourceState)>>,
     /// Whether an image of the host was bound before a resize, and nothing since, by resource.
     lost: Vec<bool>,
-    /// Transients that share memory with a resource, by resource.
-    aliases: Vec<Vec<ResourceId>>,
-    /// The pass that a transient starts in, by resource.
-    first_pass: Vec<Option<usize>>,
 }
 
 impl Storages {
     pub fn new(declaration: &Declaration) -> Self {
         let count = declaration.resources().len();
-        let mut first_pass = vec![None; count];
-        for (id, first, _) in declaration.transients() {
-            first_pass[id.0 as usize] = Some(first);
-        }
         Self {
-            storages: vec![[None, None]; count],
+            objects: Objects(vec![[None, None]; count]),
+            tracker: Tracker::new(declaration),
+            lent: vec![None; count],
             own: vec![None; count],
             lost: vec![false; count],
-            aliases: vec![Vec::new(); count],
-            first_pass,
         }
     }
 
     /// Takes over the bindings of a host from before a resize: buffers, whose sizes do not depend on the extent. Images are lost.
     pub fn take_over(&mut self, before: &Self) {
-        for (index, [bound, _]) in before.storages.iter().enumerate() {
-            match bound.filter(|storage| storage.home.is_some()) {
-                Some(storage) if storage.image().is_none() => self.bind(ResourceId(index as u32), storage),
-                bound => self.lost[index] = bound.is_some() || before.lost[index],
+        for (index, &lent) in before.lent.iter().enumerate() {
+            let id = ResourceId(index as u32);
+            match (lent, before.object(id, 0)) {
+                (Some(states), Some(&object @ Object::Buffer { .. })) => self.bind(id, object, states),
+                (lent, _) => self.lost[index] = lent.is_some() || before.lost[index],
             }
         }
     }
@@ -129,78 +122,65 @@ impl Storages {
         self.lost[id.0 as usize]
     }
 
-    /// Stores an object of our own.
-    pub fn set(&mut self, id: ResourceId, copy: usize, storage: Storage) {
-        self.storages[id.0 as usize][copy] = Some(storage);
-        if copy == 0 {
-            self.own[id.0 as usize] = Some(storage);
-        }
+    /// Whether an object is the host's.
+    pub fn is_lent(&self, id: ResourceId) -> bool {
+        self.lent[id.0 as usize].is_some()
+    }
+
+    /// Stores an object of our own, with undefined content.
+    pub fn set(&mut self, id: ResourceId, copy: usize, object: Object) {
+        self.objects.0[id.0 as usize][copy] = Some(object);
     }
 
     /// Notes transients that overlap in memory: `offsets` is where each span was placed.
     pub fn share(&mut self, ids: &[ResourceId], spans: &[Span], offsets: &[u64]) {
-        let shares =
-            |i: usize, j: usize| i != j && offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
+        let overlaps = |i: usize, j: usize| offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
         for i in 0..ids.len() {
-            self.aliases[ids[i].0 as usize] = (0..ids.len()).filter(|&j| shares(i, j)).map(|j| ids[j]).collect();
+            (0..i).filter(|&j| overlaps(i, j)).for_each(|j| self.tracker.alias(ids[i], ids[j]));
         }
     }
 
-    pub fn storage(&self, id: ResourceId, copy: usize) -> Option<&Storage> {
-        self.storages.get(id.0 as usize)?.get(copy)?.as_ref()
+    pub fn object(&self, id: ResourceId, copy: usize) -> Option<&Object> {
+        self.objects.get(id, copy)
     }
 
-    pub fn storage_mut(&mut self, id: ResourceId, copy: usize) -> Option<&mut Storage> {
-        self.storages.get_mut(id.0 as usize)?.get_mut(copy)?.as_mut()
+    pub fn state(&self, id: ResourceId, copy: usize) -> ResourceState {
+        self.tracker.state(id, copy).unwrap_or(ResourceState::UNDEFINED)
     }
 
-    pub fn bind(&mut self, id: ResourceId, storage: Storage) {
-        self.lost[id.0 as usize] = false;
-        let slot = &mut self.storages[id.0 as usize][0];
-        if let Some(own) = slot.filter(|s| s.home.is_none()) {
-            self.own[id.0 as usize] = Some(own);
+    /// The tracker, and the objects that its barriers are for.
+    pub fn split(&mut self) -> (&mut Tracker, &Objects) {
+        (&mut self.tracker, &self.objects)
+    }
+
+    /// Binds an object of the host, in the state that each phase finds and the one that it leaves.
+    pub fn bind(&mut self, id: ResourceId, object: Object, states: [ResourceState; 2]) {
+        let (index, state) = (id.0 as usize, self.state(id, 0));
+        self.lost[index] = false;
+        let slot = &mut self.objects.0[index][0];
+        if self.lent[index].is_none() {
+            self.own[index] = slot.map(|own| (own, state));
         }
-        *slot = Some(storage);
+        (*slot, self.lent[index]) = (Some(object), Some(states));
+        self.tracker.share(id, states[0], states[1]);
     }
 
     pub fn unbind(&mut self, id: ResourceId) {
-        self.lost[id.0 as usize] = false;
-        self.storages[id.0 as usize][0] = self.own[id.0 as usize];
-    }
-
-    pub fn binding(&self, id: ResourceId, copy: usize, access: Access) -> Binding {
-        let Some(storage) = self.storage(id, copy) else { return Binding::Absent };
-        let layout = storage.scope.layout;
-        match storage.object {
-            Object::Image(StoredImage { image, .. }) if access == Access::Clear => Binding::ClearedImage { image, layout },
-            Object::Image(StoredImage { view, .. }) => Binding::Image { view, layout },
-            Object::Buffer { buffer, .. } => Binding::Buffer { buffer, offset: 0, range: vk::WHOLE_SIZE },
+        let index = id.0 as usize;
+        self.lost[index] = false;
+        if self.lent[index].take().is_none() {
+            return;
+        }
+        let own = self.own[index].take();
+        self.objects.0[index][0] = own.map(|(object, _)| object);
+        match own {
+            Some((_, state)) => self.tracker.set_state(id, 0, state),
+            None => self.tracker.leave_out(id),
         }
     }
 
-    pub fn touched_host_storages(&mut self) -> impl Iterator<Item = &mut Storage> {
-        self.storages
-            .iter_mut()
-            .flatten()
-            .flatten()
-            .filter_map(|s| (s.home.is_some() && std::mem::take(&mut s.touched)).then_some(s))
-    }
-
-    /// Whether a pass is the first of a frame that uses a transient.
-    pub fn starts_transient(&self, id: ResourceId, pass: usize) -> bool {
-        self.first_pass[id.0 as usize] == Some(pass)
-    }
-
-    /// The last access to the memory of a transient through those that share it; `None` where it has its memory alone.
-    pub fn scope_of_aliases(&self, id: ResourceId) -> Option<Scope> {
-        let aliases = Some(&self.aliases[id.0 as usize]).filter(|a| !a.is_empty())?;
-        let mut scope = Scope::NONE;
-        for other in aliases {
-            if let Some(other) = self.storage(*other, 0) {
-                scope.stage |= other.scope.stage;
-                scope.access |= other.scope.access;
-            }
-        }
-        Some(scope)
+    /// The bindings of a pass, behind its barriers.
+    pub fn bindings(&self, pass: usize, frame: &FrameContext, bindings: &mut Vec<Binding>) {
+        self.tracker.bindings(pass, frame, |id, copy| self.objects.physical(id, copy), bindings);
     }
 }

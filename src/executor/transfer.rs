@@ -1,6 +1,6 @@
 //! Getting texels in and out through a staging buffer.
 
-use super::scope::Scope;
+use crate::contract::{Access, ResourceState};
 use crate::error::Error;
 use ash::vk;
 use atrous_texel::Texel;
@@ -91,9 +91,5 @@ pub(crate) fn region(format: vk::Format, [width, height]: [u32; 2]) -> vk::Buffe
     vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 })
 }
 
-/// The scope of an input behind a session's uploads and before the frame's passes.
-pub(crate) const UPLOADED: Scope = Scope {
-    stage: vk::PipelineStageFlags2::COMPUTE_SHADER,
-    access: vk::AccessFlags2::SHADER_SAMPLED_READ,
-    layout: vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL,
-};
+/// The state of an input behind a session's uploads and before the frame's passes.
+pub(crate) const UPLOADED: ResourceState = ResourceState::of(Access::Sampled);

@@ -1,6 +1,6 @@
 //! Hosts that share nothing but the contract give the same image, bit for bit, and none of them a validation message.
 //!
-//! Each is a program of its own, an example of this package: a host has no code for validation, so the layer is switched on from outside, and
+//! Each is a program of its own, an example of this package or of `atrous-wgpu`: a host has no code for validation, so the layer is switched on from outside, and
 //! reports on the standard output.
 
 mod cpp;
@@ -20,6 +20,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_layer_is_listening", the_layer_is_listening),
     ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
     ("vk_graph_gives_the_bits_of_the_executor", vk_graph_gives_the_bits_of_the_executor),
+    ("wgpu_gives_the_bits_of_the_executor", wgpu_gives_the_bits_of_the_executor),
     ("a_graph_of_a_host_agrees_with_the_cpu_engine", a_graph_of_a_host_agrees_with_the_cpu_engine),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
     ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),
@@ -137,6 +138,10 @@ pub fn params(index: u32) -> FrameParams {
 
 fn plain_ash_gives_the_bits_of_the_executor() {
     assert_eq!(of_example("host_ash"), of_executor());
+}
+
+fn wgpu_gives_the_bits_of_the_executor() {
+    assert_eq!(of_example("host_wgpu"), of_executor());
 }
 
 fn vk_graph_gives_the_bits_of_the_executor() {

@@ -8,7 +8,7 @@ use crate::{convert, GetInstanceProcAddr};
 use ash::vk::Handle;
 use atrous::contract::ResourceId;
 use atrous::{Config, Denoiser, Device, Tuning, UseFrame};
-use std::ffi::{c_char, CStr};
+use std::ffi::{c_char, c_void, CStr};
 
 /// Fills a configuration with defaults for an extent.
 ///
@@ -70,10 +70,9 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
     // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
     // `atrous_destroy`.
     unsafe {
-        let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
-        let device = ash::Device::load(instance.fp_v1_0(), info.device);
-        let AtrousCreateInfo { physical_device, pipeline_cache, .. } = *info;
-        let host = Device { instance: &instance, physical_device, device: &device, pipeline_cache };
+        let handles = [info.instance.as_raw(), info.physical_device.as_raw(), info.device.as_raw()];
+        let loaded = Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?;
+        let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
         let denoiser = Denoiser::new(host, config.declare()?)?;
         let frames = vec![None; config.frames_in_flight as usize];
         Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })

@@ -1,6 +1,7 @@
 //! Captures frames on their way through the executor: copies of the inputs are recorded behind the passes that read them, and
 //! written when the frame slot comes round again. See [`crate::capture`].
 
+use super::storage::Object;
 use super::transfer::Staging;
 use super::Executor;
 use crate::capture::{InputFrame, InputImage, SequenceWriter};
@@ -233,7 +234,7 @@ impl Executor {
         }
         let declaration = self.denoiser.declaration();
         for (id, name) in inputs(declaration) {
-            if let Some(image) = self.memory.storages.storage(id, 0).and_then(|storage| storage.image()) {
+            if let Some(image) = self.memory.storages.object(id, 0).and_then(Object::image) {
                 image.texel_bytes(name)?;
             }
         }

@@ -1,10 +1,9 @@
 //! Copies of the inputs of a frame, recorded behind the passes that read them.
 
 use super::*;
-use crate::contract::{Phase, Shape};
-use crate::executor::barriers::buffer_barrier;
-use crate::executor::scope::Scope;
-use crate::executor::storage::{Object, Storage, StoredImage};
+use crate::contract::{Phase, ResourceState, Shape};
+use crate::executor::readback::{COPIED, READ_BY_HOST};
+use crate::executor::storage::{Object, StoredImage};
 use crate::executor::transfer::region;
 
 impl Executor {
@@ -35,10 +34,10 @@ impl Executor {
 
     unsafe fn copy_input(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, id: ResourceId, name: &str) -> Result<(), Error> {
         let shape = self.denoiser.declaration().resource(id).shape;
-        let Some(storage) = self.memory.storages.storage_mut(id, 0) else { return Ok(()) };
+        let Some(&object) = self.memory.storages.object(id, 0) else { return Ok(()) };
         let divisor = if let Shape::Image { divisor, .. } = shape { divisor } else { 1 };
         let extent = frame.render_extent.map(|side| side.div_ceil(divisor));
-        let (format, bytes) = match storage.object {
+        let (format, bytes) = match object {
             Object::Image(image @ StoredImage { format, .. }) => {
                 (format, extent[0] as usize * extent[1] as usize * image.texel_bytes(name)? as usize)
             }
@@ -54,14 +53,14 @@ impl Executor {
         }
         let Some(buffer) = slot.buffers.get(name).map(|b| b.buffer) else { return Ok(()) };
         slot.copies.push(Copied { name: name.to_owned(), format, bytes });
-        let copied = Scope { access: vk::AccessFlags2::TRANSFER_WRITE, ..Scope::COPY_SOURCE };
-        let read = Scope { stage: vk::PipelineStageFlags2::HOST, access: vk::AccessFlags2::HOST_READ, ..Scope::COPY_SOURCE };
+        let target = Object::Buffer { buffer, size: vk::WHOLE_SIZE };
+        let (device, storages) = (&self.device, &mut self.memory.storages);
         // SAFETY: `cmd` is recording; image and buffer are live and large enough, and the input is handed back at the end of the
         // phase.
         unsafe {
-            self.barriers.single(&self.device, cmd, storage, Scope::COPY_SOURCE, true);
-            copy(&self.device, cmd, storage, extent, buffer, bytes as u64);
-            buffer_barrier(&self.device, cmd, buffer, copied, read);
+            self.barriers.before_access(device, cmd, storages, (id, 0), ResourceState::COPY_SOURCE, false);
+            copy(device, cmd, &object, extent, buffer, bytes as u64);
+            self.barriers.single(device, cmd, target, [COPIED, READ_BY_HOST], false);
         }
         Ok(())
     }
@@ -69,8 +68,8 @@ impl Executor {
 
 /// # Safety
 /// `cmd` is recording; the input is live, in the state of a copy's source, and `buffer` has room for it.
-unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Storage, extent: [u32; 2], buffer: vk::Buffer, bytes: u64) {
-    let image = match &from.object {
+unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Object, extent: [u32; 2], buffer: vk::Buffer, bytes: u64) {
+    let image = match from {
         Object::Image(image) => image,
         Object::Buffer { buffer: from, .. } => {
             if bytes > 0 {
@@ -82,6 +81,12 @@ unsafe fn copy(device: &ash::Device, cmd: vk::CommandBuffer, from: &Storage, ext
     };
     // SAFETY: `cmd` is recording; the image is live and in the layout of a copy's source, and the buffer has room for its texels.
     unsafe {
-        device.cmd_copy_image_to_buffer(cmd, image.image, Scope::COPY_SOURCE.layout, buffer, &[region(image.format, extent)])
+        device.cmd_copy_image_to_buffer(
+            cmd,
+            image.image,
+            ResourceState::COPY_SOURCE.layout,
+            buffer,
+            &[region(image.format, extent)],
+        )
     };
 }

@@ -4,10 +4,9 @@
 
 use super::*;
 use crate::config::{Config, PostProcess, Preset, Signals};
-use crate::contract::{alias, FrameParams, FrameState, Shape, Span, Tuning, Use};
+use crate::contract::{alias, FrameParams, FrameState, Span, Tuning};
 use crate::graph::{Feedback, Graph, Value};
 use crate::nodes::{Accumulation, Albedo, Atrous, Demodulate, Import, Kernel, Modulate, Variance};
-use ash::vk::Handle;
 
 /// One access in the past.
 #[derive(Clone)]
@@ -45,38 +44,34 @@ impl Event {
 }
 
 /// Accesses to each physical image or buffer that are not yet ordered before what comes.
-struct Tracker {
+struct Checked {
     declaration: Declaration,
-    storages: Storages,
-    barriers: Barriers,
+    tracker: Tracker,
     shared: Vec<Vec<usize>>,
+    /// Barriers of the pass.
+    barriers: Vec<Barrier>,
     /// Events by resource, then copy.
     events: Vec<[Vec<Event>; 2]>,
 }
 
-impl Tracker {
+impl Checked {
     fn new(declaration: Declaration) -> Self {
-        let mut storages = Storages::new(&declaration);
-        let mut handle = 0;
-        for index in 0..declaration.resources().len() as u32 {
-            let id = ResourceId(index);
-            for copy in 0..declaration.resource(id).lifetime.copies().max(1) {
-                handle += 1;
-                storages.set(id, copy, fake(&declaration, id, handle));
+        let mut tracker = Tracker::new(&declaration);
+        for id in (0..declaration.resources().len() as u32).map(ResourceId) {
+            if let Lifetime::Input { .. } = declaration.resource(id).lifetime {
+                tracker.set_state(id, 0, ResourceState::UNDEFINED);
             }
         }
-        let shared = share(&declaration, &mut storages);
+        let shared = share(&declaration, &mut tracker);
         let events = vec![[Vec::new(), Vec::new()]; declaration.resources().len()];
-        Self { declaration, storages, barriers: Barriers::default(), shared, events }
+        Self { declaration, tracker, shared, barriers: Vec::new(), events }
     }
 
     /// Runs one pass; `broken` drops its barriers.
     fn pass(&mut self, frame: &FrameContext, pass: usize, broken: bool) -> Vec<String> {
-        self.barriers.collect(&self.declaration, frame, pass, &mut self.storages);
+        self.barriers = self.tracker.barriers(pass, frame).to_vec();
         if broken {
-            self.barriers.globals.clear();
-            self.barriers.images.clear();
-            self.barriers.buffers.clear();
+            self.barriers.clear();
         }
         self.apply();
         let decl = self.declaration.passes()[pass].clone();
@@ -88,29 +83,17 @@ impl Tracker {
             let copy = self.declaration.copy(u, frame);
             self.remember(&decl.name, u, copy);
         }
-        self.barriers.globals.clear();
-        self.barriers.images.clear();
-        self.barriers.buffers.clear();
         hazards
     }
 
     /// Lets every barrier of the pass order what came before it.
     fn apply(&mut self) {
-        let Barriers { globals, images, buffers } = &self.barriers;
         for (index, copies) in self.events.iter_mut().enumerate() {
             for (copy, events) in copies.iter_mut().enumerate() {
-                let Some(storage) = self.storages.storage(ResourceId(index as u32), copy) else { continue };
-                for e in events {
-                    for b in globals {
-                        e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), true);
-                    }
-                    for b in images.iter().filter(|b| storage.image().is_some_and(|image| image.image == b.image)) {
-                        e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), false);
-                    }
-                    let is_of = |b: &&vk::BufferMemoryBarrier2| matches!(storage.object, Object::Buffer { buffer, .. } if buffer == b.buffer);
-                    for b in buffers.iter().filter(is_of) {
-                        e.order((b.src_stage_mask, b.src_access_mask), (b.dst_stage_mask, b.dst_access_mask), false);
-                    }
+                for barrier in self.barriers.iter().filter(|b| reaches(b, index, copy)) {
+                    let side = |state: ResourceState| (state.stage, state.access);
+                    let global = barrier.target == BarrierTarget::Memory;
+                    events.iter_mut().for_each(|e| e.order(side(barrier.from), side(barrier.to), global));
                 }
             }
         }
@@ -122,11 +105,10 @@ impl Tracker {
         let own = self.events[index][copy].iter().filter(|e| e.access.writes() || u.access.writes());
         let missing = own.filter(|e| !e.is_before(u.access, false)).map(|e| format!("{pass}: {name} after {}", e.what));
         let alias = self.shared[index].iter().flat_map(|&other| self.events[other][0].iter().map(move |e| (other, e)));
-        let image = self.storages.storage(u.resource, copy).and_then(|s| s.image()).map(|image| image.image);
         // The layout transition writes memory: it too must come after what was done through the other image.
         let transition = |e: &Event| {
-            let waits = |b: &vk::ImageMemoryBarrier2| Some(b.image) == image && b.src_stage_mask.contains(e.access.scope().stage);
-            self.barriers.images.iter().any(waits)
+            let own = BarrierTarget::Image { resource: u.resource, copy };
+            self.barriers.iter().any(|b| b.target == own && b.from.stage.contains(e.access.scope().stage))
         };
         let through = alias
             .filter(|(_, e)| !e.is_before(u.access, true) || !transition(e))
@@ -148,32 +130,29 @@ impl Tracker {
     }
 }
 
-fn fake(declaration: &Declaration, id: ResourceId, handle: u64) -> Storage {
-    Storage::own(match declaration.resource(id).shape {
-        Shape::Image { format, .. } => Object::Image(StoredImage {
-            image: vk::Image::from_raw(handle),
-            view: vk::ImageView::null(),
-            format: format.preferred(),
-            extent: [1, 1],
-        }),
-        Shape::Buffer { size } => Object::Buffer { buffer: vk::Buffer::from_raw(handle), size },
-    })
+fn reaches(barrier: &Barrier, index: usize, of: usize) -> bool {
+    match barrier.target {
+        BarrierTarget::Memory => true,
+        BarrierTarget::Image { resource, copy } | BarrierTarget::Buffer { resource, copy } => {
+            (resource.0 as usize, copy) == (index, of)
+        }
+    }
 }
 
 /// Places the transient images as the executor does, and gives who shares memory with whom.
-fn share(declaration: &Declaration, storages: &mut Storages) -> Vec<Vec<usize>> {
+fn share(declaration: &Declaration, tracker: &mut Tracker) -> Vec<Vec<usize>> {
     let is_image = |id: ResourceId| matches!(declaration.resource(id).shape, Shape::Image { .. });
     let transients: Vec<_> = declaration.transients().filter(|t| is_image(t.0)).collect();
     let ids: Vec<_> = transients.iter().map(|t| t.0).collect();
     let size = |id: ResourceId| declaration.resource(id).bytes(declaration.allocated_extent());
     let spans: Vec<_> = transients.iter().map(|&(id, first, last)| Span { first, last, size: size(id), alignment: 64 }).collect();
     let (offsets, _) = alias(&spans);
-    storages.share(&ids, &spans, &offsets);
     let mut shared = vec![Vec::new(); declaration.resources().len()];
     for i in 0..ids.len() {
         for j in (0..ids.len()).filter(|&j| j != i) {
             if offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size {
                 shared[ids[i].0 as usize].push(ids[j].0 as usize);
+                tracker.alias(ids[i], ids[j]);
             }
         }
     }
@@ -181,14 +160,14 @@ fn share(declaration: &Declaration, storages: &mut Storages) -> Vec<Vec<usize>> 
 }
 
 fn frames(declaration: &Declaration, broken: Option<usize>) -> Vec<String> {
-    let mut tracker = Tracker::new(declaration.clone());
+    let mut checked = Checked::new(declaration.clone());
     let mut state = FrameState::default();
     let mut hazards = Vec::new();
     for _ in 0..4 {
         let params = FrameParams::new(declaration.allocated_extent());
         let frame = state.begin(declaration.setup(), &params, &Tuning::default()).expect("valid");
         for pass in 0..declaration.passes().len() {
-            hazards.extend(tracker.pass(&frame, pass, broken == Some(pass)));
+            hazards.extend(checked.pass(&frame, pass, broken == Some(pass)));
         }
     }
     hazards
@@ -265,6 +244,6 @@ fn a_pass_without_its_barriers_is_found() {
 #[test]
 fn memory_is_shared_at_all() {
     for declaration in [svgf_with_taa(), graph_of_a_host(true)] {
-        assert!(Tracker::new(declaration).shared.iter().any(|s| !s.is_empty()));
+        assert!(Checked::new(declaration).shared.iter().any(|s| !s.is_empty()));
     }
 }

@@ -1,0 +1,192 @@
+//! An executor on a device of wgpu.
+
+use crate::texture::{make_output, Bound};
+use crate::Error;
+use ash::vk;
+use atrous::executor::{Executor, ExecutorOptions};
+use atrous::{Declaration, Device, FrameContext, FrameParams, Lifetime, Phase, Shape, Tuning};
+use std::collections::BTreeMap;
+use std::mem::ManuallyDrop;
+use std::sync::Arc;
+use wgpu::hal::api::Vulkan;
+
+/// A denoiser with textures of wgpu as inputs and outputs. Histories and transients are its own.
+pub struct WgpuDenoiser {
+    executor: ManuallyDrop<Executor>,
+    device: wgpu::Device,
+    bound: BTreeMap<String, Arc<Bound>>,
+    /// What command buffers of each slot hold until they ran or were dropped.
+    slots: Vec<Arc<()>>,
+    frames: u64,
+}
+
+impl WgpuDenoiser {
+    /// Creates pipelines, histories, transients, and a texture for each output. The declaration is that of a preset
+    /// (`Config::declare`) or of a graph (`Graph::finish`).
+    ///
+    /// # Errors
+    /// [`Error::NotVulkan`] for a device of another backend; errors of [`Executor::new`].
+    pub fn new(device: &wgpu::Device, declaration: Declaration) -> Result<Self, Error> {
+        let (instance, physical_device, raw) = {
+            // SAFETY: nothing is destroyed through the guard, which goes before the next is asked for.
+            let hal = unsafe { device.as_hal::<Vulkan>() }.ok_or(Error::NotVulkan)?;
+            (hal.shared_instance().raw_instance().clone(), hal.raw_physical_device(), hal.raw_device().clone())
+        };
+        let host = Device { instance: &instance, physical_device, device: &raw, pipeline_cache: vk::PipelineCache::null() };
+        // wgpu does not enable synchronization2.
+        let options = ExecutorOptions { legacy_barriers: true, ..Default::default() };
+        let slots = (0..declaration.setup().frames_in_flight).map(|_| Arc::new(())).collect();
+        // SAFETY: the handles are live and belong together; the device is kept as long as the executor.
+        let executor = ManuallyDrop::new(unsafe { Executor::new(host, declaration, options)? });
+        let mut this = Self { executor, device: device.clone(), bound: BTreeMap::new(), slots, frames: 0 };
+        this.make_outputs()?;
+        Ok(this)
+    }
+
+    fn make_outputs(&mut self) -> Result<(), Error> {
+        let declaration = self.declaration().clone();
+        for resource in declaration.resources() {
+            if resource.lifetime == Lifetime::Output && matches!(resource.shape, Shape::Image { .. }) {
+                let texture = make_output(&self.device, &declaration, resource)?;
+                self.bind(&resource.name, &texture)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Resources and passes.
+    pub fn declaration(&self) -> &Declaration {
+        self.executor.denoiser().declaration()
+    }
+
+    /// Takes a texture of the host as an input, until another is given. It needs `TEXTURE_BINDING` usage, one level, layer and
+    /// sample, at least the allocated extent, and content that wgpu knows of: a pass, a copy or `Queue::write_texture` wrote it.
+    ///
+    /// # Errors
+    /// [`Error::Texture`] says what does not fit; errors of [`Executor::bind_image`].
+    pub fn set_input(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
+        let declaration = self.declaration();
+        let is_input = |id| matches!(declaration.resource(id).lifetime, Lifetime::Input { .. });
+        if declaration.find(name).is_some_and(|id| !is_input(id)) {
+            let problem = "it is no input; outputs are made by the denoiser: take `WgpuDenoiser::output`".to_owned();
+            return Err(Error::Texture { name: name.to_owned(), problem });
+        }
+        self.bind(name, texture)
+    }
+
+    /// Leaves an optional input out from now on.
+    ///
+    /// # Errors
+    /// Errors of [`Executor::unbind`].
+    pub fn leave_out(&mut self, name: &str) -> Result<(), Error> {
+        self.executor.unbind(name)?;
+        self.bound.remove(name);
+        Ok(())
+    }
+
+    fn bind(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
+        let declaration = self.declaration();
+        let id = declaration.find(name).ok_or_else(|| atrous::Error::UnknownResource {
+            given: name.to_owned(),
+            known: declaration.resources().iter().map(|r| r.name.as_str()).collect::<Vec<_>>().join(", "),
+        })?;
+        let bound = Bound::new(name, declaration.resource(id), texture)?;
+        self.executor.bind_image(name, bound.image)?;
+        self.bound.insert(name.to_owned(), Arc::new(bound));
+        Ok(())
+    }
+
+    /// The texture of an output, for passes of the host behind the phase that writes it: `TEXTURE_BINDING`, `STORAGE_BINDING`,
+    /// `COPY_SRC`. `None` where there is no such output.
+    pub fn output(&self, name: &str) -> Option<&wgpu::Texture> {
+        let id = self.declaration().find(name)?;
+        let is_output = self.declaration().resource(id).lifetime == Lifetime::Output;
+        self.bound.get(name).filter(|_| is_output).map(|bound| &bound.texture)
+    }
+
+    /// Starts a frame. The frame slot is the denoiser's own: where the GPU still works on what used it last, this waits.
+    ///
+    /// # Errors
+    /// [`Error::NotSubmitted`] where command buffers of the slot were neither submitted nor dropped; errors of
+    /// [`Executor::begin_frame`].
+    pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        let slot = (self.frames % self.slots.len() as u64) as u32;
+        self.wait_for(slot)?;
+        let frame = self.executor.begin_frame(&FrameParams { frame_slot: slot, ..*params }, tuning)?;
+        self.frames += 1;
+        Ok(frame)
+    }
+
+    fn wait_for(&self, slot: u32) -> Result<(), Error> {
+        let is_held = || self.slots.get(slot as usize).is_some_and(|held| Arc::strong_count(held) > 1);
+        if is_held() {
+            self.device.poll(wgpu::PollType::Poll)?;
+        }
+        if is_held() {
+            self.device.poll(wgpu::PollType::Wait { submission_index: None, timeout: None })?;
+        }
+        if is_held() {
+            return Err(Error::NotSubmitted { slot });
+        }
+        Ok(())
+    }
+
+    /// Records a phase into two command buffers: the transitions of its textures, by wgpu, and its passes, past wgpu. An encoder of
+    /// wgpu cannot have both.
+    ///
+    /// # Errors
+    /// Errors of [`Executor::record`].
+    ///
+    /// # Safety
+    /// Both are submitted once, in this order, behind the work that writes the inputs of the phase, and before command buffers of
+    /// later phases and frames. The frame was begun since the last [`Self::resize`].
+    pub unsafe fn encode(&mut self, frame: &FrameContext, phase: Phase) -> Result<[wgpu::CommandBuffer; 2], Error> {
+        let declaration = self.executor.denoiser().declaration();
+        let touched = declaration.boundary(phase);
+        let names = touched.iter().map(|use_| declaration.resource(use_.resource).name.as_str());
+        let bound: Vec<Arc<Bound>> = names.filter_map(|name| self.bound.get(name).cloned()).collect();
+        let describe = |label| wgpu::CommandEncoderDescriptor { label: Some(label) };
+        let mut transitions = self.device.create_command_encoder(&describe("atrous: transitions"));
+        transitions.transition_resources(
+            std::iter::empty(),
+            bound.iter().map(|b| wgpu::TextureTransition { texture: &b.texture, selector: None, state: b.state }),
+        );
+        let mut passes = self.device.create_command_encoder(&describe("atrous"));
+        let executor = &mut self.executor;
+        // SAFETY: the command buffer is recording outside a render pass, and nothing else is recorded into it; the slot's earlier
+        // work is complete, since its frame was begun; the transitions bring the textures to the states they were bound in.
+        unsafe {
+            passes.as_hal_mut::<Vulkan, _, _>(|encoder| {
+                let encoder = encoder.ok_or(Error::NotVulkan)?;
+                Ok::<_, Error>(executor.record(encoder.raw_handle(), frame, phase)?)
+            })?;
+        }
+        let passes = passes.finish();
+        let held = (self.slots.get(frame.slot as usize).cloned(), bound);
+        passes.on_submitted_work_done(move || drop(held));
+        Ok([transitions.finish(), passes])
+    }
+
+    /// Runs the same passes for another extent: waits for the GPU, and makes outputs, histories and transients anew. Inputs are
+    /// given again. The first frame drops all history.
+    ///
+    /// # Errors
+    /// [`Error::NotSubmitted`]; errors of [`Executor::resize`].
+    pub fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
+        (0..self.slots.len() as u32).try_for_each(|slot| self.wait_for(slot))?;
+        // SAFETY: no command buffer of any slot is left.
+        unsafe { self.executor.resize(allocated_extent)? };
+        self.bound.clear();
+        self.make_outputs()
+    }
+}
+
+impl Drop for WgpuDenoiser {
+    fn drop(&mut self) {
+        match (0..self.slots.len() as u32).try_for_each(|slot| self.wait_for(slot)) {
+            // SAFETY: no command buffer of any slot is left, and the executor is not used again.
+            Ok(()) => unsafe { ManuallyDrop::drop(&mut self.executor) },
+            Err(error) => log::error!("atrous-wgpu: a denoiser is leaked, since the GPU may still use it: {error}"),
+        }
+    }
+}

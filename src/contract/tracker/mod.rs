@@ -1,0 +1,314 @@
+//! The barriers of a frame, derived from the declared uses and from what was last done to each image and buffer.
+//!
+//! A frame graph that tracks its resources needs none of this. For every other host it is the part that each would write anew, and
+//! the built-in executor has no other.
+
+mod arguments;
+mod barrier;
+mod state;
+
+pub use arguments::{Barriers2, LegacyBarriers, PhysicalResource};
+pub(crate) use barrier::WHOLE;
+pub use barrier::{Barrier, BarrierTarget};
+pub use state::ResourceState;
+
+use super::{Access, Declaration, FrameContext, Lifetime, Phase, ResourceId, Shape, Use};
+use crate::binding::Binding;
+use ash::vk;
+
+/// Remembers what was last done to every physical image and buffer of a declaration, and tells the barriers before each pass.
+///
+/// Inputs are absent until the host says that they are there ([`Self::share`], [`Self::access`]); all else starts with undefined
+/// content. Make a new one where the declaration or its images change: after a resize. A barrier is plain data; [`Barriers2`] and
+/// [`LegacyBarriers`] make arguments of Vulkan's calls of them.
+///
+/// ```
+/// use atrous::{Barriers2, Config, FrameParams, FrameState, PhysicalResource, ResourceId, Tracker, Tuning};
+///
+/// let declaration = Config::new([64, 36]).declare()?;
+/// let mut tracker = Tracker::new(&declaration);
+/// let mut arguments = Barriers2::default();
+/// let physical = |_: ResourceId, _copy: usize| None::<PhysicalResource>; // here go the images and buffers of the host
+/// let frame = FrameState::default().begin(declaration.setup(), &FrameParams::new([64, 36]), &Tuning::default())?;
+/// for pass in 0..declaration.passes().len() {
+///     arguments.set(tracker.barriers(pass, &frame), physical);
+///     let _info = arguments.dependency_info(); // of vkCmdPipelineBarrier2; then comes Denoiser::record
+/// }
+/// # Ok::<(), atrous::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Tracker {
+    passes: Vec<TrackedPass>,
+    resources: Vec<Tracked>,
+    /// The family of the queue that is recorded for.
+    queue_family: u32,
+    /// Barriers of the last call; kept, so that a steady state allocates nothing.
+    found: Vec<Barrier>,
+    /// What the host's queue acquires after the last [`Self::hand_back`].
+    given_back: Vec<Barrier>,
+}
+
+#[derive(Clone, Debug)]
+struct TrackedPass {
+    phase: Phase,
+    uses: Vec<Use>,
+}
+
+#[derive(Clone, Debug)]
+struct Tracked {
+    is_image: bool,
+    /// Whether it has two copies, of which the parity of the frame says which is current.
+    is_pair: bool,
+    /// The pass that a transient starts in.
+    starts: Option<usize>,
+    /// Transients in the same memory.
+    aliases: Vec<ResourceId>,
+    /// What the host asked for, of a shared resource: the state that each phase finds and the one that it leaves.
+    shared: Option<[ResourceState; 2]>,
+    copies: [Copy; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Copy {
+    state: ResourceState,
+    is_there: bool,
+    /// Whether it was used since it was handed back.
+    touched: bool,
+}
+
+impl Tracker {
+    /// Starts with undefined content everywhere, and without inputs.
+    pub fn new(declaration: &Declaration) -> Self {
+        let passes = declaration.passes().iter().map(|p| TrackedPass { phase: p.phase, uses: p.uses.clone() }).collect();
+        let copy = |is_there| Copy { state: ResourceState::UNDEFINED, is_there, touched: false };
+        let mut resources: Vec<_> = (declaration.resources().iter())
+            .map(|resource| Tracked {
+                is_image: matches!(resource.shape, Shape::Image { .. }),
+                is_pair: resource.lifetime == Lifetime::History,
+                starts: None,
+                aliases: Vec::new(),
+                shared: None,
+                copies: [copy(resource.lifetime.copies() > 0), copy(resource.lifetime.copies() > 1)],
+            })
+            .collect();
+        for (id, first, _) in declaration.transients() {
+            resources[id.0 as usize].starts = Some(first);
+        }
+        let (found, given_back) = (Vec::new(), Vec::new());
+        Self { passes, resources, queue_family: vk::QUEUE_FAMILY_IGNORED, found, given_back }
+    }
+
+    /// Notes that two transients overlap in memory, so that one starts only after the other is done.
+    pub fn alias(&mut self, a: ResourceId, b: ResourceId) {
+        for (id, other) in [(a, b), (b, a)] {
+            if let Some(resource) = self.resources.get_mut(id.0 as usize).filter(|r| id != other && !r.aliases.contains(&other)) {
+                resource.aliases.push(other);
+            }
+        }
+    }
+
+    /// Shares an input or an output with the host: each phase finds it in the state `before`, and [`Self::hand_back`] leaves it in
+    /// the state `after`. Between the phases it is the host's.
+    pub fn share(&mut self, id: ResourceId, before: ResourceState, after: ResourceState) {
+        self.set_state(id, 0, before);
+        if let Some(resource) = self.resources.get_mut(id.0 as usize) {
+            resource.shared = Some([before, after]);
+        }
+    }
+
+    /// Leaves an optional input out from now on.
+    pub fn leave_out(&mut self, id: ResourceId) {
+        if let Some(resource) = self.resources.get_mut(id.0 as usize) {
+            (resource.shared, resource.copies[0].is_there) = (None, false);
+        }
+    }
+
+    /// Notes what was done to a copy without the tracker. It is there from now on, and no longer shared.
+    pub fn set_state(&mut self, id: ResourceId, copy: usize, state: ResourceState) {
+        if let Some(resource) = self.resources.get_mut(id.0 as usize) {
+            resource.shared = None;
+            if let Some(copy) = resource.copies.get_mut(copy) {
+                *copy = Copy { state, is_there: true, touched: false };
+            }
+        }
+    }
+
+    /// The state of a copy; `None` for an input that is left out.
+    pub fn state(&self, id: ResourceId, copy: usize) -> Option<ResourceState> {
+        let copy = self.resources.get(id.0 as usize)?.copies.get(copy)?;
+        copy.is_there.then_some(copy.state)
+    }
+
+    /// The layout that a copy is in, for its binding; `UNDEFINED` for an input that is left out, and for a buffer.
+    pub fn layout(&self, id: ResourceId, copy: usize) -> vk::ImageLayout {
+        self.state(id, copy).map_or(vk::ImageLayout::UNDEFINED, |state| state.layout)
+    }
+
+    /// Records for queues of this family from now on: what another family owns is acquired. `QUEUE_FAMILY_IGNORED`, as at first,
+    /// where ownership never changes.
+    pub fn set_queue_family(&mut self, queue_family: u32) {
+        self.queue_family = queue_family;
+    }
+
+    /// The barriers that go before a pass, all into one call. The pass counts as recorded behind them.
+    pub fn barriers(&mut self, pass: usize, frame: &FrameContext) -> &[Barrier] {
+        let Self { passes, resources, found, queue_family, .. } = self;
+        found.clear();
+        for u in passes.get(pass).map_or(&[][..], |p| &p.uses) {
+            let index = u.resource.0 as usize;
+            let copy = copy_of(&resources[index], u, frame);
+            if !resources[index].copies[copy].is_there {
+                continue;
+            }
+            if resources[index].starts == Some(pass) {
+                take_over(resources, u.resource, ResourceState::of(u.access), found);
+            }
+            let next = next_state(&resources[index].copies[copy].state, u.access).owned_by(*queue_family);
+            transition(&mut resources[index], u.resource, copy, next, !u.access.reads(), found);
+        }
+        found
+    }
+
+    /// The bindings of a pass for [`Denoiser::record`](crate::Denoiser::record), in the layouts that [`Self::barriers`] reached.
+    /// `physical` gives the image or buffer of a copy of a resource. The list is the host's, so that it can be used again.
+    pub fn bindings(
+        &self,
+        pass: usize,
+        frame: &FrameContext,
+        physical: impl Fn(ResourceId, usize) -> Option<PhysicalResource>,
+        bindings: &mut Vec<Binding>,
+    ) {
+        bindings.clear();
+        for u in self.passes.get(pass).map_or(&[][..], |p| &p.uses) {
+            let copy = copy_of(&self.resources[u.resource.0 as usize], u, frame);
+            let physical = self.state(u.resource, copy).zip(physical(u.resource, copy));
+            bindings.push(physical.map_or(Binding::Absent, |(state, physical)| physical.binding(u.access, state.layout)));
+        }
+    }
+
+    /// The barriers before a use of the host's own between two passes or behind them: an upload, a copy, a draw. `discard` where it
+    /// needs no old content. The resource is there from now on.
+    pub fn access(&mut self, id: ResourceId, copy: usize, next: ResourceState, discard: bool) -> &[Barrier] {
+        let Self { resources, found, queue_family, .. } = self;
+        found.clear();
+        if resources.get(id.0 as usize).is_some_and(|resource| copy < resource.copies.len()) {
+            if discard {
+                take_over(resources, id, next, found);
+            }
+            let resource = &mut resources[id.0 as usize];
+            resource.copies[copy].is_there = true;
+            transition(resource, id, copy, next.owned_by(*queue_family), discard, found);
+        }
+        found
+    }
+
+    /// The barriers at the end of a phase, which bring what the host shares to the state that it asked for. Where its family is
+    /// another one, they release the ownership, and [`Self::given_back`] has what the host's queue records in its turn.
+    pub fn hand_back(&mut self) -> &[Barrier] {
+        let Self { resources, found, given_back, .. } = self;
+        found.clear();
+        given_back.clear();
+        for (index, resource) in resources.iter_mut().enumerate() {
+            let Some([before, after]) = resource.shared else { continue };
+            let copy = &mut resource.copies[0];
+            if !std::mem::take(&mut copy.touched) {
+                continue;
+            }
+            // Even where only reads met: the host's next write must wait for ours.
+            let target = target(resource.is_image, ResourceId(index as u32), 0);
+            let barrier = Barrier { target, from: copy.state, to: after, discard: false };
+            if barrier.queue_families().is_some() {
+                given_back.push(barrier.acquire());
+            }
+            found.push(barrier.release());
+            copy.state = before;
+        }
+        found
+    }
+
+    /// The acquiring halves of the last [`Self::hand_back`], for the host's queue; empty where ownership does not change.
+    pub fn given_back(&self) -> &[Barrier] {
+        &self.given_back
+    }
+
+    /// The releasing halves that go before a phase which is recorded for a queue of another family: what each resource's owner has
+    /// to record on a queue of its own, ahead of the semaphore. [`Self::barriers`] gives the acquiring halves afterwards. Empty
+    /// where ownership does not change.
+    pub fn releases(&self, phase: Phase, frame: &FrameContext, queue_family: u32) -> Vec<Barrier> {
+        let mut ahead = self.clone();
+        ahead.queue_family = queue_family;
+        let mut releases = Vec::new();
+        for pass in (0..self.passes.len()).filter(|&pass| self.passes[pass].phase == phase) {
+            let transfers: Vec<_> = ahead.barriers(pass, frame).iter().filter(|b| b.queue_families().is_some()).copied().collect();
+            for barrier in transfers {
+                let (BarrierTarget::Image { resource, copy } | BarrierTarget::Buffer { resource, copy }) = barrier.target else {
+                    continue;
+                };
+                // Each is acquired once, so that its state in front of the phase is the one that is released.
+                let from = self.state(resource, copy).unwrap_or(barrier.from);
+                releases.push(Barrier { from, ..barrier }.release());
+            }
+        }
+        releases
+    }
+}
+
+fn copy_of(resource: &Tracked, u: &Use, frame: &FrameContext) -> usize {
+    if resource.is_pair {
+        frame.history_copy(u.frame)
+    } else {
+        0
+    }
+}
+
+fn target(is_image: bool, resource: ResourceId, copy: usize) -> BarrierTarget {
+    if is_image {
+        BarrierTarget::Image { resource, copy }
+    } else {
+        BarrierTarget::Buffer { resource, copy }
+    }
+}
+
+/// The state behind a use. An image that may be sampled where it is stays there.
+fn next_state(now: &ResourceState, access: Access) -> ResourceState {
+    let next = ResourceState::of(access);
+    let layout = if access == Access::Sampled && now.is_sampled_in_place() { now.layout } else { next.layout };
+    ResourceState { layout, ..next }
+}
+
+/// Orders a transient that starts after what was done to its memory through others: a barrier of the image alone does not reach
+/// that, and a global one does not come before the image's own layout transition.
+fn take_over(resources: &mut [Tracked], id: ResourceId, next: ResourceState, found: &mut Vec<Barrier>) {
+    if resources[id.0 as usize].aliases.is_empty() {
+        return;
+    }
+    let mut source = ResourceState::UNDEFINED;
+    for other in &resources[id.0 as usize].aliases {
+        if let Some(other) = resources.get(other.0 as usize) {
+            source.merge(&other.copies[0].state);
+        }
+    }
+    found.push(Barrier { target: BarrierTarget::Memory, from: source, to: next, discard: false });
+    let state = &mut resources[id.0 as usize].copies[0].state;
+    state.merge(&source);
+    state.layout = vk::ImageLayout::UNDEFINED;
+}
+
+fn transition(resource: &mut Tracked, id: ResourceId, copy: usize, next: ResourceState, discard: bool, found: &mut Vec<Barrier>) {
+    let is_image = resource.is_image;
+    let Copy { state, touched, .. } = &mut resource.copies[copy];
+    *touched = true;
+    let barrier = Barrier { target: target(is_image, id, copy), from: *state, to: next, discard };
+    let relayout = is_image && state.layout != next.layout;
+    if !state.writes() && !next.writes() && !relayout && barrier.queue_families().is_none() {
+        state.merge(&next);
+        return;
+    }
+    found.push(barrier.acquire());
+    *state = next;
+}
+
+#[cfg(test)]
+mod hazard_tests;
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,143 @@
+//! States of images and buffers: what was done to one last, or what is wanted next.
+
+use crate::contract::Access;
+use ash::vk;
+
+/// The state of an image or buffer: the last access to it, its layout and its owner. One side of a barrier.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ResourceState {
+    /// Pipeline stages.
+    pub stage: vk::PipelineStageFlags2,
+    /// Accesses of those stages.
+    pub access: vk::AccessFlags2,
+    /// Layout of an image; `UNDEFINED` for a buffer, and for content that nobody needs.
+    pub layout: vk::ImageLayout,
+    /// Queue family that owns it. `QUEUE_FAMILY_IGNORED` where ownership never changes: one family, or concurrent sharing.
+    pub queue_family: u32,
+}
+
+impl ResourceState {
+    /// The state of what was never touched: no access, undefined content.
+    pub const UNDEFINED: Self = Self::new(vk::PipelineStageFlags2::NONE, vk::AccessFlags2::NONE, vk::ImageLayout::UNDEFINED);
+
+    /// The state of the source of a copy.
+    pub const COPY_SOURCE: Self =
+        Self::new(vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_READ, vk::ImageLayout::TRANSFER_SRC_OPTIMAL);
+
+    /// The state behind a use by a pass: that of its [`Access`]. `Clear` is the state of the target of a copy as well.
+    pub const fn of(access: Access) -> Self {
+        let image = access.image();
+        Self::new(image.stage, image.access, image.layout)
+    }
+
+    /// A state without an owner.
+    pub const fn new(stage: vk::PipelineStageFlags2, access: vk::AccessFlags2, layout: vk::ImageLayout) -> Self {
+        Self { stage, access, layout, queue_family: vk::QUEUE_FAMILY_IGNORED }
+    }
+
+    /// The state with a queue family as its owner.
+    pub const fn owned_by(self, queue_family: u32) -> Self {
+        Self { queue_family, ..self }
+    }
+
+    /// Stage and access mask for `vkCmdPipelineBarrier`, on devices without synchronization2. Stages that it does not know become
+    /// `ALL_COMMANDS`; no stage at all is neither `TOP_OF_PIPE` nor `BOTTOM_OF_PIPE` here, since that depends on the side.
+    pub fn legacy_scope(self) -> (vk::PipelineStageFlags, vk::AccessFlags) {
+        (legacy_stage(self.stage), legacy_access(self.access))
+    }
+
+    /// Whether any of the accesses writes on the device. Writes of the CPU do not count: a submission makes them visible.
+    pub(super) fn writes(&self) -> bool {
+        self.access.as_raw() & !READS.as_raw() != 0
+    }
+
+    pub(super) fn merge(&mut self, other: &Self) {
+        self.stage |= other.stage;
+        self.access |= other.access;
+    }
+
+    /// Whether a shader may sample the image where it is.
+    pub(super) fn is_sampled_in_place(&self) -> bool {
+        matches!(
+            self.layout,
+            vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL
+                | vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL
+                | vk::ImageLayout::DEPTH_READ_ONLY_STENCIL_ATTACHMENT_OPTIMAL
+                | vk::ImageLayout::DEPTH_READ_ONLY_OPTIMAL
+                | vk::ImageLayout::READ_ONLY_OPTIMAL
+        )
+    }
+}
+
+impl From<Access> for ResourceState {
+    fn from(access: Access) -> Self {
+        Self::of(access)
+    }
+}
+
+/// Accesses that leave content as it is. What is not among them counts as a write, so that a flag of an extension does.
+const READS: vk::AccessFlags2 = {
+    use vk::AccessFlags2 as A;
+    A::from_raw(
+        A::INDIRECT_COMMAND_READ.as_raw()
+            | A::INDEX_READ.as_raw()
+            | A::VERTEX_ATTRIBUTE_READ.as_raw()
+            | A::UNIFORM_READ.as_raw()
+            | A::INPUT_ATTACHMENT_READ.as_raw()
+            | A::SHADER_READ.as_raw()
+            | A::COLOR_ATTACHMENT_READ.as_raw()
+            | A::DEPTH_STENCIL_ATTACHMENT_READ.as_raw()
+            | A::TRANSFER_READ.as_raw()
+            | A::HOST_READ.as_raw()
+            | A::HOST_WRITE.as_raw()
+            | A::MEMORY_READ.as_raw()
+            | A::SHADER_SAMPLED_READ.as_raw()
+            | A::SHADER_STORAGE_READ.as_raw()
+            | A::ACCELERATION_STRUCTURE_READ_KHR.as_raw()
+            | A::SHADER_BINDING_TABLE_READ_KHR.as_raw(),
+    )
+};
+
+/// Flags of the first 17 bits mean the same in both.
+const SHARED_BITS: u64 = 0x1_ffff;
+
+fn legacy_stage(stage: vk::PipelineStageFlags2) -> vk::PipelineStageFlags {
+    use vk::{PipelineStageFlags as Old, PipelineStageFlags2 as New};
+    let mut legacy = Old::from_raw((stage.as_raw() & SHARED_BITS) as u32);
+    let renamed = [
+        (New::COPY | New::RESOLVE | New::BLIT | New::CLEAR, Old::TRANSFER),
+        (New::INDEX_INPUT | New::VERTEX_ATTRIBUTE_INPUT, Old::VERTEX_INPUT),
+        (New::PRE_RASTERIZATION_SHADERS, Old::ALL_GRAPHICS),
+    ];
+    let mut rest = New::from_raw(stage.as_raw() & !SHARED_BITS);
+    for (new, old) in renamed {
+        if rest.intersects(new) {
+            (legacy, rest) = (legacy | old, rest & !new);
+        }
+    }
+    if rest.is_empty() {
+        legacy
+    } else {
+        legacy | Old::ALL_COMMANDS
+    }
+}
+
+fn legacy_access(access: vk::AccessFlags2) -> vk::AccessFlags {
+    use vk::{AccessFlags as Old, AccessFlags2 as New};
+    let mut legacy = Old::from_raw((access.as_raw() & SHARED_BITS) as u32);
+    let renamed = [
+        (New::SHADER_SAMPLED_READ | New::SHADER_STORAGE_READ | New::SHADER_BINDING_TABLE_READ_KHR, Old::SHADER_READ),
+        (New::SHADER_STORAGE_WRITE, Old::SHADER_WRITE),
+    ];
+    let mut rest = New::from_raw(access.as_raw() & !SHARED_BITS);
+    for (new, old) in renamed {
+        if rest.intersects(new) {
+            (legacy, rest) = (legacy | old, rest & !new);
+        }
+    }
+    if rest.is_empty() {
+        legacy
+    } else {
+        legacy | Old::MEMORY_READ | Old::MEMORY_WRITE
+    }
+}
