@@ -70,13 +70,16 @@ fn what_moves_in_a_still_mirror_is_not_behind() {
     assert!(lag(&pictures[0], &truths, [0.2, 0.1, 0.5, 0.55]) <= 1);
 }
 
-/// Balls and panels that reflect one another while the camera goes round them.
+/// Rough mirrors that reflect balls while the camera goes round them. On the balls themselves what is seen moves by less than a tenth of a
+/// pixel a frame, too little to tell frames apart.
 #[test]
 fn reflections_follow_a_moving_camera_and_have_less_error_apart() {
     let Some(gpu) = Validated::new() else { return };
     let (pictures, truths) = run(&gpu, "glossy", 16, 3, &[options(Signals::Together), options(Signals::Specular)]);
+    for panel in [[0.25, 0.1, 0.45, 0.35], [0.47, 0.1, 0.6, 0.35]] {
+        assert!(lag(&pictures[1], &truths, panel) <= 1);
+    }
     let metals = [0.2, 0.1, 0.75, 0.8];
-    assert_eq!(lag(&pictures[1], &truths, metals), 0);
     let truth = cut(&truths[0], metals);
     let [together, apart] = [0, 1].map(|i| rmse(&cut(&pictures[i], metals), &truth));
     println!("RMSE together {together:.4}, apart {apart:.4}");
