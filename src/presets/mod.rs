@@ -11,6 +11,7 @@ mod gradients;
 mod percentile;
 mod stabilize;
 mod svgf;
+mod visibility;
 mod volume;
 
 pub use asvgf::asvgf;
@@ -21,6 +22,7 @@ pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
 pub use stabilize::stabilize;
 pub use svgf::svgf;
+pub use visibility::visibility;
 pub use volume::volume;
 
 use crate::config::{Config, PostProcess, Preset, Signals};
@@ -56,7 +58,15 @@ impl Config {
         let mut g = Graph::of_config(self);
         let guides =
             g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
-        let surfaces = surfaces(&mut g, &guides, self);
+        let visibility = self.visibility.then(|| {
+            let visibility = visibility(&mut g, &guides);
+            g.output("denoised_visibility", &visibility);
+            visibility
+        });
+        let surfaces = surfaces(&mut g, &guides, self).map(|denoised| match &visibility {
+            Some(visibility) => Denoised { radiance: g.shadowed_light(&denoised.radiance, visibility), ..denoised },
+            None => denoised,
+        });
         let fog = self.has_volume().then(|| {
             let fog = volume(&mut g, &guides, self);
             g.output("denoised_volume", &fog.radiance);

@@ -48,6 +48,7 @@ pub(crate) mod surface_motion;
 #[cfg(test)]
 pub(crate) mod test_scene;
 pub(crate) mod texels;
+pub(crate) mod visibility;
 pub(crate) mod volume;
 
 pub use crate::nodes::adaptive_alpha::twin::{adaptive_alpha, AdaptiveAlphaInput};
@@ -75,6 +76,7 @@ pub use crate::nodes::gradient_atrous::twin::{
 pub use crate::nodes::import::twin::{decode_normal, import, ImportInputs, ImportOutputs};
 pub use crate::nodes::modulate::twin::{modulate, ModulateInputs, ModulateOutputs};
 pub use crate::nodes::percentile_rule::twin::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
+pub use crate::nodes::shadowed_light::twin::shadowed_light;
 pub use crate::nodes::taa::twin::{taa, TaaInputs};
 pub use crate::nodes::temporal_accumulation::twin::{
     temporal_accumulation, volume_accumulation, ObjectNormals, PreviousFrame, SignalHistory, StrataRatio,
@@ -82,6 +84,9 @@ pub use crate::nodes::temporal_accumulation::twin::{
 };
 pub use crate::nodes::tone_map::twin::tone_map;
 pub use crate::nodes::variance::twin::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
+pub use crate::nodes::visibility_accumulation::twin::{visibility_accumulation, VisibilityAccumulationInputs};
+pub use crate::nodes::visibility_filter::twin::{visibility_filter, VisibilityFilterInputs};
+pub use crate::nodes::visibility_samples::twin::{visibility_samples, NO_SAMPLE};
 pub use crate::nodes::volume_motion::twin::{pack_volume_motion, unpack_volume_motion, volume_motion_claim, volume_motion_resolve};
 pub use crate::nodes::volume_points::twin::{
     pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,
@@ -108,3 +113,4 @@ pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
 };
 pub use texels::Texels;
+pub use visibility::{pack_visibility, unpack_visibility, VisibilityHistory};

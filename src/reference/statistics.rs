@@ -1,7 +1,7 @@
 //! Counters of bad input.
 
 /// Counters, indexed by [`Counter`].
-pub type Statistics = [u32; 8];
+pub type Statistics = [u32; 10];
 
 /// Kinds of bad input, counted in pixels of the render extent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +23,10 @@ pub enum Counter {
     ForwardMotion = 6,
     /// A scattering depth that is NaN.
     ScatteringDepth = 7,
+    /// A visibility that is not finite, or outside of 0 to 1, on a surface.
+    Visibility = 8,
+    /// A distance of an occluder that is NaN or negative, on a surface.
+    OccluderDistance = 9,
 }
 
 /// Counts the texels that are true.

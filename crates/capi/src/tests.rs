@@ -34,6 +34,7 @@ fn numbers_out_of_range_are_named() {
         ("motion_y_up", |c| c.motion_y_up = 77),
         ("levels", |c| c.levels = 77),
         ("volume", |c| c.volume = 77),
+        ("visibility", |c| c.visibility = 2),
         ("firefly_filter", |c| c.firefly_filter = 77),
         ("adaptive_rule", |c| c.adaptive_rule = 77),
         ("block_sort", |c| c.block_sort = 77),
@@ -105,6 +106,7 @@ fn every_choice_of_a_filter_is_reachable() {
     let given = AtrousConfig {
         preset: 4,
         volume: 1,
+        visibility: 1,
         firefly_filter: 1,
         adaptive_rule: 1,
         block_sort: 1,
@@ -115,6 +117,7 @@ fn every_choice_of_a_filter_is_reachable() {
     let expected = Config {
         preset: Preset::Eaw,
         volume: true,
+        visibility: true,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
         block_sort: BlockSort::OddEven,

@@ -23,7 +23,7 @@ float hit_weight(Surface emitter, vec3 direction, float distance, float bsdf_den
 // Light scattered at the end of the bounce towards its start.
 vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
     s.roughness = max(s.roughness, REGULARISED_ROUGHNESS);
-    vec3 radiance = next_event(s, view, random2(rng), false);
+    vec3 radiance = next_event(s, view, random2(rng), false, NO_LIGHT);
     vec2 u = random2(rng);
     if (frame.sky_zenith.a > 0.0) {
         vec3 weight;
@@ -34,12 +34,12 @@ vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
     return radiance;
 }
 
-// As it leaves the surface towards the eye.
-Lighting surface_lighting(Surface s, vec3 eye, inout Rng rng) {
+// As it leaves the surface towards the eye, but for what one light gives it directly.
+Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
     Lighting result = Lighting(vec3(0.0), vec3(0.0));
     vec3 view = normalize(eye - s.position);
     vec2 light_u = random2(rng);
-    if (frame.counts.y != LIGHT_SAMPLING_BSDF) result.direct = next_event(s, view, light_u, frame.counts.y == LIGHT_SAMPLING_MIS);
+    if (frame.counts.y != LIGHT_SAMPLING_BSDF) result.direct = next_event(s, view, light_u, frame.counts.y == LIGHT_SAMPLING_MIS, left_out);
     vec3 weight;
     float density;
     vec3 direction = sample_bsdf(s, view, random2(rng), weight, density);
@@ -59,8 +59,8 @@ Lighting surface_lighting(Surface s, vec3 eye, inout Rng rng) {
 }
 
 // As it reaches the eye.
-Lighting trace_path(Surface s, vec3 eye, inout Rng rng) {
-    Lighting lighting = surface_lighting(s, eye, rng);
+Lighting trace_path(Surface s, vec3 eye, uint left_out, inout Rng rng) {
+    Lighting lighting = surface_lighting(s, eye, left_out, rng);
     float seen = medium_transmittance(distance(eye, s.position));
     return Lighting(lighting.direct * seen, lighting.indirect * seen);
 }

@@ -86,7 +86,7 @@ fn no_bad_value_of_any_input_reaches_an_output() {
         let Ok(Texels::Bytes(bytes)) = engine.texels("statistics", UseFrame::Current) else { panic!("a buffer") };
         let counts: Statistics = bytemuck::pod_read_unaligned(bytes);
         assert!(counts[..=Counter::Emission as usize].iter().all(|n| *n > 0), "{counts:?}");
-        assert_eq!(counts[Counter::ForwardMotion as usize..], [0, 0]);
+        assert!(counts[Counter::ForwardMotion as usize..].iter().all(|n| *n == 0), "{counts:?}");
     }
 }
 
