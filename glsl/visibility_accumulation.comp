@@ -15,7 +15,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(push_constant) uniform Push {
     float light_radius;
     float visibility_alpha;
-    float penumbra_blur;
     float depth_tolerance;
     float normal_tolerance;
     float sigma_n;
@@ -44,14 +43,16 @@ const float MIN_TAP_WEIGHT = 0.01;
 const float NOTHING = 1e-3;
 // Pixels that always count as near: an edge that is sharp, and stands still, runs between them.
 const float NEAR = 1.5;
-// Standard deviations of the interval that history is clamped to.
-const float CONFIDENCE_Z = 2.0;
+// Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much as the
+// penumbra does, the few samples of this frame know better.
+const vec2 CONFIDENCE_Z = vec2(1.0, 2.0);
 // Frames up to which the deviation is at least that of the surroundings: a few samples may be equal by chance.
 const float SHORT_HISTORY = 8.0;
 // Variance of a look by the cubic, as a share of that by 2x2 pixels.
 const float CUBIC_BLUR = 0.2;
-// Variance by which motion may blur any edge, squared pixels.
-const float TOLERATED_BLUR = 0.25;
+// Variance by which motion may blur an edge: as a share of the squared radius of the penumbra, and of any edge in squared pixels.
+const float TOLERATED_BLUR = 0.5;
+const float TOLERATED_BLUR_OF_ANY = 0.15;
 // Smallest weight of this frame in the distance of the occluder.
 const float DISTANCE_ALPHA = 0.25;
 
@@ -136,13 +137,13 @@ Window window(Centre centre, ivec2 p, float radius) {
 }
 
 // What the mean may be, by the samples of this frame. All of one kind, as far as a penumbra reaches: nothing else.
-vec2 bounds(Search found, Window around) {
+vec2 bounds(Search found, Window around, float pixels) {
     if (found.occluded <= NOTHING && found.lit > NOTHING) return vec2(1.0);
     if (found.lit <= NOTHING && found.occluded > NOTHING) return vec2(0.0);
     if (around.weight <= NOTHING) return vec2(0.0, 1.0);
-    float squared = CONFIDENCE_Z * CONFIDENCE_Z, n = around.weight, inverse = 1.0 / (n + squared);
+    float z = clamp(pixels, CONFIDENCE_Z.x, CONFIDENCE_Z.y), squared = z * z, n = around.weight, inverse = 1.0 / (n + squared);
     float middle = (around.lit + 0.5 * squared) * inverse;
-    float half_width = CONFIDENCE_Z * inverse * sqrt(max(0.0, around.lit * (n - around.lit) / n + 0.25 * squared));
+    float half_width = z * inverse * sqrt(max(0.0, around.lit * (n - around.lit) / n + 0.25 * squared));
     return clamp(vec2(middle - half_width, middle + half_width), 0.0, 1.0);
 }
 
@@ -207,9 +208,8 @@ float blur_of(vec2 position, Centre centre) {
 
 // The variance that a profile of a shadow's edge may gain, squared scene units.
 float tolerated_blur(Centre centre, float radius) {
-    float wide = push.penumbra_blur * radius;
     vec2 lengths = squared_lengths(centre);
-    return wide * wide + TOLERATED_BLUR * 0.5 * (lengths.x + lengths.y);
+    return TOLERATED_BLUR * radius * radius + TOLERATED_BLUR_OF_ANY * 0.5 * (lengths.x + lengths.y);
 }
 
 VisibilityHistory accumulate(float v, VisibilityHistory before, vec2 allowed, float blur, float tolerated) {
@@ -250,10 +250,11 @@ void main() {
     float v = own.x >= 0.0 ? own.x : share;
     VisibilityHistory result = VisibilityHistory(v, 0.0, 1.0, distance);
     if (past.weight > 0.0) {
+        vec2 lengths = squared_lengths(centre);
         float inverse = 1.0 / past.weight, mean = past.mean * inverse;
         float deviation = sqrt(max(0.0, past.second_moment * inverse - past.plain_mean * past.plain_mean * inverse * inverse));
         VisibilityHistory before = VisibilityHistory(mean, deviation, past.history_length * inverse, distance);
-        result = accumulate(v, before, bounds(found, around), blur, tolerated_blur(centre, radius));
+        result = accumulate(v, before, bounds(found, around, radius * inversesqrt(max(lengths.x, lengths.y))), blur, tolerated_blur(centre, radius));
     }
     if (result.history_length < SHORT_HISTORY) result.deviation = max(result.deviation, sqrt(max(0.0, share * (1.0 - share))));
     imageStore(visibility_history, p, uvec4(pack_visibility(result)));

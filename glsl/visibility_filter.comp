@@ -31,7 +31,8 @@ layout(push_constant) uniform Push {
 
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 3) uniform utexture2D visibility_history;
+// The first level has it as filter_in as well: in one layout.
+PACKED_IMAGE_32(3, visibility_history);
 PACKED_IMAGE_32(4, filter_in);
 #if LAST
 layout(set = 0, binding = 5, r32f) uniform writeonly image2D denoised_visibility;
@@ -43,6 +44,11 @@ layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D filter_out;
 const float VISIBILITY_EPSILON = 0.01;
 // Squared pixels: a narrower filter changes nothing.
 const float NARROW = 0.02;
+// Along an edge light changes little: variance of the kernel in that direction at least, squared steps of the level, on the first levels; and
+// how far a tap may lie aside for that, squared pixels.
+const float ALONG = 1.0;
+const float ASIDE = 0.1;
+const uint ALONG_LEVELS = 2u;
 
 // Visibility and its deviation.
 vec2 estimate_at(ivec2 p) {
@@ -67,20 +73,45 @@ float share_of_level(float wanted) {
     return clamp(wanted - (full - 1.0) / 3.0, 0.0, full);
 }
 
+// Exponent of 2 by geometry of a tap that exists, else what makes its weight 0.
+float geometry_at(EdgeCentre centre, ivec2 p, ivec2 offset) {
+    ivec2 q = p + offset, tap = nearest_inside(q);
+    uvec4 packed = packed_at(guide, tap);
+    float weight = log2_edge_weight(centre, packed, depth_sharpness(centre, vec2(offset)));
+    return q == tap && unpack_depth(packed) != 0.0 ? weight : -1e30;
+}
+
+// The way into the light, of unit length; 0 where there is none.
+vec2 towards_light(EdgeCentre centre, ivec2 p, float visibility) {
+    vec2 slope = vec2(0.0);
+    [[dont_unroll]] for (int i = 0; i < 25; ++i) {
+        ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2);
+        float weight = exp2(geometry_at(centre, p, offset << push.level));
+        slope += weight * (estimate_at(nearest_inside(p + (offset << push.level))).x - visibility) * vec2(offset);
+    }
+    float squared = dot(slope, slope);
+    return squared > 1e-6 ? slope * inversesqrt(squared) : vec2(0.0);
+}
+
 vec2 filtered(ivec2 p, uvec4 packed, vec2 estimate, vec2 size, float variance) {
     EdgeCentre centre = edge_centre(packed, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
-    float longer = max(size.x, size.y);
-    float sharpness = LOG2_E / (2.0 * variance * longer * longer);
+    float longer = max(size.x, size.y), full = float(1 << (2 * push.level));
+    vec2 light = push.level < ALONG_LEVELS ? towards_light(centre, p, estimate.x) : vec2(0.0);
+    float sharpness = LOG2_E / (2.0 * max(variance, 1e-6) * longer * longer);
     float tolerance = LOG2_E / (push.visibility_sigma * estimate.y + VISIBILITY_EPSILON);
     vec2 sum = vec2(estimate.x, estimate.y * estimate.y);
     float weights = 1.0;
     [[dont_unroll]] for (int i = 0; i < 25; ++i) {
-        ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2) << push.level, q = p + offset, tap = nearest_inside(q);
-        uvec4 packed_q = packed_at(guide, tap);
-        vec2 other = estimate_at(tap);
-        float weight = log2_edge_weight(centre, packed_q, depth_sharpness(centre, vec2(offset)));
-        weight -= squared_distance(size, centre.gradient, vec2(offset)) * sharpness + abs(other.x - estimate.x) * tolerance;
-        weight = q == tap && i != 12 && unpack_depth(packed_q) != 0.0 ? exp2(weight) : 0.0;
+        ivec2 offset = ivec2(i % 5 - 2, i / 5 - 2) << push.level;
+        vec2 other = estimate_at(nearest_inside(p + offset)), step = vec2(offset);
+        float way = squared_distance(size, centre.gradient, step) * sharpness;
+        if (light != vec2(0.0)) {
+            float across = dot(step, light), along = dot(step, vec2(-light.y, light.x));
+            float aside = min(squared_distance(size, centre.gradient, across * light) * sharpness, across * across * (LOG2_E / (2.0 * ASIDE)));
+            way = min(way, aside + along * along * (LOG2_E / (2.0 * ALONG * full)));
+        }
+        float weight = geometry_at(centre, p, offset) - way - abs(other.x - estimate.x) * tolerance;
+        weight = i != 12 ? exp2(weight) : 0.0;
         sum += vec2(weight * other.x, weight * weight * other.y * other.y);
         weights += weight;
     }
@@ -93,9 +124,10 @@ void main() {
     uvec4 packed = packed_at(guide, p);
     vec2 estimate = estimate_at(p);
     vec2 size = pixel_size(unpack_depth(packed));
-    float distance = unpack_visibility(texelFetch(visibility_history, p, 0).x).occluder_distance;
+    float distance = unpack_visibility(packed_at(visibility_history, p).x).occluder_distance;
     float deviation = push.penumbra_blur * push.light_radius * distance / max(size.x, size.y);
     float variance = share_of_level(min(deviation * deviation, 1e6));
-    if (unpack_depth(packed) != 0.0 && variance > NARROW) estimate = filtered(p, packed, estimate, size, variance);
+    bool is_edge = push.level < ALONG_LEVELS && distance > 0.0;
+    if (unpack_depth(packed) != 0.0 && (variance > NARROW || is_edge)) estimate = filtered(p, packed, estimate, size, variance);
     store(p, estimate);
 }

@@ -35,6 +35,7 @@ mod schedules;
 mod sequences;
 mod support;
 mod sync_validation;
+mod visibility;
 mod volume;
 
 use atrous_harness::Group;
@@ -80,6 +81,7 @@ fn main() {
         Group { name: "schedules", tests: schedules::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
+        Group { name: "visibility", tests: visibility::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },
     ];
     atrous_harness::run(&groups, &support::try_gpu());

@@ -155,8 +155,7 @@ tuning! {
     /// Smallest weight of the new sample in the accumulated visibility of a light. Raising it follows moving shadows faster and
     /// leaves more noise.
     visibility_alpha: "1", 0.0 ..= 1.0, 0.1;
-    /// Standard deviation of the filter of a visibility, and most that motion may blur its history. Raising it leaves less noise in
-    /// penumbrae and widens them.
+    /// Standard deviation of the filter of a visibility. Raising it leaves less noise in penumbrae and widens them.
     penumbra_blur: "radii of the penumbra", 0.0 ..= 4.0, 0.4;
     /// Visibility edge stopping: tolerated difference in standard deviations. Raising it blurs penumbrae more.
     visibility_sigma: "standard deviations", 0.0 ..= 128.0, 3.0;

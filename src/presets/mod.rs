@@ -22,7 +22,7 @@ pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
 pub use stabilize::stabilize;
 pub use svgf::svgf;
-pub use visibility::visibility;
+pub use visibility::{visibility, visibility_accumulated};
 pub use volume::volume;
 
 use crate::config::{Config, PostProcess, Preset, Signals};
@@ -58,15 +58,13 @@ impl Config {
         let mut g = Graph::of_config(self);
         let guides =
             g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
-        let visibility = self.visibility.then(|| {
-            let visibility = visibility(&mut g, &guides);
+        let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
+        let mut surfaces = surfaces(&mut g, &guides, self);
+        if let Some(accumulated) = accumulated {
+            let visibility = visibility(&mut g, &guides, &accumulated);
             g.output("denoised_visibility", &visibility);
-            visibility
-        });
-        let surfaces = surfaces(&mut g, &guides, self).map(|denoised| match &visibility {
-            Some(visibility) => Denoised { radiance: g.shadowed_light(&denoised.radiance, visibility), ..denoised },
-            None => denoised,
-        });
+            surfaces = surfaces.map(|of| Denoised { radiance: g.shadowed_light(&of.radiance, &visibility), ..of });
+        }
         let fog = self.has_volume().then(|| {
             let fog = volume(&mut g, &guides, self);
             g.output("denoised_volume", &fog.radiance);

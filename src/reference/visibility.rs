@@ -2,7 +2,7 @@
 
 use super::conventions::forward;
 use crate::FrameConstants;
-use glam::{IVec2, Mat4, Vec2};
+use glam::{Mat4, Vec2};
 
 /// A pixel of `visibility_history`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -68,8 +68,7 @@ impl Ruler {
     }
 
     /// Squared distance of two places that lie so many pixels apart.
-    pub fn squared(&self, offset: IVec2) -> f32 {
-        let offset = offset.as_vec2();
+    pub fn squared(&self, offset: Vec2) -> f32 {
         (self.size * offset).length_squared() + self.gradient.dot(offset).powi(2)
     }
 
@@ -122,7 +121,7 @@ mod tests {
         assert!((near.size.y - 2.0 / 32.0).abs() < 1e-6 && (near.size.x - near.size.y).abs() < 1e-6, "{near:?}");
         let far = Ruler::new(&frame, 10.0, [0.0, 1.0]);
         assert!((far.size.y - 20.0 / 32.0).abs() < 1e-5);
-        assert!((far.squared(IVec2::Y) - (far.size.y * far.size.y + 1.0)).abs() < 1e-5);
-        assert!((far.squared(IVec2::X) - far.size.x * far.size.x).abs() < 1e-5);
+        assert!((far.squared(Vec2::Y) - (far.size.y * far.size.y + 1.0)).abs() < 1e-5);
+        assert!((far.squared(Vec2::X) - far.size.x * far.size.x).abs() < 1e-5);
     }
 }

@@ -28,7 +28,7 @@ fn defaults_are_those_of_the_crate() {
 #[test]
 fn numbers_out_of_range_are_named() {
     type Case = (&'static str, fn(&mut AtrousConfig));
-    let cases: [Case; 10] = [
+    let cases: [Case; 11] = [
         ("preset", |c| c.preset = 77),
         ("depth", |c| c.depth = 77),
         ("motion_y_up", |c| c.motion_y_up = 77),

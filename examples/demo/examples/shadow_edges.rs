@@ -92,7 +92,8 @@ impl Setup {
 fn main() -> Result<()> {
     let options = Options::parse();
     let gpu = Gpu::new(&GpuOptions::default())?;
-    let scene = Arc::new(Scene::load(&options.scene, &SceneOptions { static_camera: options.static_camera, ..SceneOptions::default() })?);
+    let scene =
+        Arc::new(Scene::load(&options.scene, &SceneOptions { static_camera: options.static_camera, ..SceneOptions::default() })?);
     let mut setups = [Setup::new(&gpu, &scene, &options, false)?, Setup::new(&gpu, &scene, &options, true)?];
     for index in 0..options.frames {
         for setup in &mut setups {
@@ -125,7 +126,8 @@ impl Rows {
     }
 
     fn table(&self) -> Result<TextTable> {
-        let columns = [Column::new("RMSE in the band", 4), Column::new("width, pixels", 2), Column::new("RMSE", 4), Column::new("SSIM", 4)];
+        let columns =
+            [Column::new("RMSE in the band", 4), Column::new("width, pixels", 2), Column::new("RMSE", 4), Column::new("SSIM", 4)];
         let mut table = TextTable::new("mean of the frames", columns);
         for (name, sums) in &self.rows {
             table.row(name.clone(), &sums.map(|sum| sum / self.frames))?;
@@ -178,11 +180,14 @@ fn measure(gpu: &Gpu, options: &Options, setups: &mut [Setup; 2], i: usize, rows
     }
     strip = strip.panel("reference", Picture::from_linear(w, h, &reference, 1.0)?);
     let filtered: Vec<_> = filtered.iter().map(|v| [*v; 3]).collect();
-    strip = strip.panel("visibility, filtered", Picture::from_display(w, h, &filtered)?).panel("visibility, reference", Picture::from_display(w, h, &seen)?);
+    strip = strip
+        .panel("visibility, filtered", Picture::from_display(w, h, &filtered)?)
+        .panel("visibility, reference", Picture::from_display(w, h, &seen)?);
     let mut band = seen.clone();
     edges.band.iter().for_each(|i| band[*i][2] *= 0.3);
     let strip = strip.panel("the band", Picture::from_display(w, h, &band)?);
-    std::fs::create_dir_all(&options.out).map_err(|e| atrous_demo::Error::Folder { path: options.out.clone(), problem: e.to_string() })?;
+    std::fs::create_dir_all(&options.out)
+        .map_err(|e| atrous_demo::Error::Folder { path: options.out.clone(), problem: e.to_string() })?;
     Ok(strip.render()?.write_png(options.out.join(format!("{}_{index:04}.png", options.scene)))?)
 }
 

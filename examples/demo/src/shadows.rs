@@ -165,7 +165,9 @@ impl ShadowEdges {
         let mut mean = vec![0.0; count];
         let mut used = 0.0;
         for profile in &self.profiles {
-            let (Some(of_image), Some(of_reference)) = (self.light(image, profile), self.light(reference, profile)) else { continue };
+            let (Some(of_image), Some(of_reference)) = (self.light(image, profile), self.light(reference, profile)) else {
+                continue;
+            };
             let level = (REACH as f32 - LEVEL) * STEPS as f32;
             let side = |values: &[f32]| values.iter().sum::<f32>() / values.len() as f32;
             let (dark, bright) = (side(&of_reference[..level as usize]), side(&of_reference[count - level as usize..]));

@@ -20,14 +20,16 @@ mod tests;
 const NOTHING: f32 = 1e-3;
 /// Pixels that always count as near.
 const NEAR: f32 = 1.5;
-/// Standard deviations of the interval that the history is clamped to.
-const CONFIDENCE_Z: f32 = 2.0;
+/// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
+const CONFIDENCE_Z: [f32; 2] = [1.0, 2.0];
 /// Frames up to which the deviation is at least that of the surroundings.
 const SHORT_HISTORY: f32 = 8.0;
 /// Variance of a look by the cubic, as a share of that by 2×2 pixels.
 const CUBIC_BLUR: f32 = 0.2;
+/// Variance by which motion may blur an edge, as a share of the squared radius of the penumbra.
+const TOLERATED_BLUR: f32 = 0.5;
 /// Variance by which motion may blur any edge, squared pixels.
-const TOLERATED_BLUR: f32 = 0.25;
+const TOLERATED_BLUR_OF_ANY: f32 = 0.15;
 /// Smallest weight of this frame in the distance of the occluder.
 const DISTANCE_ALPHA: f32 = 0.25;
 
@@ -133,7 +135,7 @@ impl Surroundings<'_> {
     fn taps(&self, step: i32) -> impl Iterator<Item = (f32, f32, f32, f32)> + '_ {
         self.rect.window(self.p, 2, step).filter(|(_, q)| !self.geometry.is_background(*q)).filter_map(move |(offset, q)| {
             let Sample { visibility, distance } = self.samples.at(q);
-            Some((self.ruler.squared(offset * step), self.geometry.weight(self.p, q), visibility?, distance))
+            Some((self.ruler.squared((offset * step).as_vec2()), self.geometry.weight(self.p, q), visibility?, distance))
         })
     }
 
@@ -164,8 +166,8 @@ impl Surroundings<'_> {
     }
 
     /// The variance that a profile of a shadow's edge may gain, squared scene units.
-    fn tolerated_blur(&self, tuning: &Tuning, radius: f32) -> f32 {
-        (tuning.penumbra_blur * radius).powi(2) + TOLERATED_BLUR * self.ruler.squared_lengths().element_sum() / 2.0
+    fn tolerated_blur(&self, radius: f32) -> f32 {
+        TOLERATED_BLUR * radius * radius + TOLERATED_BLUR_OF_ANY * self.ruler.squared_lengths().element_sum() / 2.0
     }
 
     fn accumulate(&self, tuning: &Tuning, past: Option<(VisibilityHistory, f32)>) -> VisibilityHistory {
@@ -178,8 +180,15 @@ impl Surroundings<'_> {
         let v = self.samples.at(self.p).visibility.unwrap_or(share);
         let fresh = VisibilityHistory { mean: v, deviation: 0.0, history_length: 1.0, occluder_distance: distance };
         let result = past.map_or(fresh, |(before, blur)| {
-            let allowed = bounds([occluded, lit], [sum, of_lit]);
-            blend(tuning, v, &VisibilityHistory { occluder_distance: distance, ..before }, allowed, blur / self.tolerated_blur(tuning, radius))
+            let pixels = radius / self.ruler.squared_lengths().max_element().sqrt();
+            let allowed = bounds([occluded, lit], [sum, of_lit], pixels);
+            blend(
+                tuning,
+                v,
+                &VisibilityHistory { occluder_distance: distance, ..before },
+                allowed,
+                blur / self.tolerated_blur(radius),
+            )
         });
         // A few samples may be equal by chance.
         match result.history_length < SHORT_HISTORY {
@@ -190,7 +199,7 @@ impl Surroundings<'_> {
 }
 
 /// The range of the mean that the samples of this frame allow: only lit, only occluded, or the interval of \[Wilson 1927\].
-fn bounds([occluded, lit]: [f32; 2], [n, of_lit]: [f32; 2]) -> [f32; 2] {
+fn bounds([occluded, lit]: [f32; 2], [n, of_lit]: [f32; 2], pixels: f32) -> [f32; 2] {
     if occluded <= NOTHING && lit > NOTHING {
         return [1.0; 2];
     }
@@ -200,9 +209,10 @@ fn bounds([occluded, lit]: [f32; 2], [n, of_lit]: [f32; 2]) -> [f32; 2] {
     if n <= NOTHING {
         return [0.0, 1.0];
     }
-    let squared = CONFIDENCE_Z * CONFIDENCE_Z;
+    let z = pixels.clamp(CONFIDENCE_Z[0], CONFIDENCE_Z[1]);
+    let squared = z * z;
     let middle = (of_lit + squared / 2.0) / (n + squared);
-    let half_width = CONFIDENCE_Z / (n + squared) * (of_lit * (n - of_lit) / n + squared / 4.0).max(0.0).sqrt();
+    let half_width = z / (n + squared) * (of_lit * (n - of_lit) / n + squared / 4.0).max(0.0).sqrt();
     [middle - half_width, middle + half_width].map(|x| x.clamp(0.0, 1.0))
 }
 

@@ -7,7 +7,7 @@ use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::visibility::{unpack_visibility, Ruler};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
-use glam::IVec2;
+use glam::{IVec2, Vec2};
 
 #[cfg(test)]
 mod tests;
@@ -16,6 +16,12 @@ mod tests;
 const VISIBILITY_EPSILON: f32 = 0.01;
 /// Variances of a kernel, in squared pixels, up to which a level changes nothing.
 const NARROW: f32 = 0.02;
+/// Variance of the kernel along an edge, squared steps of the level.
+const ALONG: f32 = 1.0;
+/// Variance of how far aside a tap along an edge may lie, squared pixels.
+const ASIDE: f32 = 0.1;
+/// Levels that filter along edges.
+const ALONG_LEVELS: u32 = 2;
 
 /// Inputs of [`visibility_filter`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -51,16 +57,21 @@ pub fn visibility_filter(frame: &FrameConstants, tuning: &Tuning, level: u32, in
         let distance = unpack_visibility(inputs.visibility_history.at(p)).occluder_distance;
         let deviation = tuning.penumbra_blur * tuning.light_radius * distance / ruler.longer();
         let variance = share_of_level((deviation * deviation).min(1e6), level);
-        if variance <= NARROW {
+        let is_edge = level < ALONG_LEVELS && distance > 0.0;
+        if variance <= NARROW && !is_edge {
             return estimate;
         }
+        let taps = || rect.window(p, 2, 1 << level).filter(|(_, q)| !geometry.is_background(*q));
         let [v, sigma] = estimate;
+        let slope: Vec2 = taps().map(|(o, q)| o.as_vec2() * geometry.weight(p, q) * (inputs.estimate.at(q)[0] - v)).sum();
+        let light = if level < ALONG_LEVELS && slope.length_squared() > 1e-6 { slope.normalize() } else { Vec2::ZERO };
+        let kernel = Kernel { ruler, light, variance: variance.max(1e-6), full: 4_f32.powi(level as i32) };
         let tolerance = tuning.visibility_sigma * sigma + VISIBILITY_EPSILON;
         let (mut sum, mut squares, mut weights) = (0.0, 0.0, 0.0);
-        for (offset, q) in rect.window(p, 2, 1 << level).filter(|(_, q)| !geometry.is_background(*q)) {
+        for (offset, q) in taps() {
             let [v_q, sigma_q] = inputs.estimate.at(q);
-            let along = ruler.squared(offset * (1 << level)) / (ruler.longer() * ruler.longer());
-            let near = if offset == IVec2::ZERO { 1.0 } else { (-along / (2.0 * variance) - (v_q - v).abs() / tolerance).exp() };
+            let near =
+                if offset == IVec2::ZERO { 1.0 } else { (-kernel.way(offset * (1 << level)) - (v_q - v).abs() / tolerance).exp() };
             let weight = near * geometry.weight(p, q);
             sum += weight * v_q;
             squares += weight * weight * sigma_q * sigma_q;
@@ -68,6 +79,32 @@ pub fn visibility_filter(frame: &FrameConstants, tuning: &Tuning, level: u32, in
         }
         [sum / weights, squares.sqrt() / weights]
     })
+}
+
+/// A Gaussian on the surface, which is longer along an edge of the shadow.
+struct Kernel {
+    ruler: Ruler,
+    /// The way into the light, of unit length; 0 where there is none.
+    light: Vec2,
+    /// Squared pixels, where the surface faces the camera.
+    variance: f32,
+    /// Squared steps of the level.
+    full: f32,
+}
+
+impl Kernel {
+    /// The negative exponent of the weight.
+    fn way(&self, offset: IVec2) -> f32 {
+        let offset = offset.as_vec2();
+        let scale = 2.0 * self.variance * self.ruler.longer() * self.ruler.longer();
+        let round = self.ruler.squared(offset) / scale;
+        if self.light == Vec2::ZERO {
+            return round;
+        }
+        let (across, along) = (offset.dot(self.light), offset.dot(Vec2::new(-self.light.y, self.light.x)));
+        let aside = (self.ruler.squared(across * self.light) / scale).min(across * across / (2.0 * ASIDE));
+        round.min(aside + along * along / (2.0 * ALONG * self.full))
+    }
 }
 
 /// A level is good for a variance of 4^level, and finer ones come first.
