@@ -34,7 +34,7 @@ fn numbers_out_of_range_are_named() {
         ("motion_y_up", |c| c.motion_y_up = 77),
         ("levels", |c| c.levels = 77),
         ("volume", |c| c.volume = 77),
-        ("visibility", |c| c.visibility = 2),
+        ("visibility", |c| c.visibility = 77),
         ("firefly_filter", |c| c.firefly_filter = 77),
         ("adaptive_rule", |c| c.adaptive_rule = 77),
         ("block_sort", |c| c.block_sort = 77),

@@ -23,12 +23,9 @@ pub fn scene() -> Scene {
         crown(&mut crowns, vec3(x, 3.6, z), number);
     }
     scene.place(crowns, Material { leaves: true, ..Material::diffuse(vec3(0.16, 0.34, 0.08)) }, fixed);
-    scene.lamps.push(Lamp::Sun {
-        direction: vec3(0.55, 0.78, -0.22).normalize(),
-        irradiance: vec3(34.0, 29.0, 22.0),
-        radius: 0.0093,
-    });
-    scene.environment = Environment { zenith: vec3(1.2, 2.0, 3.8), horizon: vec3(3.0, 3.5, 4.2), ground: vec3(0.5, 0.45, 0.4) };
+    scene.lamps.push(Lamp::Sun { direction: vec3(0.55, 0.78, -0.22).normalize(), irradiance: vec3(8.0, 6.8, 5.2), radius: 0.0093 });
+    scene.environment =
+        Environment { zenith: vec3(0.30, 0.50, 0.95), horizon: vec3(0.75, 0.88, 1.05), ground: vec3(0.12, 0.11, 0.10) };
     scene.set_camera(view);
     scene
 }
