@@ -43,7 +43,7 @@ const uint GRADIENT = 11u;
 const uint NOISY_1 = 13u;
 const uint ALBEDO = 14u;
 
-layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[10]; } statistics;
+layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
 layout(set = 0, binding = MOMENTS_0) uniform utexture2D moments_0;
@@ -80,7 +80,7 @@ const uint VIEW_BAD_VALUES = 13u;
 const float LONG_HISTORY = 32.0;    // frames; from here on histories look alike
 const float LARGE_MOTION = 64.0;    // pixels; from here on motions look alike
 const float VARIANCE_SCALE = 4.0;   // deviations of 1/4 are in the middle of the colours
-const uint BAD_KINDS = 10u;
+const uint BAD_KINDS = 12u;
 
 const vec3 VIRIDIS[9] = vec3[](vec3(68, 1, 84), vec3(71, 45, 123), vec3(59, 82, 139), vec3(44, 114, 142), vec3(33, 145, 140),
                                vec3(40, 174, 128), vec3(94, 201, 98), vec3(173, 220, 48), vec3(253, 231, 37));

@@ -28,6 +28,7 @@ layout(push_constant) uniform Push {
     float normal_tolerance;
 } push;
 
+#include "cubic.glsl"
 #include "frame.glsl"
 #include "optional.glsl"
 #include "surface_motion.glsl"
@@ -35,6 +36,7 @@ layout(push_constant) uniform Push {
 #include "luminance.glsl"
 #include "packed_image.glsl"
 #include "strata.glsl"
+#include "surface_test.glsl"
 #include "volume.glsl"
 
 const uint SURFACE_MOTION = 3u;
@@ -68,14 +70,6 @@ layout(set = 0, binding = 16, r32ui) uniform writeonly uimage2D new_moments_1;
 // Below this sum of bilinear weights a reprojection rests on next to nothing.
 const float MIN_TAP_WEIGHT = 0.01;
 
-struct Expected {
-    float depth;
-    float depth_tolerance;
-    vec2 gradient;  // of depth, scene units per pixel
-    vec3 normal;
-    uint id8;
-};
-
 struct History {
     vec3 irradiance;
     float mean;
@@ -100,11 +94,10 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
         float difference = relative_difference(volume_depth(packed), expected.depth);
         return difference <= expected.depth_tolerance ? REASON_NONE : REASON_DEPTH;
     }
-    float z = unpack_depth(packed);
-    if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
-    if (!(abs(z - expected.depth) <= expected.depth_tolerance + slack)) return REASON_DEPTH;
+    uint reason = surface_refusal(packed, expected, slack);
+    if (reason != REASON_NONE) return reason;
     vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(previous_object_normal, tap, 0)) : unpack_normal(packed);
-    return dot(n, expected.normal) < push.normal_tolerance ? REASON_NORMAL : REASON_NONE;
+    return normal_refusal(n, expected);
 }
 
 void add_signal(inout History sum, vec3 irradiance, Moments m, float weight) {
@@ -159,13 +152,6 @@ Gathered repair(vec2 start, vec2 position, Expected expected) {
     return sum;
 }
 
-ivec2 nearest_inside_previous(ivec2 q) { return clamp(q, ivec2(0), ivec2(frame.previous_render_extent) - 1); }
-
-// Catmull and Rom's weights of four taps in a row, `t` from the second to the third.
-vec4 cubic_weights(float t) {
-    return vec4(t * (-0.5 + t * (1.0 - 0.5 * t)), 1.0 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2.0 - 1.5 * t)), t * t * (-0.5 + 0.5 * t));
-}
-
 // Replaces the irradiance that 2x2 taps gave, unless one of 4x4 is another surface.
 void sharpen(inout Gathered sum, ivec2 corner, vec2 f, Expected expected) {
     vec4 x_weights = cubic_weights(f.x), y_weights = cubic_weights(f.y);
@@ -186,9 +172,6 @@ void sharpen(inout Gathered sum, ivec2 corner, vec2 f, Expected expected) {
     if (!whole) return;
     for (int i = 0; i < SIGNALS; ++i) sum.signals[i].irradiance = sum.weight * max(irradiance[i], vec3(0.0));
 }
-
-// The sum of weights of 2x2 taps of which none was refused.
-const float WHOLE_WEIGHT = 0.999;
 
 // The tested 2x2 taps; where they carry nothing, 3x3 around the nearest pixel.
 Gathered gather(vec2 position, Expected expected) {
@@ -225,12 +208,9 @@ Expected surface_expectation(ivec2 p, uvec4 packed, out vec2 motion) {
     SurfaceMotion m = SurfaceMotion(vec2(0.0), 0.0, unpack_normal(packed));
     if (is_present(SURFACE_MOTION)) m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     motion = m.motion;
-    float z = unpack_depth(packed);
     vec2 gradient = is_present(DEPTH_GRADIENT) ? unpackHalf2x16(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
-    float previous_z = z * (1.0 + m.depth_ratio);
     vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0)) : m.previous_normal;
-    float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
-    return Expected(previous_z, tolerance, gradient, n, unpack_id(packed));
+    return expected_surface(packed, m, gradient, n);
 }
 
 // What the previous frame must show, and where.

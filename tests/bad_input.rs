@@ -170,7 +170,8 @@ fn values_that_are_not_finite_are_counted_and_stop_here() {
     bad.depth[pixels[1]] = [f32::NAN; 4];
     frame(&mut s, &bad, &scene.params(1), &Tuning::default());
     let counts: Vec<u32> = s.download("statistics").expect("statistics").iter().map(|c| c[0] as u32).collect();
-    assert_eq!(counts, [1, 3, 3, 3, 3, 0, 0, 0, 0, 0], "depth, normal, motion, radiance, albedo, emission");
+    assert_eq!(counts[..6], [1, 3, 3, 3, 3, 0], "depth, normal, motion, radiance, albedo, emission");
+    assert!(counts[6..].iter().all(|count| *count == 0), "{counts:?}");
     for i in 2..6 {
         frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());
     }

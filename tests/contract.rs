@@ -75,6 +75,7 @@ fn another_extent_gives_what_would_have_been_declared() {
                 preset,
                 signals,
                 volume: true,
+                visibility: true,
                 firefly_filter: true,
                 object_normal: true,
                 debug_view: true,

@@ -108,6 +108,7 @@ fn configurations() -> Vec<Config> {
                     object_normal: true,
                     debug_view: true,
                     volume: true,
+                    visibility: true,
                     forward_motion: true,
                     firefly_filter: true,
                     sampling: Sampling::OneOf2x2,
@@ -145,6 +146,8 @@ fn the_guide_has_the_memory_of_every_preset() {
     ];
     let with_volume = Config { volume: true, ..Config::new([1920, 1080]) };
     needs_rows([memory_row("`Svgf` with `Config::volume`, `Together`", &with_volume)]);
+    let with_visibility = Config { visibility: true, ..Config::new([1920, 1080]) };
+    needs_rows([memory_row("`Svgf` with `Config::visibility`, `Together`", &with_visibility)]);
     needs_rows(variants.map(|(preset, signals)| {
         memory_row(&format!("`{preset:?}`, `{signals:?}`"), &Config { preset, signals, ..Config::new([1920, 1080]) })
     }));

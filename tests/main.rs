@@ -38,6 +38,7 @@ mod sequences;
 mod specular;
 mod support;
 mod sync_validation;
+mod visibility;
 mod volume;
 
 use atrous_harness::Group;
@@ -86,6 +87,7 @@ fn main() {
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
         Group { name: "specular", tests: specular::TESTS, needs_device: true },
+        Group { name: "visibility", tests: visibility::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },
     ];
     atrous_harness::run(&groups, &support::try_gpu());

@@ -36,4 +36,6 @@ bool is_inside_previous(ivec2 p) {
     return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, ivec2(frame.previous_render_extent)));
 }
 
+ivec2 nearest_inside_previous(ivec2 q) { return clamp(q, ivec2(0), ivec2(frame.previous_render_extent) - 1); }
+
 #endif

@@ -587,6 +587,22 @@ pub(crate) static PERCENTILE_RULE: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
     ]),
 };
+pub(crate) static SHADOWED_LIGHT: Shader = Shader {
+    stage: Cow::Borrowed("shadowed_light"), name: Cow::Borrowed("shadowed_light"), spirv: Cow::Borrowed(include_bytes!("shadowed_light.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("unshadowed_direct"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadWrite), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+    ]),
+};
 pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
     stage: Cow::Borrowed("specular_accumulation"), name: Cow::Borrowed("specular_accumulation"), spirv: Cow::Borrowed(include_bytes!("specular_accumulation.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -776,6 +792,94 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("AVERAGED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
+pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
+    stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 0, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_alpha"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_0: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_0"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("filter_out"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_FILTER_LAST_1: Shader = Shader {
+    stage: Cow::Borrowed("visibility_filter"), name: Cow::Borrowed("visibility_filter_last_1"), spirv: Cow::Borrowed(include_bytes!("visibility_filter_last_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("filter_in"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("penumbra_blur"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 24, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static VISIBILITY_SAMPLES: Shader = Shader {
+    stage: Cow::Borrowed("visibility_samples"), name: Cow::Borrowed("visibility_samples"), spirv: Cow::Borrowed(include_bytes!("visibility_samples.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("noisy_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+    ]),
+    constants: Cow::Borrowed(&[
+    ]),
+};
 pub(crate) static VOLUME_MOTION_RESOLVE_0: Shader = Shader {
     stage: Cow::Borrowed("volume_motion"), name: Cow::Borrowed("volume_motion_resolve_0"), spirv: Cow::Borrowed(include_bytes!("volume_motion_resolve_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -821,4 +925,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &SHADOWED_LIGHT, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -25,6 +25,8 @@ fn names(input: &str, motion_depth: MotionDepth) -> (&str, &'static [&'static st
         "sparse_gradient" => ("sparse_gradient", &["X", "Y"]),
         "noisy_volume" => (VOLUME, RGB),
         "scattering_depth" => ("scattering_depth", &["Z"]),
+        "noisy_visibility" => (VISIBILITY, &["Z"]),
+        "occluder_distance" => ("occluder_distance", &["Z"]),
         "confidence" => ("confidence", &["Y"]),
         "reshaded_radiance" => ("reshaded", RGB),
         "other_denoised_radiance" => (OTHER_DENOISED, RGB),
@@ -45,6 +47,8 @@ fn names(input: &str, motion_depth: MotionDepth) -> (&str, &'static [&'static st
 
 /// The light that is filtered where it is one signal, without the emission.
 const LIGHTING: &str = "lighting";
+const VISIBILITY: &str = "visibility";
+const UNSHADOWED: &str = "unshadowed_direct";
 const VOLUME: &str = "volume";
 const EMISSION: &str = "emission";
 const OTHER_DENOISED: &str = "other_denoised";
@@ -69,7 +73,7 @@ impl Layer {
 
 /// Adds `noisy`, the light of all layers together: what the picture shows. One layer of light alone is it already.
 pub(crate) fn add_total(layers: &mut Vec<Layer>) {
-    let is_beside = |l: &Layer| matches!(l.name.as_str(), EMISSION | VOLUME);
+    let is_beside = |l: &Layer| matches!(l.name.as_str(), EMISSION | VOLUME | UNSHADOWED);
     let is_alone = !layers.iter().any(is_beside);
     let mut filtered = layers.iter_mut().filter(|l| l.is_filtered());
     let first = filtered.next();
@@ -79,12 +83,22 @@ pub(crate) fn add_total(layers: &mut Vec<Layer>) {
         only.name = "noisy".to_owned();
         return;
     }
-    let counts = |l: &&Layer| l.is_filtered() || is_beside(l) || (is_dark && l.name == OTHER_DENOISED);
+    let counts = |l: &&Layer| l.is_filtered() || (is_beside(l) && l.name != UNSHADOWED) || (is_dark && l.name == OTHER_DENOISED);
     let total = |i: usize| {
         let mut lights = layers.iter().filter(counts).filter_map(|l| l.planes.get(i));
         let first: Vec<f32> = lights.next().map_or(Vec::new(), |(_, p)| p.values_as_f32().collect());
         let sum = lights.fold(first, |sum, (_, p)| sum.into_iter().zip(p.values_as_f32()).map(|(a, b)| a + b).collect());
         FlatSamples::F32(sum)
+    };
+    // The light whose visibility is apart, as the sample has it.
+    let plane = |layer: &str, i: usize| layers.iter().find(|l| l.name == layer).and_then(|l| l.planes.get(i));
+    let shadowed = |i: usize| -> Option<Vec<f32>> {
+        let (seen, light) = (&plane(VISIBILITY, 0)?.1, &plane(UNSHADOWED, i)?.1);
+        Some(seen.values_as_f32().zip(light.values_as_f32()).map(|(v, l)| v.clamp(0.0, 1.0) * l).collect())
+    };
+    let total = |i: usize| match (total(i), shadowed(i)) {
+        (FlatSamples::F32(sum), Some(light)) => FlatSamples::F32(sum.into_iter().zip(light).map(|(a, b)| a + b).collect()),
+        (sum, _) => sum,
     };
     let planes = RGB.iter().enumerate().map(|(i, c)| (*c, total(i))).collect();
     layers.push(Layer { name: "noisy".to_owned(), planes });

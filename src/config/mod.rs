@@ -47,6 +47,15 @@ pub struct Config {
     /// none. It is carried to the next frame to give the volume its motion; without the input a volume moves as the surfaces behind
     /// it.
     pub volume: bool,
+    /// Whether the host has the visibility of one light, such as the sun, apart: an input `noisy_visibility` from 0 (occluded) to 1
+    /// (lit), usually one of the two, with `occluder_distance`, how far along the shadow ray from the surface something is in the
+    /// way (scene units; 0 or infinite: nothing, or not known); an output `denoised_visibility`. The light's size is
+    /// [`crate::Tuning::light_radius`]. Costs 12 bytes a pixel, the output included. Default: false.
+    ///
+    /// The host multiplies its light by it; or it gives the optional input `unshadowed_direct`, the light that the surface would
+    /// reflect if nothing were in the way, times albedo and BSDF, and `denoised_radiance` has the product. Either way that light is
+    /// no part of the noisy radiance.
+    pub visibility: bool,
     /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\].
     /// [`Preset::Percentile`] always does. Default: false.
     pub firefly_filter: bool,
@@ -92,6 +101,7 @@ impl Config {
             signals: Signals::default(),
             levels: 5,
             volume: false,
+            visibility: false,
             firefly_filter: false,
             adaptive_rule: AdaptiveRule::default(),
             block_sort: BlockSort::default(),

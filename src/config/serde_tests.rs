@@ -18,6 +18,7 @@ fn config() -> Config {
         signals: Signals::Apart,
         levels: 4,
         volume: true,
+        visibility: true,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
         block_sort: BlockSort::OddEven,

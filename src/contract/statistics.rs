@@ -1,4 +1,4 @@
 //! The counters of bad input.
 
 /// Number of counters in `statistics`; see `glsl/include/statistics.glsl`.
-pub(crate) const STATISTICS_COUNT: u64 = 10;
+pub(crate) const STATISTICS_COUNT: u64 = 12;

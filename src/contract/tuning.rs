@@ -149,6 +149,16 @@ tuning! {
     /// Largest difference between the surfaces behind a pixel of a volume and behind its history, as a share of the larger depth
     /// (PSVGF). Raising it keeps more history; at 1 it is not tested.
     volume_depth_tolerance: "depths", 0.0 ..= 1.0, 0.25;
+    /// Angular radius of the light whose visibility is filtered; the sun's by default, as it is seen from Earth. Raising it blurs
+    /// shadows more, as a larger light does.
+    light_radius: "radians", 0.0 ..= 1.5, 0.00465;
+    /// Smallest weight of the new sample in the accumulated visibility of a light. Raising it follows moving shadows faster and
+    /// leaves more noise.
+    visibility_alpha: "1", 0.0 ..= 1.0, 0.1;
+    /// Standard deviation of the filter of a visibility. Raising it leaves less noise in penumbrae and widens them.
+    penumbra_blur: "radii of the penumbra", 0.0 ..= 4.0, 0.4;
+    /// Visibility edge stopping: tolerated difference in standard deviations. Raising it blurs penumbrae more.
+    visibility_sigma: "standard deviations", 0.0 ..= 128.0, 3.0;
     /// Scale of the relative change of light λ by which history is dropped (ASVGF eq. 14). At 1, the paper's, half of the old light
     /// stays after a change by a half; at 5 a change by a fifth drops all of it. Raising it lags less and leaves more noise where
     /// light changes a little.

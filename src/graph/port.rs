@@ -111,6 +111,15 @@ pub mod kind {
     /// Display-referred linear colour in rgb, 0 to 1.
     #[derive(Debug)]
     pub enum Display {}
+    /// Visibility of a light with the distance of its occluder, packed half floats.
+    #[derive(Debug)]
+    pub enum VisibilitySamples {}
+    /// Visibility of a light, blended with its past; packed.
+    #[derive(Debug)]
+    pub enum VisibilityAccumulated {}
+    /// Share of a light that is seen: 0, none, to 1, all of it.
+    #[derive(Debug)]
+    pub enum Visibility {}
 }
 
 /// Linear HDR radiance.
@@ -137,6 +146,12 @@ pub type Percentiles = Port<kind::Percentiles>;
 pub type Difference = Port<kind::Difference>;
 /// Display-referred linear colour.
 pub type Display = Port<kind::Display>;
+/// Visibility of a light as the host gave it.
+pub type VisibilitySamples = Port<kind::VisibilitySamples>;
+/// Visibility of a light, blended with its past.
+pub type VisibilityAccumulated = Port<kind::VisibilityAccumulated>;
+/// Share of a light that is seen.
+pub type Visibility = Port<kind::Visibility>;
 
 impl From<Accumulated> for Irradiance {
     fn from(accumulated: Accumulated) -> Self {

@@ -18,11 +18,15 @@ pub(crate) mod gradient_atrous;
 pub(crate) mod import;
 pub(crate) mod modulate;
 pub(crate) mod percentile_rule;
+pub(crate) mod shadowed_light;
 pub(crate) mod specular_accumulation;
 pub(crate) mod taa;
 pub(crate) mod temporal_accumulation;
 pub(crate) mod tone_map;
 pub(crate) mod variance;
+pub(crate) mod visibility_accumulation;
+pub(crate) mod visibility_filter;
+pub(crate) mod visibility_samples;
 pub(crate) mod volume_motion;
 pub(crate) mod volume_points;
 
@@ -74,6 +78,10 @@ pub static STAGES: &[Stage] = &[
         &[pixels("claims", EXACT), rule("volume_motion", Per::Pixel, Values::Halves, EXACT)],
     ),
     Stage::new("volume_points", volume_points::twin::twin, &[STATISTICS, pixels("radiance", HALF), pixels("volume_points", EXACT)]),
+    Stage::new("visibility_samples", visibility_samples::twin::twin, VISIBILITY_SAMPLES),
+    Stage::new("visibility_accumulation", visibility_accumulation::twin::twin, VISIBILITY_ACCUMULATION),
+    Stage::new("visibility_filter", visibility_filter::twin::twin, VISIBILITY_FILTER),
+    Stage::new("shadowed_light", shadowed_light::twin::twin, &[STATISTICS, pixels("radiance", HALF)]),
     Stage::new("tone_map", tone_map::twin::twin, &[pixels("tone_mapped", HALF)]),
     Stage::new("taa", taa::twin::twin, &[pixels("taa_history", CLIPPED), pixels("display", CLIPPED)]),
     Stage::new("debug_view", debug_view::twin::twin, &[pixels("debug_view", PICTURE)]),

@@ -12,6 +12,7 @@ mod percentile;
 mod specular;
 mod stabilize;
 mod svgf;
+mod visibility;
 mod volume;
 
 pub use asvgf::asvgf;
@@ -23,6 +24,7 @@ pub use percentile::percentile;
 pub use specular::{specular, Specular};
 pub use stabilize::stabilize;
 pub use svgf::svgf;
+pub use visibility::{visibility, visibility_accumulated};
 pub use volume::volume;
 
 use crate::config::{Config, PostProcess, Preset, Signals};
@@ -58,7 +60,13 @@ impl Config {
         let mut g = Graph::of_config(self);
         let guides =
             g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
-        let surfaces = surfaces(&mut g, &guides, self);
+        let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
+        let mut surfaces = surfaces(&mut g, &guides, self);
+        if let Some(accumulated) = accumulated {
+            let visibility = visibility(&mut g, &guides, &accumulated);
+            g.output("denoised_visibility", &visibility);
+            surfaces = surfaces.map(|of| Denoised { radiance: g.shadowed_light(&of.radiance, &visibility), ..of });
+        }
         let fog = self.has_volume().then(|| {
             let fog = volume(&mut g, &guides, self);
             g.output("denoised_volume", &fog.radiance);

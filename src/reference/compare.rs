@@ -6,6 +6,7 @@ use super::moments::unpack_moments;
 use super::octahedral::octahedral10_to_normal;
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
+use super::visibility::unpack_visibility;
 use super::BLOCK_SIZE;
 use crate::nodes::block_difference::twin::unpack_difference;
 use crate::nodes::block_percentiles::twin::unpack_percentiles;
@@ -46,6 +47,10 @@ pub enum Values {
     Percentiles,
     /// Mean, deviation, count and the brighter side.
     Difference,
+    /// Mean of `visibility_history`.
+    Visibility,
+    /// Steps of the deviation, of the history length and of the distance of `visibility_history`.
+    VisibilitySteps,
 }
 
 /// The unit that an image has a texel for.
@@ -194,6 +199,8 @@ impl Values {
             Self::DepthGradient => padded(unpack_depth_gradient(texel)),
             Self::Normal => padded(octahedral10_to_normal(texel)),
             Self::Halves => padded(parts.map(from_half_bits)),
+            Self::Visibility => padded([unpack_visibility(texel).mean]),
+            Self::VisibilitySteps => padded([(texel >> 12 & 0x3f) as f32, (texel >> 18 & 0x3f) as f32, (texel >> 24) as f32]),
             Self::Percentiles => {
                 let p = unpack_percentiles(texel);
                 padded([p.low, p.up])

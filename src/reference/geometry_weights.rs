@@ -62,6 +62,10 @@ impl Geometry {
         self.surfaces.at(p).is_background()
     }
 
+    pub fn linear_depth(&self, p: IVec2) -> f32 {
+        self.surfaces.at(p).linear_depth
+    }
+
     /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
     pub fn weight(&self, p: IVec2, q: IVec2) -> f32 {
         if p == q {

@@ -50,6 +50,7 @@ pub(crate) mod surface_motion;
 #[cfg(test)]
 pub(crate) mod test_scene;
 pub(crate) mod texels;
+pub(crate) mod visibility;
 pub(crate) mod volume;
 
 pub use crate::nodes::adaptive_alpha::twin::{adaptive_alpha, AdaptiveAlphaInput};
@@ -77,6 +78,7 @@ pub use crate::nodes::gradient_atrous::twin::{
 pub use crate::nodes::import::twin::{decode_normal, import, ImportInputs, ImportOutputs};
 pub use crate::nodes::modulate::twin::{modulate, ModulateInputs, ModulateOutputs};
 pub use crate::nodes::percentile_rule::twin::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
+pub use crate::nodes::shadowed_light::twin::shadowed_light;
 pub use crate::nodes::specular_accumulation::twin::{
     specular_accumulation, PreviousSpecular, SpecularAccumulationInputs, SpecularAccumulationOutputs,
 };
@@ -87,6 +89,9 @@ pub use crate::nodes::temporal_accumulation::twin::{
 };
 pub use crate::nodes::tone_map::twin::tone_map;
 pub use crate::nodes::variance::twin::{fading_variance, variance, volume_variance, VarianceInputs, VolumeVarianceInputs};
+pub use crate::nodes::visibility_accumulation::twin::{visibility_accumulation, VisibilityAccumulationInputs};
+pub use crate::nodes::visibility_filter::twin::{visibility_filter, VisibilityFilterInputs};
+pub use crate::nodes::visibility_samples::twin::{visibility_samples, NO_SAMPLE};
 pub use crate::nodes::volume_motion::twin::{pack_volume_motion, unpack_volume_motion, volume_motion_claim, volume_motion_resolve};
 pub use crate::nodes::volume_points::twin::{
     pack_volume_point, unpack_volume_point, volume_points, VolumePoint, VolumePointsInputs, VolumePointsOutputs,
@@ -114,3 +119,4 @@ pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
 };
 pub use texels::Texels;
+pub use visibility::{pack_visibility, unpack_visibility, VisibilityHistory};

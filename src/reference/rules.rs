@@ -121,3 +121,14 @@ pub(crate) const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e
 
 /// Colours go through a power, which devices round each in its own way.
 pub(crate) const PICTURE: Tolerance = Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF };
+
+pub(crate) const VISIBILITY_SAMPLES: &[Rule] = &[STATISTICS, rule("visibility_samples", Per::Pixel, Values::Halves, HALF)];
+
+/// A step of the packing, next to a test that may fall the other way: whether a penumbra reaches a pixel.
+pub(crate) const VISIBILITY_ACCUMULATION: &[Rule] = &[
+    rule("visibility_history", Per::Pixel, Values::Visibility, Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 }),
+    rule("visibility_history", Per::Pixel, Values::VisibilitySteps, Tolerance { relative: 0.0, absolute: 1.0, outliers: 2e-3 }),
+];
+
+pub(crate) const VISIBILITY_FILTER: &[Rule] =
+    &[rule("filter_out", Per::Pixel, Values::Halves, WEIGHTED), pixels("denoised_visibility", WEIGHTED)];

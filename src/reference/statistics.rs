@@ -1,7 +1,7 @@
 //! Counters of bad input.
 
 /// Counters, indexed by [`Counter`].
-pub type Statistics = [u32; 10];
+pub type Statistics = [u32; 12];
 
 /// Kinds of bad input, counted in pixels of the render extent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,6 +27,10 @@ pub enum Counter {
     Roughness = 8,
     /// A hit distance that is NaN or negative, on a surface.
     HitDistance = 9,
+    /// A visibility that is not finite, or outside of 0 to 1, on a surface.
+    Visibility = 10,
+    /// A distance of an occluder that is NaN or negative, on a surface.
+    OccluderDistance = 11,
 }
 
 /// Counts the texels that are true.

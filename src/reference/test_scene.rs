@@ -91,6 +91,13 @@ pub(crate) fn crop<T: Clone>(image: &Image<T>, extent: [u32; 2]) -> Image<T> {
     paint(extent, |x, y| image.get(x, y).expect("inside").clone())
 }
 
+/// Counters of which a few counted something.
+pub(crate) fn counted(counts: &[(Counter, u32)]) -> Statistics {
+    let mut statistics = Statistics::default();
+    counts.iter().for_each(|(counter, count)| statistics[*counter as usize] = *count);
+    statistics
+}
+
 pub(crate) fn all_finite(image: &Image<[f32; 4]>) -> bool {
     image.texels().iter().flatten().all(|x| x.is_finite())
 }

@@ -41,6 +41,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
                 }
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
+            all.push(declare(&Config { visibility: true, ..config }));
             for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                 all.push(declare(&Config { preset: Preset::Percentile, adaptive_rule, ..config }));
             }
@@ -113,7 +114,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 18] = [
+    const RENAMED: [(&str, &[&str]); 20] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "accumulated", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -132,6 +133,8 @@ fn names_of_bindings_match_those_of_resources() {
         ("now_out", &["light_now_even", "light_now_odd"]),
         ("light_ratio", &["light_before_even"]),
         ("other_confidence", &["history_confidence"]),
+        ("filter_in", &["visibility_history", "visibility_even", "visibility_odd"]),
+        ("filter_out", &["visibility_even", "visibility_odd"]),
     ];
     let unshared = |config: &Config| config.graph().expect("valid").share_outputs(false).finish().expect("valid");
     for declaration in declarations_with(unshared) {

@@ -58,6 +58,16 @@ pub const TESTS: &[DeviceTest] = &[
         sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: 3, ..Config::new([61, 35]) })
     }),
     ("volume_beside_eaw", || sequence(&Config { volume: true, preset: Preset::Eaw, ..Config::new([40, 23]) })),
+    ("visibility", || sequence(&Config { visibility: true, ..Config::new([61, 35]) })),
+    ("visibility_of_one_pixel", || sequence(&Config { visibility: true, levels: 1, ..Config::new([1, 1]) })),
+    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: true, ..Config::new([64, 40]) }, [37, 21])),
+    ("visibility_beside_best_and_volume", || {
+        sequence(&Config { visibility: true, volume: true, preset: Preset::Best, ..Config::new([40, 23]) })
+    }),
+    ("visibility_of_a_large_light", || {
+        let tuning = Tuning { light_radius: 0.05, penumbra_blur: 1.0, visibility_alpha: 0.0, ..Tuning::default() };
+        tuned_sequence(&Config { visibility: true, preset: Preset::Eaw, ..Config::new([61, 35]) }, [61, 35], tuning);
+    }),
     ("volume_at_other_resolutions", volume::other_resolutions),
     ("volume_without_depths", volume::without_depths),
     ("import_in_every_encoding", import::every_encoding),

@@ -75,6 +75,8 @@ typedef struct AtrousConfig {
   uint32_t levels;
   // 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
   uint32_t volume;
+  // 1: the host has the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
+  uint32_t visibility;
   // 1: fireflies are removed before accumulation; the percentile preset always does.
   uint32_t firefly_filter;
   // The rule by which the percentile preset sees changed light: 0 (change_test), 1 (percentiles).

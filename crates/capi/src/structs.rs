@@ -38,6 +38,8 @@ pub struct AtrousConfig {
     pub levels: u32,
     /// 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
     pub volume: u32,
+    /// 1: the host has the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
+    pub visibility: u32,
     /// 1: fireflies are removed before accumulation; the percentile preset always does.
     pub firefly_filter: u32,
     /// The rule by which the percentile preset sees changed light: 0 (change_test), 1 (percentiles).

@@ -28,12 +28,13 @@ fn defaults_are_those_of_the_crate() {
 #[test]
 fn numbers_out_of_range_are_named() {
     type Case = (&'static str, fn(&mut AtrousConfig));
-    let cases: [Case; 10] = [
+    let cases: [Case; 11] = [
         ("preset", |c| c.preset = 77),
         ("depth", |c| c.depth = 77),
         ("motion_y_up", |c| c.motion_y_up = 77),
         ("levels", |c| c.levels = 77),
         ("volume", |c| c.volume = 77),
+        ("visibility", |c| c.visibility = 77),
         ("firefly_filter", |c| c.firefly_filter = 77),
         ("adaptive_rule", |c| c.adaptive_rule = 77),
         ("block_sort", |c| c.block_sort = 77),
@@ -106,6 +107,7 @@ fn every_choice_of_a_filter_is_reachable() {
     let given = AtrousConfig {
         preset: 4,
         volume: 1,
+        visibility: 1,
         firefly_filter: 1,
         adaptive_rule: 1,
         block_sort: 1,
@@ -116,6 +118,7 @@ fn every_choice_of_a_filter_is_reachable() {
     let expected = Config {
         preset: Preset::Eaw,
         volume: true,
+        visibility: true,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
         block_sort: BlockSort::OddEven,

@@ -70,6 +70,11 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         images.extend(channels.vectors(Role::Volume).map(|v| ("noisy_volume", v)));
         images.extend(channels.vectors(Role::ScatteringDepth).map(|d| ("scattering_depth", d)));
     }
+    if setup.config.visibility {
+        images.extend(channels.vectors(Role::Visibility).map(|v| ("noisy_visibility", v)));
+        images.extend(channels.vectors(Role::OccluderDistance).map(|d| ("occluder_distance", d)));
+        images.extend(channels.vectors(Role::UnshadowedDirect).map(|l| ("unshadowed_direct", l)));
+    }
     let surface_id = channels.ids(&images);
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);

@@ -34,8 +34,9 @@ impl Channels<'_> {
         for (component, name) in names.iter().enumerate().take(role.kind().components()) {
             let Some(Samples::Float(values)) = self.samples.get(name) else { return None };
             for ((texel, value), bad) in texels.iter_mut().zip(values).zip(&mut bad) {
-                // An infinite depth is the sky.
-                let usable = self.setup.is_verbatim() || value.is_finite() || (role == Role::Depth && !value.is_nan());
+                // An infinite depth is the sky, or nothing in the way; what is no visibility, the filter counts itself.
+                let is_distance = matches!(role, Role::Depth | Role::OccluderDistance) && !value.is_nan();
+                let usable = self.setup.is_verbatim() || value.is_finite() || is_distance || role == Role::Visibility;
                 *bad |= !usable;
                 texel[component] = if usable { *value } else { 0.0 };
             }
@@ -225,7 +226,11 @@ impl Channels<'_> {
             ["noisy_radiance", "noisy_direct", "noisy_indirect", "noisy_diffuse", "noisy_specular", "emission", "noisy_volume"]
                 .iter()
                 .filter_map(|n| images.get(n));
-        let sum = parts.fold(vec![[0.0; 4]; self.setup.pixels()], |sum, part| combine(&sum, part, |a, b| a + b));
+        let mut sum = parts.fold(vec![[0.0; 4]; self.setup.pixels()], |sum, part| combine(&sum, part, |a, b| a + b));
+        if let (Some(seen), Some(light)) = (images.get("noisy_visibility"), images.get("unshadowed_direct")) {
+            let seen: Vec<_> = seen.iter().map(|v| [v[0].clamp(0.0, 1.0).max(0.0); 4]).collect();
+            sum = combine(&sum, &combine(&seen, light, |v, l| v * l), |a, b| a + b);
+        }
         rgb(sum)
     }
 }

@@ -111,6 +111,9 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::Confidence, &[Atrous], &["confidence"], DEPTH),
     entry(Role::Volume, &[Atrous], &["volume"], RGB),
     entry(Role::ScatteringDepth, &[Atrous], &["scattering_depth"], DEPTH),
+    entry(Role::Visibility, &[Atrous], &["visibility"], DEPTH),
+    entry(Role::OccluderDistance, &[Atrous], &["occluder_distance"], DEPTH),
+    entry(Role::UnshadowedDirect, &[Atrous], &["unshadowed_direct"], RGB),
     entry(Role::OtherDenoised, &[], &["other_denoised"], RGB),
 ];
 

@@ -116,6 +116,9 @@ fn images(setup: &Setup) -> u64 {
         Role::SparseGradient,
         Role::Volume,
         Role::ScatteringDepth,
+        Role::Visibility,
+        Role::OccluderDistance,
+        Role::UnshadowedDirect,
     ];
     let motion = u64::from(setup.mapping.has(Role::Motion) || setup.sequence.is_none());
     // Normals and depth are made up where there are none.

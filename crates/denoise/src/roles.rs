@@ -75,6 +75,12 @@ pub enum Role {
     Volume,
     /// Depth at which it did.
     ScatteringDepth,
+    /// Visibility of one light, apart from the paths.
+    Visibility,
+    /// How far along the shadow ray something is in the way.
+    OccluderDistance,
+    /// What that light would give the surface if nothing were.
+    UnshadowedDirect,
 }
 
 /// Number and type of the components of a role.
@@ -146,6 +152,9 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::OtherDenoised, "other_denoised", Kind::Colour, ""),
     (Role::Volume, "volume", Kind::Colour, ""),
     (Role::ScatteringDepth, "scattering_depth", Kind::Scalar, ""),
+    (Role::Visibility, "visibility", Kind::Scalar, ""),
+    (Role::OccluderDistance, "occluder_distance", Kind::Scalar, ""),
+    (Role::UnshadowedDirect, "unshadowed_direct", Kind::Colour, ""),
 ];
 
 impl Role {

@@ -90,6 +90,7 @@ impl Setup {
         config.preset = options.preset.or(captured).unwrap_or(Preset::Best);
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
+        config.visibility = mapping.has(Role::Visibility) && mapping.has(Role::OccluderDistance);
         config.signals = signals(&mapping, config.preset, options.signals)?;
         config.conventions = conventions::of_layout(&mapping);
         let mut report = describe(&mapping, &config);

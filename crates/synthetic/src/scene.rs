@@ -43,11 +43,19 @@ pub struct Guides {
     pub scattering_depth: Vec<[f32; 4]>,
     /// The volume of a converged renderer.
     pub clean_volume: Vec<[f32; 4]>,
+    /// One shadow ray to a lamp: 0 or 1; some are NaN or out of range, as hosts give them.
+    pub noisy_visibility: Vec<[f32; 4]>,
+    /// Distance of what is in its way; infinite for nothing.
+    pub occluder_distance: Vec<[f32; 4]>,
+    /// Light of that lamp where nothing is in the way.
+    pub unshadowed_direct: Vec<[f32; 4]>,
+    /// The visibility of a converged renderer.
+    pub clean_visibility: Vec<[f32; 4]>,
 }
 
 impl Guides {
     /// Every image of floats by the name of its input; the normals serve twice.
-    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 15] {
+    pub fn images(&self) -> [(&'static str, &[[f32; 4]]); 18] {
         [
             ("depth", &self.depth),
             ("normal", &self.normal),
@@ -64,6 +72,9 @@ impl Guides {
             ("specular_hit_distance", &self.specular_hit_distance),
             ("noisy_volume", &self.noisy_volume),
             ("scattering_depth", &self.scattering_depth),
+            ("noisy_visibility", &self.noisy_visibility),
+            ("occluder_distance", &self.occluder_distance),
+            ("unshadowed_direct", &self.unshadowed_direct),
         ]
     }
 
@@ -102,6 +113,35 @@ const BALL: [f32; 4] = [0.3, -0.2, 4.0, 1.0];
 
 /// Depth of a sheet of fog, before everything else.
 const FOG: f32 = 2.0;
+
+/// The shadows of boards beside one another, ever farther away from what they lie on, in the light of a lamp as large as the sun.
+struct Shadow {
+    visibility: f32,
+    distance: f32,
+}
+
+impl Shadow {
+    fn at(camera: f32, direction: [f32; 2], depth: f32) -> Self {
+        const LIGHT_RADIUS: f32 = 0.00465;
+        if depth == 0.0 {
+            return Self { visibility: 1.0, distance: f32::INFINITY };
+        }
+        // Four scene units from one board to the next; the penumbra on both sides grows along it.
+        let [x, y] = [camera + direction[0] * depth, direction[1] * depth];
+        let distance = 20.0 + 12.0 * (y + 3.0);
+        let from_edge = (x.rem_euclid(4.0) - 2.0).abs() - 1.0;
+        Self { visibility: (0.5 + 0.5 * from_edge / (LIGHT_RADIUS * distance)).clamp(0.0, 1.0), distance }
+    }
+
+    /// Visibility and distance of one shadow ray.
+    fn sample(&self, u: f32) -> [f32; 2] {
+        if u < self.visibility {
+            [1.0, f32::INFINITY]
+        } else {
+            [0.0, self.distance]
+        }
+    }
+}
 
 /// Radiance that the fog scatters towards the camera: stripes.
 fn fog(x: f32, y: f32) -> f32 {
@@ -198,7 +238,11 @@ impl Scene {
             clean: nan.clone(),
             noisy_volume: nan.clone(),
             scattering_depth: nan.clone(),
-            clean_volume: nan,
+            clean_volume: nan.clone(),
+            noisy_visibility: nan.clone(),
+            occluder_distance: nan.clone(),
+            unshadowed_direct: nan.clone(),
+            clean_visibility: nan,
         };
         for (x, y) in pixels(self.extent) {
             let i = (y * self.allocated[0] + x) as usize;
@@ -231,6 +275,14 @@ impl Scene {
             let noisy = if u[0] < 0.25 { 4.0 * light } else { 0.0 };
             g.noisy_volume[i] = [noisy, 0.5 * noisy, 0.25 * noisy, 0.0];
             g.clean_volume[i] = [light, 0.5 * light, 0.25 * light, 0.0];
+            let shadow = Shadow::at(self.camera(index), direction, hit.depth);
+            let [ray, spoilt] = [random(x, y, seed * 4 + 701), random(x, y, seed * 4 + 702)];
+            let [v, distance] = shadow.sample(ray);
+            let bad = [f32::NAN, 1.5, -0.5, f32::NEG_INFINITY].get((spoilt * 400.0) as usize);
+            g.noisy_visibility[i] = [*bad.unwrap_or(&v); 4];
+            g.occluder_distance[i] = [if spoilt > 0.99 { -1.0 } else { distance }; 4];
+            g.unshadowed_direct[i] = rgba(2.0);
+            g.clean_visibility[i] = [shadow.visibility; 4];
             g.scattering_depth[i] = [[0.0, f32::NAN, f32::INFINITY, FOG][((u[1] * 40.0) as usize).min(3)]; 4];
         }
         g

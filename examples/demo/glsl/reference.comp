@@ -21,7 +21,7 @@ void main() {
     if (pixel_sample.visibility.instance != NO_INSTANCE) {
         Surface s = surface_at(pixel_sample.visibility, frame.camera.eye.xyz);
         Rng rng = rng_new(pixel_sample.seed ^ REFERENCE_SEED, uint(direct.a));
-        Lighting lighting = trace_path(s, frame.camera.eye.xyz, rng);
+        Lighting lighting = trace_path(s, frame.camera.eye.xyz, NO_LIGHT, rng);
         direct.rgb += lighting.direct;
         indirect.rgb += lighting.indirect;
     }

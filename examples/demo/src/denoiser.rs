@@ -60,6 +60,7 @@ impl DenoiserOptions {
             signals: self.signals,
             eaw_weights: self.eaw_weights,
             volume: tracer.volume().is_some(),
+            visibility: tracer.sun().is_some(),
             debug_view: self.debug_view,
             post_process: if self.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
             conventions: Conventions {
@@ -98,6 +99,10 @@ impl FrameDenoiser {
     /// A device without what the denoiser needs, or no memory.
     pub fn new(gpu: &Gpu, tracer: &PathTracer, options: &DenoiserOptions) -> Result<Self> {
         let config = options.config(tracer);
+        let mut tuning = options.tuning;
+        if let Some(sun) = tracer.sun().filter(|_| tuning.light_radius == Tuning::default().light_radius) {
+            tuning.light_radius = sun.radius;
+        }
         let wanted = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             timestamps: gpu.timestamp_period().is_some(),
@@ -117,7 +122,7 @@ impl FrameDenoiser {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;
         }
-        Ok(Self { executor, preset: options.preset, reshading, gpu: gpu.clone(), tuning: options.tuning, reset: None, frame: None })
+        Ok(Self { executor, preset: options.preset, reshading, gpu: gpu.clone(), tuning, reset: None, frame: None })
     }
 
     /// Renders and denoises the frame that the tracer was set to, and waits for it.
@@ -303,6 +308,11 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
     if let Some(volume) = tracer.volume() {
         inputs.push(("noisy_volume", &volume.noisy_volume));
         inputs.extend(options.volume_motion.then_some(("scattering_depth", &volume.scattering_depth)));
+    }
+    if let Some(sun) = tracer.sun() {
+        inputs.push(("noisy_visibility", &sun.noisy_visibility));
+        inputs.push(("occluder_distance", &sun.occluder_distance));
+        inputs.push(("unshadowed_direct", &sun.unshadowed_direct));
     }
     inputs
 }

@@ -14,6 +14,7 @@ pub mod hot_reload;
 pub mod measure;
 pub mod report;
 pub mod scene;
+pub mod shadows;
 #[doc(hidden)]
 pub mod testing;
 pub mod tracer;
@@ -25,5 +26,5 @@ pub use denoiser::{DenoiserOptions, FrameDenoiser, FILTERS};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
-pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, TracerOptions, Volume};
+pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, Sun, TracerOptions, Volume};
 pub use volume::VolumeFrame;

@@ -75,6 +75,10 @@ impl Frame {
         let outputs = tracer.outputs();
         let (scattered, emission) = (gpu.read_image(&outputs.scattered)?, gpu.read_image(&outputs.emission)?);
         let mut noisy = scattered.iter().zip(&emission).map(|(s, e)| [s[0] + e[0], s[1] + e[1], s[2] + e[2]]).collect::<Vec<_>>();
+        if let Some(sun) = tracer.sun() {
+            let (seen, light) = (gpu.read_image(&sun.noisy_visibility)?, gpu.read_image(&sun.unshadowed_direct)?);
+            add(&mut noisy, &seen.iter().zip(&light).map(|(v, l)| [v[0] * l[0], v[0] * l[1], v[0] * l[2]]).collect::<Vec<_>>());
+        }
         let mut volume = VolumeFrame::read(gpu, tracer)?;
         if let Some(volume) = &volume {
             add(&mut noisy, &volume.noisy);

@@ -14,7 +14,7 @@ use clap::Parser;
 #[derive(Parser)]
 #[command(version)]
 pub struct Options {
-    /// Scenes: cornell, pillars, glossy, mirror, hall, fog, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    /// Scenes: cornell, pillars, glossy, mirror, hall, fog, leaves, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
@@ -62,6 +62,9 @@ pub struct Options {
     /// Fog moves as the surfaces behind it, instead of having motion of its own: to compare
     #[arg(long)]
     pub surface_motion: bool,
+    /// One shadow ray to the sun apart from the path: its visibility is filtered by itself (scenes with a sun: hall, leaves)
+    #[arg(long)]
+    pub visibility: bool,
     /// Lights keep their intensity
     #[arg(long)]
     pub static_light: bool,
@@ -155,7 +158,7 @@ impl Options {
 
     /// What the path tracer is asked for.
     pub fn tracer(&self) -> TracerOptions {
-        TracerOptions { jitter: self.taa, seed: self.seed, ..TracerOptions::default() }
+        TracerOptions { jitter: self.taa, seed: self.seed, sun_apart: self.visibility, ..TracerOptions::default() }
     }
 
     /// The filters that run, in the order of strips and tables.

@@ -29,7 +29,7 @@ const LARGE_MOTION: f32 = 64.0;
 /// The deviation in the middle of the colours.
 const MIDDLE_DEVIATION: f32 = 0.25;
 /// Kinds of input that are counted.
-const BAD_KINDS: u32 = 10;
+const BAD_KINDS: u32 = 12;
 /// Viridis (van der Walt, Smith 2015) at nine places, sRGB.
 const VIRIDIS: [[u8; 3]; 9] = [
     [68, 1, 84],

@@ -150,9 +150,9 @@ pub fn temporal_accumulation(
 }
 
 /// A surface with what is expected of it in the previous frame.
-struct Reprojected {
+pub(crate) struct Reprojected {
     /// Position in the previous image; pixel centres are whole numbers.
-    s: Vec2,
+    pub s: Vec2,
     /// Position that it would have without motion.
     start: Vec2,
     linear_depth: f32,
@@ -166,7 +166,7 @@ struct Reprojected {
 }
 
 impl Reprojected {
-    fn new(frame: &FrameConstants, tuning: &Tuning, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
+    pub fn new(frame: &FrameConstants, tuning: &Tuning, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
         let motion = unpack_surface_motion(inputs.surface_motion.at(p));
         let [dx, dy] = unpack_depth_gradient(inputs.depth_gradient.at(p));
         let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
@@ -181,6 +181,16 @@ impl Reprojected {
             normal_tolerance: tuning.normal_tolerance,
             id: surface.id,
             rect: RenderRect::new(frame.previous_render_extent),
+        }
+    }
+
+    /// Pixels that show this surface, with weights that sum to 1, those beyond the valid ones have weight 0; and 4×4 with the weights
+    /// of a cubic, where all show it.
+    pub fn taps(&self, surfaces: &Image<Surface>) -> Option<([(IVec2, f32); 9], Option<[(IVec2, f32); 16]>)> {
+        match self.history(surfaces, false, true) {
+            History::Taps(taps) => Some((taps, None)),
+            History::Sharp(taps, cubic) => Some((taps, Some(cubic))),
+            _ => None,
         }
     }
 

@@ -57,18 +57,19 @@ fn the_second_signal_is_there_or_not() {
 #[test]
 fn counts_are_added_to_those_before() {
     let (frame, tuning) = (frame([2, 1]), Tuning::default());
-    let before = Texels::Bytes(bytemuck::cast_slice(&[1_u32, 0, 0, 7, 0, 0, 0, 0, 0, 0]).to_vec());
+    let counts = |counts: &[(Counter, u32)]| Texels::Bytes(bytemuck::cast_slice(&counted(counts)).to_vec());
+    let before = counts(&[(Counter::Depth, 1), (Counter::Radiance, 7)]);
     let guide = Texels::Packed(Image::new([2, 1], pack_guide(&surface(2.0))));
     let noisy = Texels::Colour(paint([2, 1], |x, _| [if x == 0 { f32::NAN } else { 1.0 }; 4]));
     let mut b = Bindings::new("demodulate", &frame, &tuning).with_constants(&[("PAINTING", 0)]);
     for (name, texels) in [("statistics", &before), ("guide", &guide), ("noisy_0", &noisy)] {
         b.reads(name, texels);
     }
-    b.writes("statistics", [40, 1]);
+    b.writes("statistics", [size_of::<Statistics>() as u32, 1]);
     b.writes("irradiance_0", [2, 1]);
     (Stage::find("demodulate").expect("known").twin)(&mut b).expect("all is bound");
     let written = b.into_written();
-    assert_eq!(written[0], ("statistics", Texels::Bytes(bytemuck::cast_slice(&[1_u32, 0, 0, 8, 0, 0, 0, 0, 0, 0]).to_vec())));
+    assert_eq!(written[0], ("statistics", counts(&[(Counter::Depth, 1), (Counter::Radiance, 8)])));
     assert_eq!(written[1].1, Texels::Colour(Image::from_texels([2, 1], vec![[0.0; 4], [1.0, 1.0, 1.0, 0.0]]).expect("two")));
 }
 

@@ -27,11 +27,13 @@ float box_entry(vec3 lower, vec3 upper, vec3 origin_over_direction, vec3 inverse
     return entry <= leave * 1.000002 ? entry : 3.0e38;
 }
 
-// Distance along the ray, or a negative number for a miss.
-float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 barycentrics) {
+// Distance along the ray, or a negative number for a miss. `mask`: not 0 where the triangle has holes.
+float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 barycentrics, out uint mask) {
     vec3 corner = fetch_floats(bvh_triangles, 3u * index).xyz;
     vec3 edge1 = fetch_floats(bvh_triangles, 3u * index + 1u).xyz;
-    vec3 edge2 = fetch_floats(bvh_triangles, 3u * index + 2u).xyz;
+    uvec4 last = texelFetch(bvh_triangles, int(3u * index + 2u));
+    vec3 edge2 = uintBitsToFloat(last.xyz);
+    mask = last.w;
     vec3 p = cross(direction, edge2);
     float determinant = dot(edge1, p);
     float inverse = 1.0 / (determinant == 0.0 ? 1.0e-30 : determinant);
@@ -42,6 +44,23 @@ float triangle_distance(uint index, vec3 origin, vec3 direction, out vec2 baryce
     barycentrics = vec2(u, v);
     bool inside = determinant != 0.0 && u >= 0.0 && v >= 0.0 && u + v <= 1.0;
     return inside ? dot(edge2, q) * inverse : -1.0;
+}
+
+// A spray of leaves: 3x3 of them in the unit square, turned to and fro, with gaps in between.
+bool is_leaf(vec2 uv) {
+    vec2 cell = floor(uv * 3.0), in_cell = uv * 3.0 - cell - 0.5;
+    float angle = 0.7 * sin(12.0 * cell.x + 5.0 * cell.y + 1.0);
+    vec2 turned = mat2(cos(angle), sin(angle), -sin(angle), cos(angle)) * in_cell;
+    return abs(turned.x) < 0.30 * max(0.0, 1.0 - 4.6 * turned.y * turned.y);
+}
+
+// Whether a ray that meets a triangle with holes meets a leaf.
+bool meets_leaf(uint index, vec2 barycentrics) {
+    uint instance = texelFetch(bvh_triangles, int(3u * index)).w, triangle = texelFetch(bvh_triangles, int(3u * index + 1u)).w;
+    uint base = 6u * (texelFetch(instances, int(7u * instance + 6u)).x + triangle);
+    vec2 uv[3];
+    for (uint i = 0u; i < 3u; i++) uv[i] = vec2(fetch_floats(attributes, base + i).w, fetch_floats(attributes, base + 3u + i).w);
+    return is_leaf(uv[0] * (1.0 - barycentrics.x - barycentrics.y) + uv[1] * barycentrics.x + uv[2] * barycentrics.y);
 }
 
 vec3 safe_inverse(vec3 direction) {
@@ -69,8 +88,12 @@ Hit traverse(vec3 origin, vec3 direction, float limit, bool any_hit) {
         uint first = upper.w & FIRST_MASK;
         for (uint i = first; i < first + count; i++) {
             vec2 barycentrics;
-            float t = triangle_distance(i, origin, direction, barycentrics);
-            if (t > 0.0 && t < hit.distance) {
+            uint mask;
+            float t = triangle_distance(i, origin, direction, barycentrics, mask);
+            bool meets = t > 0.0 && t < hit.distance;
+            // A loop, since software devices skip one that no lane enters, and not a branch.
+            for (bool asks = meets && mask != 0u; asks; asks = false) meets = meets_leaf(i, barycentrics);
+            if (meets) {
                 hit.distance = t;
                 hit.barycentrics = barycentrics;
                 best = i;

@@ -32,7 +32,9 @@ void main() {
         Surface s = surface_at(pixel_sample.visibility, pixel_sample.eye);
         emission = seen_emission(s);
         Rng rng = rng_new(pixel_sample.seed, 0u);
-        lighting = trace_path(s, pixel_sample.eye, rng);
+        // The sun that has images of its own is no part of these.
+        uint left_out = frame.counts.w != 0u ? frame.counts.z - 1u : NO_LIGHT;
+        lighting = trace_path(s, pixel_sample.eye, left_out, rng);
     }
     // What is seen directly is not filtered, so it is this frame's everywhere.
     if (pixel_sample.is_reused) emission = seen_emission(surface_at(fetch_visibility(pixel), frame.camera.eye.xyz));

@@ -77,10 +77,15 @@ float emitter_density(Surface emitter, vec3 direction, float distance) {
     return emitter.emission_weight / frame.jitter_epsilon_weight.w * distance * distance / cosine;
 }
 
-// One light as it is seen without anything in the way. False: there is none, or it faces away.
-bool sample_light(vec3 from, vec2 u, out LightSample found) {
+// No light is left out.
+const uint NO_LIGHT = 0xffffffffu;
+
+// One light as it is seen without anything in the way. False: there is none, it faces away, or it is the one that is left out.
+bool sample_light(vec3 from, vec2 u, uint left_out, out LightSample found) {
     if (frame.counts.x == 0u) return false;
-    Light light = load_light(select_light(u.x));
+    uint index = select_light(u.x);
+    if (index == left_out) return false;
+    Light light = load_light(index);
     uint kind = floatBitsToUint(light.position_kind.w) & 3u;
     if (kind == LIGHT_TRIANGLE) found = sample_triangle(light, from, u);
     else if (kind == LIGHT_SUN) found = sample_sun(light, u);
@@ -89,12 +94,12 @@ bool sample_light(vec3 from, vec2 u, out LightSample found) {
 }
 
 // Reflected radiance from one sampled light, and how far away that is. `weighted`: sampled directions find area lights, too.
-Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, out float distance) {
+Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, uint left_out, out float distance) {
     const Reflected nothing = Reflected(vec3(0.0), vec3(0.0));
     vec3 origin = ray_origin(s);
     LightSample found;
     distance = 0.0;
-    if (!sample_light(origin, u, found)) return nothing;
+    if (!sample_light(origin, u, left_out, found)) return nothing;
     distance = found.distance;
     float density;
     vec3 arriving = found.radiance * medium_transmittance(found.distance);

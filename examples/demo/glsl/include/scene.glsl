@@ -67,7 +67,7 @@ layout(set = 0, binding = 0, std430) readonly buffer FrameConstants {
     vec4 sky_zenith;            // rgb: radiance; a: 1 when the environment gives light
     vec4 sky_horizon;
     vec4 sky_ground;
-    uvec4 counts;               // x: lights, y: how lights are sampled, z: triangles
+    uvec4 counts;               // x: lights, y: how lights are sampled, z: index of the sun plus 1, 0 without one, w: 1 when the sun is apart
     vec4 medium;                // x: extinction, 1 / scene unit, 0 without a medium; y: mean cosine of the scattering angle
     vec4 medium_scattering;     // rgb: scattering coefficient, 1 / scene unit
 } frame;

@@ -54,6 +54,7 @@ pub fn material(source: &gltf::Material<'_>) -> Parsed<Material> {
         emission,
         emission_texture: source.emissive_texture().map(|info| info.texture().source().index()),
         two_sided_emission: source.double_sided(),
+        leaves: false,
     })
 }
 

@@ -37,6 +37,8 @@ pub struct Material {
     pub emission_texture: Option<usize>,
     /// Emits on both sides; otherwise only on the side that the triangles' winding faces.
     pub two_sided_emission: bool,
+    /// Sprays of leaves: what lies between them in the unit square of texture coordinates is not there.
+    pub leaves: bool,
 }
 
 impl Material {
@@ -51,6 +53,7 @@ impl Material {
             emission: Vec3::ZERO,
             emission_texture: None,
             two_sided_emission: false,
+            leaves: false,
         }
     }
 

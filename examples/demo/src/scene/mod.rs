@@ -10,6 +10,7 @@ mod gltf_parts;
 mod gltf_sources;
 mod hall;
 mod lamp;
+mod leaves;
 mod material;
 mod medium;
 mod mesh;
@@ -30,7 +31,7 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 6] = ["cornell", "pillars", "glossy", "mirror", "hall", "fog"];
+pub const BUILT_IN: [&str; 7] = ["cornell", "pillars", "glossy", "mirror", "hall", "fog", "leaves"];
 
 /// Parts of the animation that stand still.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -139,6 +140,7 @@ impl Scene {
             "mirror" => mirror::scene(),
             "hall" => hall::scene(),
             "fog" => fog::scene(),
+            "leaves" => leaves::scene(),
             _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,
             _ => return Err(Error::UnknownScene { given: name.to_string() }),
         };

@@ -13,7 +13,7 @@ use crate::scene::Scene;
 pub struct Bvh {
     /// Depth first. Lower corner, and the node after the subtree; upper corner, and in leaves the first triangle and the number of triangles.
     pub nodes: Vec<[f32; 8]>,
-    /// First corner and instance, first edge and triangle of the instance's mesh, second edge.
+    /// First corner and instance, first edge and triangle of the instance's mesh, second edge and whether it has holes.
     pub triangles: Vec<[f32; 12]>,
     /// Length of the diagonal of everything, in scene units.
     pub diagonal: f32,
@@ -28,7 +28,11 @@ pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh
         let world: Vec<_> = mesh.positions.iter().map(|p| transform.transform_point3a((*p).into())).collect();
         for (number, [a, b, c]) in mesh.triangles.iter().enumerate() {
             triangles.push(Triangle { v0: world[*a as usize], v1: world[*b as usize], v2: world[*c as usize] });
-            names.push((index as u32, number as u32));
+            names.push(Name {
+                instance: index as u32,
+                number: number as u32,
+                mask: scene.materials[instance.material].leaves.into(),
+            });
         }
     }
     if triangles.is_empty() {
@@ -77,7 +81,16 @@ fn depth_first(tree: &Bvh2) -> Vec<[f32; 8]> {
     nodes
 }
 
-fn packed(triangle: &Triangle, (instance, number): (u32, u32)) -> [f32; 12] {
+/// What a triangle is called, and 1 where it has holes.
+#[derive(Clone, Copy)]
+struct Name {
+    instance: u32,
+    number: u32,
+    mask: u32,
+}
+
+fn packed(triangle: &Triangle, name: Name) -> [f32; 12] {
     let (a, u, v) = (triangle.v0, triangle.v1 - triangle.v0, triangle.v2 - triangle.v0);
-    [a.x, a.y, a.z, f32::from_bits(instance), u.x, u.y, u.z, f32::from_bits(number), v.x, v.y, v.z, 0.0]
+    let [instance, number, mask] = [name.instance, name.number, name.mask].map(f32::from_bits);
+    [a.x, a.y, a.z, instance, u.x, u.y, u.z, number, v.x, v.y, v.z, mask]
 }

@@ -15,6 +15,8 @@ const KIND_POINT: u32 = 2;
 pub struct Lights {
     pub data: Vec<LightData>,
     pub total_weight: f32,
+    /// Number of the first sun, counted from 1; 0: there is none.
+    pub sun: u32,
 }
 
 /// The materials with their emission scaled.
@@ -46,6 +48,7 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], s
     let materials = materials(scene, scale);
     let mut data = Vec::new();
     let mut weights = Vec::new();
+    let mut sun = 0;
     for (instance, transform) in scene.instances.iter().zip(transforms) {
         let material = &materials[instance.material];
         let weight = material.emission_weight[3].abs();
@@ -76,10 +79,13 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], s
         if weight > 0.0 {
             data.push(light);
             weights.push(weight);
+            if sun == 0 && matches!(lamp, Lamp::Sun { .. }) {
+                sun = data.len() as u32;
+            }
         }
     }
     let total_weight = fill_distribution(&mut data, &weights);
-    Lights { data, total_weight }
+    Lights { data, total_weight, sun }
 }
 
 fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {

@@ -9,12 +9,14 @@ mod outputs;
 mod reference;
 mod reshading;
 mod scene_buffers;
+mod sun;
 mod volume;
 
 pub use camera::Camera;
 pub use outputs::Outputs;
 pub use reference::{Reference, ReferenceSums};
 pub use reshading::Reshading;
+pub use sun::Sun;
 pub use volume::Volume;
 
 use std::sync::Arc;
@@ -54,6 +56,8 @@ pub struct TracerOptions {
     pub seed: u32,
     /// How area lights are found.
     pub light_sampling: LightSampling,
+    /// The first sun of the scene has images of its own, and what it gives surfaces that the eye sees is in no other (default false).
+    pub sun_apart: bool,
 }
 
 /// A path tracer of one scene into images of one size.
@@ -73,6 +77,7 @@ pub struct PathTracer {
     lighting: Pipeline,
     scene_layout: SetLayout,
     volume: Option<Volume>,
+    sun: Option<Sun>,
 }
 
 impl PathTracer {
@@ -101,6 +106,7 @@ impl PathTracer {
             frame: 0,
             view: scene.view(0),
             buffers,
+            sun: if options.sun_apart { Sun::new(gpu, scene, &scene_layout, &outputs)? } else { None },
             volume: scene.medium.map(|_| Volume::new(gpu, &scene_layout, &outputs)).transpose()?,
             outputs,
             scene_layout,
@@ -140,7 +146,7 @@ impl PathTracer {
             sky_zenith: layout::with(zenith, f32::from(u8::from(lit))),
             sky_horizon: layout::with(horizon, 0.0),
             sky_ground: layout::with(ground, 0.0),
-            counts: [state.light_count, self.options.light_sampling as u32, 0, 0],
+            counts: [state.light_count, self.options.light_sampling as u32, state.sun, u32::from(self.sun.is_some())],
             medium: self.scene.medium.map_or([0.0; 4], |m| [m.extinction, m.anisotropy, 0.0, 0.0]),
             medium_scattering: self.scene.medium.map_or([0.0; 4], |m| layout::with(m.scattering, 0.0)),
         };
@@ -155,7 +161,8 @@ impl PathTracer {
     #[cfg(feature = "hot-reload")]
     pub fn replace_shader(&mut self, shader: &crate::hot_reload::Compiled) -> Result<bool> {
         let volume = self.volume.as_mut().map(|volume| &mut volume.pipeline);
-        for pipeline in [&mut self.gbuffer, &mut self.lighting].into_iter().chain(volume) {
+        let sun = self.sun.as_mut().map(|sun| &mut sun.pipeline);
+        for pipeline in [&mut self.gbuffer, &mut self.lighting].into_iter().chain(volume).chain(sun) {
             if pipeline.replace(shader)? {
                 return Ok(true);
             }
@@ -183,10 +190,15 @@ impl PathTracer {
     pub fn record_lighting(&mut self, cmd: vk::CommandBuffer) {
         self.prepare_lighting(cmd);
         self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
-        self.record_volume(cmd);
+        self.record_apart(cmd);
     }
 
-    fn record_volume(&self, cmd: vk::CommandBuffer) {
+    /// What has images of its own: the sun and the volume.
+    fn record_apart(&self, cmd: vk::CommandBuffer) {
+        if let Some(sun) = &self.sun {
+            general_barrier(self.gpu.device(), cmd, &sun.images());
+            sun.pipeline.record(cmd, &[&self.scene_set, &sun.set], &[], self.extent);
+        }
         if let Some(volume) = &self.volume {
             general_barrier(self.gpu.device(), cmd, &[&volume.noisy_volume, &volume.scattering_depth]);
             volume.pipeline.record(cmd, &[&self.scene_set, &volume.set], &[], self.extent);
@@ -209,6 +221,11 @@ impl PathTracer {
     /// What the medium of the scene scatters, where there is one; written by every lighting pass.
     pub fn volume(&self) -> Option<&Volume> {
         self.volume.as_ref()
+    }
+
+    /// The sun, where the scene has one and [`TracerOptions::sun_apart`] asks for it; written by every lighting pass.
+    pub fn sun(&self) -> Option<&Sun> {
+        self.sun.as_ref()
     }
 
     /// For each `surface_id` three rows of the map from world space now to world space in the previous frame (entry 0:

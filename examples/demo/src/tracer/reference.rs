@@ -11,6 +11,7 @@ use super::barriers::{general_barrier, memory_barrier};
 use super::{shaders, PathTracer};
 use crate::error::{Error, Result};
 use crate::gpu::{storage_images, DescriptorSet, Gpu, Image, Pipeline, SetLayout, Shader, WHOLE_IMAGE};
+use crate::scene::Lamp;
 
 /// A submit should take about this long: short enough for a driver's watchdog, long enough to waste nothing.
 const SUBMIT_TIME: Duration = Duration::from_millis(300);
@@ -138,6 +139,24 @@ impl PathTracer {
             return Ok(None);
         }
         self.sums(["volume_sum"], [&self.outputs.seed, &self.outputs.depth], &shaders::VOLUME_REFERENCE).map(Some)
+    }
+
+    /// Share of the sun that each pixel of the current frame sees: the mean of `samples` shadow rays. Nothing for a scene without a sun. The
+    /// visibility pass of the frame has run.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn sun_reference(&self, samples: u32) -> Result<Option<Vec<f32>>> {
+        let has_sun = self.scene.lamps.iter().any(|lamp| matches!(lamp, Lamp::Sun { .. }));
+        if !has_sun || samples == 0 {
+            return Ok(None);
+        }
+        let mut sums = self.sums(["sun_sum"], [&self.outputs.visibility, &self.outputs.seed], &shaders::SUN_REFERENCE)?;
+        while sums.samples < samples {
+            sums.add(self, SUBMIT_TIME, samples)?;
+        }
+        let [seen] = sums.means(&self.gpu)?;
+        Ok(Some(seen.into_iter().map(|[v, ..]| v).collect()))
     }
 
     fn sums<const N: usize>(

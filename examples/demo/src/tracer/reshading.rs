@@ -77,6 +77,6 @@ impl PathTracer {
         general_barrier(self.gpu.device(), cmd, &reshading.samples[reshading.newest].each_ref());
         let sets = [&self.scene_set, &reshading.sets[reshading.newest]];
         reshading.pipeline.record(cmd, &sets, &reshading.stratum_size.to_ne_bytes(), self.extent);
-        self.record_volume(cmd);
+        self.record_apart(cmd);
     }
 }

@@ -30,6 +30,8 @@ pub struct SceneBuffers {
 /// What the frame's constants need of the lights and of the tree.
 pub struct SceneState {
     pub light_count: u32,
+    /// Number of the first sun, counted from 1; 0: there is none.
+    pub sun: u32,
     pub total_weight: f32,
     pub diagonal: f32,
 }
@@ -92,7 +94,12 @@ impl SceneBuffers {
         self.lights.write(&lights.data);
         self.materials.write(&lights::materials(scene, scale));
         self.write_transforms(scene, &transforms, &previous);
-        Ok(SceneState { light_count: lights.data.len() as u32, total_weight: lights.total_weight, diagonal: self.diagonal })
+        Ok(SceneState {
+            light_count: lights.data.len() as u32,
+            sun: lights.sun,
+            total_weight: lights.total_weight,
+            diagonal: self.diagonal,
+        })
     }
 
     /// Writes the frame's constants.

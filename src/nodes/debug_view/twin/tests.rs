@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_moments, Reason};
+use crate::reference::{pack_moments, Counter, Reason};
 
 const EXTENT: [u32; 2] = [16, 14];
 
@@ -36,7 +36,7 @@ fn alpha_holds_the_number_and_the_background_is_black() {
         (DebugView::Disocclusion, 3.0),
         (DebugView::Depth, 3.0),
     ] {
-        let image = view(shown, &moments, &[0; 10]);
+        let image = view(shown, &moments, &Statistics::default());
         assert_eq!(image.get(12, 3).map(|t| t[3]), Some(number), "{shown:?}");
         assert_eq!(image.get(2, 3), Some(&[0.0; 4]), "{shown:?}");
     }
@@ -45,7 +45,7 @@ fn alpha_holds_the_number_and_the_background_is_black() {
 #[test]
 fn what_the_preset_lacks_is_a_chequer() {
     for shown in [DebugView::Variance, DebugView::Lambda, DebugView::Gradient, DebugView::Fireflies] {
-        let image = view(shown, &Moments::default(), &[0; 10]);
+        let image = view(shown, &Moments::default(), &Statistics::default());
         let at = |x, y| image.get(x, y).map(|t| t[0]).expect("inside");
         assert!(at(0, 0) < at(8, 0) && at(0, 0) == at(8, 8) && at(8, 0) < 0.1, "{shown:?}");
     }
@@ -54,7 +54,7 @@ fn what_the_preset_lacks_is_a_chequer() {
 #[test]
 fn bars_grow_with_the_number_of_bad_values() {
     let lit = |count: u32| {
-        let image = view(DebugView::BadValues, &Moments::default(), &[count, 0, 0, 0, 0, 0, 0, 0, 0, 0]);
+        let image = view(DebugView::BadValues, &Moments::default(), &counted(&[(Counter::Depth, count)]));
         assert_eq!(image.get(0, 0).map(|t| t[3]), Some(count as f32));
         (0..EXTENT[0] as i32).filter(|&x| image.get(x, 0).is_some_and(|t| t[0] > 0.1)).count()
     };

@@ -1,0 +1,33 @@
+// What the previous frame must show where a surface was. Twin: Reprojected in src/nodes/temporal_accumulation/twin.rs.
+// Needs `float depth_tolerance` and `float normal_tolerance` in the shader's block `push`.
+#ifndef SURFACE_TEST_GLSL
+#define SURFACE_TEST_GLSL
+#include "frame.glsl"
+#include "moments.glsl"
+#include "surface_motion.glsl"
+
+struct Expected {
+    float depth;
+    float depth_tolerance;
+    vec2 gradient;  // of depth, scene units per pixel
+    vec3 normal;
+    uint id8;
+};
+
+Expected expected_surface(uvec4 packed, SurfaceMotion m, vec2 gradient, vec3 normal) {
+    float previous_z = unpack_depth(packed) * (1.0 + m.depth_ratio);
+    float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
+    return Expected(previous_z, tolerance, gradient, normal, unpack_id(packed));
+}
+
+// Of a pixel of the previous frame without a look at its normal. `slack`: depth that the surface may have gained on the way to a tap that
+// lies aside.
+uint surface_refusal(uvec4 packed, Expected expected, float slack) {
+    float z = unpack_depth(packed);
+    if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
+    return !(abs(z - expected.depth) <= expected.depth_tolerance + slack) ? REASON_DEPTH : REASON_NONE;
+}
+
+uint normal_refusal(vec3 n, Expected expected) { return dot(n, expected.normal) < push.normal_tolerance ? REASON_NORMAL : REASON_NONE; }
+
+#endif

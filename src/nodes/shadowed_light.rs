@@ -1,0 +1,20 @@
+//! Adds the light of the source whose visibility was filtered.
+
+pub(crate) mod twin;
+
+use crate::graph::{Graph, Pass, Port, Radiance, Visibility, HOST_COLOUR};
+use crate::shaders;
+
+impl Graph {
+    /// Adds to radiance, in place, the optional input `unshadowed_direct` of the host times the visibility: the light as it would be
+    /// if nothing stood in between, albedo and BSDF included. A host that leaves the input out multiplies by itself.
+    pub fn shadowed_light(&mut self, radiance: &Radiance, visibility: &Visibility) -> Radiance {
+        let node = self.node("shadowed_light", "");
+        let pass = Pass::new(&node, &shaders::SHADOWED_LIGHT)
+            .bind("denoised_visibility", visibility.image())
+            .bind("unshadowed_direct", self.input("unshadowed_direct", HOST_COLOUR, 1, true))
+            .bind("radiance", radiance.image());
+        self.add(pass);
+        Port::of(self.refreshed(radiance.image()))
+    }
+}

@@ -1,0 +1,53 @@
+//! The stage `shadowed_light`: the light of the source whose visibility was filtered is added.
+
+use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::bindings::Bindings;
+use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::Image;
+use crate::{Error, FrameConstants};
+
+/// `radiance + unshadowed_direct · visibility`, half precision, with the counter of light that is not finite.
+pub fn shadowed_light(
+    frame: &FrameConstants,
+    radiance: &Image<[f32; 4]>,
+    unshadowed_direct: &Image<[f32; 4]>,
+    visibility: &Image<f32>,
+) -> (Image<[f32; 4]>, Statistics) {
+    let texels = Image::compute(radiance.extent(), frame.render_extent, |p| {
+        let (before, [r, g, b, _]) = (radiance.at(p), unshadowed_direct.at(p));
+        if [r, g, b].iter().any(|c| !c.is_finite()) {
+            return (before, true);
+        }
+        let light = [r, g, b].map(|c| c.clamp(0.0, LARGEST_HALF) * visibility.at(p));
+        ([store(before[0] + light[0]), store(before[1] + light[1]), store(before[2] + light[2]), 1.0], false)
+    });
+    let mut statistics = Statistics::default();
+    statistics[Counter::Radiance as usize] = count(texels.texels().iter().map(|t| t.1));
+    (texels.map(|t| t.0), statistics)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let radiance = b.colour("radiance")?;
+    let Some(light) = b.optional_colour("unshadowed_direct")? else { return b.write("radiance", radiance.clone()) };
+    let (sum, statistics) = shadowed_light(b.frame, radiance, light, b.scalar("denoised_visibility")?);
+    b.count(&statistics)?;
+    b.write("radiance", sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::test_scene::*;
+
+    #[test]
+    fn light_that_is_not_finite_is_counted_and_not_added() {
+        let light = paint([4, 1], |x, _| {
+            [[2.0, 4.0, 8.0, 0.0], [f32::NAN, 1.0, 1.0, 0.0], [1.0, f32::INFINITY, 1.0, 0.0], [-1.0, 1e9, 1.0, 0.0]][x as usize]
+        });
+        let radiance = Image::new([4, 1], [1.0, 1.0, 1.0, 1.0]);
+        let (sum, statistics) = shadowed_light(&frame([4, 1]), &radiance, &light, &Image::new([4, 1], 0.5));
+        assert_eq!(sum.texels(), [[2.0, 3.0, 5.0, 1.0], [1.0; 4], [1.0; 4], [1.0, 32752.0, 1.5, 1.0]]);
+        assert_eq!(statistics[Counter::Radiance as usize], 2);
+    }
+}

@@ -1,0 +1,246 @@
+//! The stage `visibility_accumulation` \[Mehta et al. 2012\], \[SVGF 4.1\]: visibility blended with its past, and the distance of
+//! what casts the shadow.
+
+use crate::nodes::temporal_accumulation::twin::{Reprojected, TemporalAccumulationInputs};
+use crate::reference::binary16::from_half_bits;
+use crate::reference::bindings::Bindings;
+use crate::reference::conventions::is_reset;
+use crate::reference::geometry_weights::Geometry;
+use crate::reference::guide::unpack_guide;
+use crate::reference::surface_motion::unpack_depth_gradient;
+use crate::reference::visibility::{pack_visibility, unpack_visibility, Ruler, VisibilityHistory, LONGEST_HISTORY};
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Error, FrameConstants, Tuning};
+use glam::IVec2;
+
+#[cfg(test)]
+mod tests;
+
+/// Sums of weights up to this are nothing.
+const NOTHING: f32 = 1e-3;
+/// Pixels that always count as near.
+const NEAR: f32 = 1.5;
+/// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
+const CONFIDENCE_Z: [f32; 2] = [1.0, 2.0];
+/// Frames up to which the deviation is at least that of the surroundings.
+const SHORT_HISTORY: f32 = 8.0;
+/// Variance of a look by the cubic, as a share of that by 2×2 pixels.
+const CUBIC_BLUR: f32 = 0.2;
+/// Variance by which motion may blur an edge, as a share of the squared radius of the penumbra.
+const TOLERATED_BLUR: f32 = 0.5;
+/// Variance by which motion may blur any edge, squared pixels.
+const TOLERATED_BLUR_OF_ANY: f32 = 0.15;
+/// Smallest weight of this frame in the distance of the occluder.
+const DISTANCE_ALPHA: f32 = 0.25;
+
+/// Inputs of [`visibility_accumulation`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VisibilityAccumulationInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `surface_motion`, from the stage `import`.
+    pub surface_motion: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// Samples, from the stage `visibility_samples`.
+    pub samples: &'a Image<u32>,
+    /// Guide and output of this stage of the previous frame; not read in a reset frame, and `None` is treated as one.
+    pub previous: Option<(&'a Image<[u16; 4]>, &'a Image<u32>)>,
+}
+
+/// A sample of the host; [`None`] has no visibility.
+#[derive(Clone, Copy, Default)]
+struct Sample {
+    visibility: Option<f32>,
+    distance: f32,
+}
+
+/// Everything that is around a pixel.
+struct Surroundings<'a> {
+    geometry: &'a Geometry,
+    samples: &'a Image<Sample>,
+    rect: RenderRect,
+    ruler: Ruler,
+    light_radius: f32,
+    p: IVec2,
+}
+
+/// Mean, deviation and history length of visibility, see [`crate::reference::unpack_visibility`].
+pub fn visibility_accumulation(frame: &FrameConstants, tuning: &Tuning, inputs: &VisibilityAccumulationInputs) -> Image<u32> {
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    let samples = inputs.samples.map(|texel| {
+        let (v, distance) = (from_half_bits(*texel as u16), from_half_bits((texel >> 16) as u16));
+        Sample { visibility: (v >= 0.0).then_some(v), distance }
+    });
+    let previous = inputs.previous.filter(|_| !is_reset(frame));
+    let before =
+        previous.map(|(guide, _)| Image::compute(guide.extent(), frame.previous_render_extent, |p| unpack_guide(guide.at(p))));
+    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+        let surface = unpack_guide(inputs.guide.at(p));
+        if surface.is_background() {
+            return pack_visibility(&VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() });
+        }
+        let ruler = Ruler::new(frame, surface.linear_depth, unpack_depth_gradient(inputs.depth_gradient.at(p)));
+        let rect = RenderRect::new(frame.render_extent);
+        let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius: tuning.light_radius, p };
+        let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
+            // The tests are those of the accumulation of radiance, which no image of it takes part in.
+            let reprojected = Reprojected::new(frame, tuning, &surface_inputs(inputs), surface, p);
+            let (taps, cubic) = reprojected.taps(surfaces)?;
+            let (past, blur) = (weighted_history(&taps, history), ruler.blur(reprojected.s - reprojected.s.floor()));
+            let Some(cubic) = cubic else { return Some((past, blur)) };
+            let mean: f32 = cubic.iter().map(|(q, weight)| weight * unpack_visibility(history.at(*q)).mean).sum();
+            Some((VisibilityHistory { mean: mean.clamp(0.0, 1.0), ..past }, CUBIC_BLUR * blur))
+        });
+        pack_visibility(&around.accumulate(tuning, past))
+    })
+}
+
+fn surface_inputs<'a>(inputs: &VisibilityAccumulationInputs<'a>) -> TemporalAccumulationInputs<'a> {
+    TemporalAccumulationInputs {
+        guide: inputs.guide,
+        surface_motion: inputs.surface_motion,
+        depth_gradient: inputs.depth_gradient,
+        irradiance: &[],
+        object_normals: None,
+        history_confidence: None,
+        repair: false,
+        sharp: false,
+        light_ratio: None,
+        previous: None,
+    }
+}
+
+/// The mean over taps with weights that sum to 1; of the distance the largest.
+fn weighted_history(taps: &[(IVec2, f32); 9], history: &Image<u32>) -> VisibilityHistory {
+    let valid = || taps.iter().filter(|tap| tap.1 > 0.0).map(|(q, weight)| (unpack_visibility(history.at(*q)), *weight));
+    let sum = |value: fn(&VisibilityHistory) -> f32| valid().map(|(h, weight)| weight * value(&h)).sum::<f32>();
+    let mean = sum(|h| h.mean);
+    let variance: f32 = valid().map(|(h, weight)| weight * (h.deviation * h.deviation + (h.mean - mean) * (h.mean - mean))).sum();
+    VisibilityHistory {
+        mean,
+        deviation: variance.sqrt(),
+        history_length: sum(|h| h.history_length),
+        occluder_distance: valid().map(|(h, _)| h.occluder_distance).fold(0.0, f32::max),
+    }
+}
+
+/// 1 at the pixel itself, falling to 0 at a distance.
+fn reach(squared: f32, radius: f32) -> f32 {
+    (1.0 - squared / (radius * radius)).max(0.0)
+}
+
+impl Surroundings<'_> {
+    /// Samples of 5×5 pixels, `step` apart, that lie on the surface: offset, weight by geometry, visibility and distance.
+    fn taps(&self, step: i32) -> impl Iterator<Item = (f32, f32, f32, f32)> + '_ {
+        self.rect.window(self.p, 2, step).filter(|(_, q)| !self.geometry.is_background(*q)).filter_map(move |(offset, q)| {
+            let Sample { visibility, distance } = self.samples.at(q);
+            Some((self.ruler.squared((offset * step).as_vec2()), self.geometry.weight(self.p, q), visibility?, distance))
+        })
+    }
+
+    /// The distance of the occluders whose penumbra reaches the pixel, and weights of occluded and of lit samples.
+    fn search(&self) -> (f32, [f32; 2]) {
+        let near = NEAR * self.ruler.longer();
+        let own = self.samples.at(self.p);
+        let own_distance = if own.visibility.unwrap_or(0.0) < 1.0 { own.distance } else { 0.0 };
+        let (mut occluded_sum, mut lit_sum, mut distance_sum, mut known) = (0.0, 0.0, 0.0, 0.0);
+        let apart = self.taps(3).filter(|tap| tap.0 > 0.0);
+        for (squared, weight, visibility, distance) in self.taps(1).chain(apart) {
+            let occluded = weight * (1.0 - visibility) * reach(squared, 2.0 * self.light_radius * distance + near);
+            occluded_sum += occluded;
+            lit_sum += weight * visibility * reach(squared, 2.0 * self.light_radius * own_distance + near);
+            distance_sum += occluded * distance;
+            known += if distance > 0.0 { occluded } else { 0.0 };
+        }
+        (if known > 0.0 { distance_sum / known } else { 0.0 }, [occluded_sum, lit_sum])
+    }
+
+    /// Weight of the samples within the penumbra, and of the lit ones.
+    fn window(&self, radius: f32) -> [f32; 2] {
+        let longer = self.ruler.longer();
+        self.taps(1).fold([0.0; 2], |[sum, lit], (squared, weight, visibility, _)| {
+            let weight = weight * reach(squared, radius + NEAR * longer);
+            [sum + weight, lit + weight * visibility]
+        })
+    }
+
+    /// The variance that a profile of a shadow's edge may gain, squared scene units.
+    fn tolerated_blur(&self, radius: f32) -> f32 {
+        TOLERATED_BLUR * radius * radius + TOLERATED_BLUR_OF_ANY * self.ruler.squared_lengths().element_sum() / 2.0
+    }
+
+    fn accumulate(&self, tuning: &Tuning, past: Option<(VisibilityHistory, f32)>) -> VisibilityHistory {
+        let (searched, [occluded, lit]) = self.search();
+        let known = past.map_or(0.0, |(h, _)| h.occluder_distance);
+        let distance = if known > 0.0 && searched > 0.0 { known + DISTANCE_ALPHA * (searched - known) } else { searched };
+        let radius = self.light_radius * distance;
+        let [sum, of_lit] = self.window(radius);
+        let share = if sum > NOTHING { of_lit / sum } else { 1.0 };
+        let v = self.samples.at(self.p).visibility.unwrap_or(share);
+        let fresh = VisibilityHistory { mean: v, deviation: 0.0, history_length: 1.0, occluder_distance: distance };
+        let result = past.map_or(fresh, |(before, blur)| {
+            let pixels = radius / self.ruler.squared_lengths().max_element().sqrt();
+            let allowed = bounds([occluded, lit], [sum, of_lit], pixels);
+            blend(
+                tuning,
+                v,
+                &VisibilityHistory { occluder_distance: distance, ..before },
+                allowed,
+                blur / self.tolerated_blur(radius),
+            )
+        });
+        // A few samples may be equal by chance.
+        match result.history_length < SHORT_HISTORY {
+            true => VisibilityHistory { deviation: result.deviation.max((share * (1.0 - share)).max(0.0).sqrt()), ..result },
+            false => result,
+        }
+    }
+}
+
+/// The range of the mean that the samples of this frame allow: only lit, only occluded, or the interval of \[Wilson 1927\].
+fn bounds([occluded, lit]: [f32; 2], [n, of_lit]: [f32; 2], pixels: f32) -> [f32; 2] {
+    if occluded <= NOTHING && lit > NOTHING {
+        return [1.0; 2];
+    }
+    if lit <= NOTHING && occluded > NOTHING {
+        return [0.0; 2];
+    }
+    if n <= NOTHING {
+        return [0.0, 1.0];
+    }
+    let z = pixels.clamp(CONFIDENCE_Z[0], CONFIDENCE_Z[1]);
+    let squared = z * z;
+    let middle = (of_lit + squared / 2.0) / (n + squared);
+    let half_width = z / (n + squared) * (of_lit * (n - of_lit) / n + squared / 4.0).max(0.0).sqrt();
+    [middle - half_width, middle + half_width].map(|x| x.clamp(0.0, 1.0))
+}
+
+/// `blur`: the variance by which the look at the history blurred it, as a share of what is tolerated.
+fn blend(tuning: &Tuning, v: f32, before: &VisibilityHistory, allowed: [f32; 2], blur: f32) -> VisibilityHistory {
+    let history_length = (before.history_length + 1.0).min(LONGEST_HISTORY);
+    // With the weight alpha, blur adds up to blur / alpha.
+    let alpha = tuning.visibility_alpha.max(1.0 / history_length).max(blur.min(1.0));
+    let mean = before.mean.clamp(allowed[0], allowed[1]);
+    let difference = v - before.mean;
+    let variance = (1.0 - alpha) * (before.deviation * before.deviation + alpha * difference * difference);
+    VisibilityHistory {
+        mean: if alpha < 1.0 { mean + alpha * (v - mean) } else { v },
+        deviation: variance.sqrt(),
+        history_length: history_length.min(1.0 / alpha),
+        occluder_distance: before.occluder_distance,
+    }
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let inputs = VisibilityAccumulationInputs {
+        guide: b.packed("guide")?,
+        surface_motion: b.packed("surface_motion")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        samples: b.uint("visibility_samples")?,
+        previous: Some((b.packed("previous_guide")?, b.uint("previous_visibility_history")?)),
+    };
+    let history = visibility_accumulation(b.frame, b.tuning, &inputs);
+    b.write("visibility_history", history)
+}

@@ -1,0 +1,140 @@
+//! Shadows that stand still, move, are lit by a point, and lie under a camera that moves.
+
+use super::*;
+use crate::nodes::visibility_samples::twin::NO_SAMPLE;
+use crate::reference::binary16::half_bits;
+use crate::reference::test_scene::*;
+use crate::reference::{pack_depth_gradient, pack_surface_motion};
+
+const EXTENT: [u32; 2] = [24, 24];
+
+/// Samples `(visibility, distance)` of a plane at depth 1, whose pixels are 2/24 scene units long.
+fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<u32> {
+    paint(EXTENT, |x, y| {
+        let (v, d) = of(x, y);
+        u32::from(half_bits(v)) | u32::from(half_bits(d)) << 16
+    })
+}
+
+struct Sequence {
+    guides: Guides,
+    history: Option<Image<u32>>,
+    tuning: Tuning,
+}
+
+impl Sequence {
+    fn new() -> Self {
+        // One scene unit of occluder distance is a penumbra of half a pixel to either side.
+        let tuning = Tuning { light_radius: 1.0 / 24.0, ..Tuning::default() };
+        Self { guides: guides(EXTENT, |_, _| surface(1.0)), history: None, tuning }
+    }
+
+    fn frame(&mut self, samples: &Image<u32>) -> Image<VisibilityHistory> {
+        let g = &self.guides;
+        let inputs = VisibilityAccumulationInputs {
+            guide: &g.guide,
+            surface_motion: &g.surface_motion,
+            depth_gradient: &g.depth_gradient,
+            samples,
+            previous: self.history.as_ref().map(|history| (&g.guide, history)),
+        };
+        let history = visibility_accumulation(&frame(EXTENT), &self.tuning, &inputs);
+        let result = history.map(|texel| unpack_visibility(*texel));
+        self.history = Some(history);
+        result
+    }
+}
+
+/// An edge at x: lit to the right, with a penumbra of `radius` pixels to either side.
+fn edge(at: f32, radius: f32, seed: u32) -> Image<u32> {
+    let random = noise(EXTENT, seed);
+    samples(move |x, y| {
+        let seen = 0.5 + 0.5 * (x as f32 + 0.5 - at) / radius;
+        let lit = random.at(IVec2::new(x, y))[0] < seen;
+        (f32::from(lit), if lit { 0.0 } else { radius * 2.0 })
+    })
+}
+
+#[test]
+fn a_mean_converges_to_the_visibility() {
+    let mut sequence = Sequence { tuning: Tuning { visibility_alpha: 0.0, ..Sequence::new().tuning }, ..Sequence::new() };
+    let mut last = Image::new([1, 1], VisibilityHistory::default());
+    for i in 0..60 {
+        last = sequence.frame(&edge(12.0, 6.0, i));
+    }
+    for x in 4..20 {
+        let expected = (0.5 + 0.5 * (x as f32 + 0.5 - 12.0) / 6.0_f32).clamp(0.0, 1.0);
+        let column = (0..24).map(|y| last.at(IVec2::new(x, y)).mean).sum::<f32>() / 24.0;
+        assert!((column - expected).abs() < 0.06, "{x}: {column} for {expected}");
+    }
+    let middle = last.at(IVec2::new(12, 8));
+    assert_eq!(middle.history_length, 60.0);
+    assert!((middle.deviation - 0.5).abs() < 0.1 && (middle.occluder_distance / 12.0 - 1.0).abs() < 0.1, "{middle:?}");
+}
+
+#[test]
+fn a_shadow_that_left_leaves_nothing_behind() {
+    let mut sequence = Sequence::new();
+    for i in 0..20 {
+        sequence.frame(&edge(16.0, 0.5, i));
+    }
+    let after = sequence.frame(&edge(6.0, 0.5, 99));
+    for (x, y) in (9..24).flat_map(|x| (0..24).map(move |y| (x, y))) {
+        assert_eq!(after.at(IVec2::new(x, y)).mean, 1.0, "{x},{y}");
+    }
+    let back = sequence.frame(&edge(16.0, 0.5, 100));
+    for (x, y) in (0..13).flat_map(|x| (0..24).map(move |y| (x, y))) {
+        assert_eq!(back.at(IVec2::new(x, y)).mean, 0.0, "{x},{y}");
+    }
+}
+
+#[test]
+fn motion_does_not_blur_what_is_sharp_and_blurs_what_is_soft_a_little() {
+    // A third of a pixel a frame, with the shadow.
+    let weight = |radius: f32| {
+        let mut sequence = Sequence::new();
+        sequence.guides.surface_motion = Image::new(EXTENT, pack_surface_motion([1.0 / 3.0, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
+        let mut last = Image::new([1, 1], VisibilityHistory::default());
+        for i in 0..30 {
+            last = sequence.frame(&edge(12.0 - i as f32 / 3.0 + 5.0, radius, i));
+        }
+        // The edge is at 7.3.
+        (5..10).map(|x| last.at(IVec2::new(x, 8))).collect::<Vec<_>>()
+    };
+    let sharp = weight(0.25);
+    assert!(sharp[2].history_length <= 4.0, "{sharp:?}");
+    assert_eq!([sharp[0], sharp[4]].map(|h| h.mean), [0.0, 1.0], "{sharp:?}");
+    let soft = weight(6.0);
+    assert!(soft[2].history_length >= 9.0 && soft[2].mean > 0.2 && soft[2].mean < 0.8, "{soft:?}");
+}
+
+#[test]
+fn a_pixel_without_a_sample_takes_those_around() {
+    let mut sequence = Sequence::new();
+    let hole = |v: f32| samples(move |x, y| if (x, y) == (8, 8) { (NO_SAMPLE, 0.0) } else { (v, if v < 1.0 { 2.0 } else { 0.0 }) });
+    for v in [0.0, 1.0] {
+        let first = sequence.frame(&hole(v));
+        assert!(first.texels().iter().all(|h| h.mean == v), "{v}");
+        sequence.history = None;
+    }
+    let none = sequence.frame(&samples(|_, _| (NO_SAMPLE, 0.0)));
+    assert!(none.texels().iter().all(|h| h.mean == 1.0 && h.deviation == 0.0));
+}
+
+#[test]
+fn a_reset_frame_and_the_background_have_no_past() {
+    let mut sequence = Sequence::new();
+    sequence.frame(&samples(|_, _| (0.0, 4.0)));
+    let g = guides(EXTENT, |x, _| if x < 4 { Default::default() } else { surface(1.0) });
+    let lit = samples(|_, _| (1.0, 0.0));
+    let inputs = VisibilityAccumulationInputs {
+        guide: &g.guide,
+        surface_motion: &g.surface_motion,
+        depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
+        samples: &lit,
+        previous: Some((&sequence.guides.guide, sequence.history.as_ref().expect("a frame"))),
+    };
+    let after = visibility_accumulation(&reset(frame(EXTENT)), &sequence.tuning, &inputs);
+    let fresh = VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() };
+    assert!(after.texels().iter().all(|texel| unpack_visibility(*texel) == fresh));
+}

@@ -1,0 +1,133 @@
+//! The stage `visibility_filter` \[Mehta et al. 2012\]: one level of the filter of a visibility, no wider than its penumbra.
+
+use crate::reference::binary16::{from_half_bits, half_bits};
+use crate::reference::bindings::Bindings;
+use crate::reference::geometry_weights::Geometry;
+use crate::reference::surface_motion::unpack_depth_gradient;
+use crate::reference::visibility::{unpack_visibility, Ruler};
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Error, FrameConstants, Tuning};
+use glam::{IVec2, Vec2};
+
+#[cfg(test)]
+mod tests;
+
+/// Tolerated difference of visibility where the deviation is 0.
+const VISIBILITY_EPSILON: f32 = 0.01;
+/// Variances of a kernel, in squared pixels, up to which a level changes nothing.
+const NARROW: f32 = 0.02;
+/// Variance of the kernel along an edge, squared steps of the level.
+const ALONG: f32 = 1.0;
+/// Variance of how far aside a tap along an edge may lie, squared pixels.
+const ASIDE: f32 = 0.1;
+/// Levels that filter along edges.
+const ALONG_LEVELS: u32 = 2;
+
+/// Inputs of [`visibility_filter`]; images have the allocated extent.
+#[derive(Clone, Copy, Debug)]
+pub struct VisibilityFilterInputs<'a> {
+    /// The image `guide`, from the stage `import`.
+    pub guide: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
+    /// The history of this frame, which the distance of the occluder is read from.
+    pub visibility_history: &'a Image<u32>,
+    /// Visibility and its standard deviation.
+    pub estimate: &'a Image<[f32; 2]>,
+}
+
+/// The estimates that the first level starts from: visibility, and the standard deviation of a mean with the smallest weight 1/N.
+pub fn first_estimate(visibility_history: &Image<u32>) -> Image<[f32; 2]> {
+    visibility_history.map(|texel| {
+        let h = unpack_visibility(*texel);
+        [h.mean, h.deviation / (2.0 * h.history_length - 1.0).max(f32::MIN_POSITIVE).sqrt()]
+    })
+}
+
+/// Filters estimates by a kernel whose variance is the level's share of what the penumbra allows.
+pub fn visibility_filter(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &VisibilityFilterInputs) -> Image<[f32; 2]> {
+    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
+    let rect = RenderRect::new(frame.render_extent);
+    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+        let estimate = inputs.estimate.at(p);
+        if geometry.is_background(p) {
+            return estimate;
+        }
+        let ruler = Ruler::new(frame, geometry.linear_depth(p), unpack_depth_gradient(inputs.depth_gradient.at(p)));
+        let distance = unpack_visibility(inputs.visibility_history.at(p)).occluder_distance;
+        let deviation = tuning.penumbra_blur * tuning.light_radius * distance / ruler.longer();
+        let variance = share_of_level((deviation * deviation).min(1e6), level);
+        let is_edge = level < ALONG_LEVELS && distance > 0.0;
+        if variance <= NARROW && !is_edge {
+            return estimate;
+        }
+        let taps = || rect.window(p, 2, 1 << level).filter(|(_, q)| !geometry.is_background(*q));
+        let [v, sigma] = estimate;
+        let slope: Vec2 = taps().map(|(o, q)| o.as_vec2() * geometry.weight(p, q) * (inputs.estimate.at(q)[0] - v)).sum();
+        let light = if level < ALONG_LEVELS && slope.length_squared() > 1e-6 { slope.normalize() } else { Vec2::ZERO };
+        let kernel = Kernel { ruler, light, variance: variance.max(1e-6), full: 4_f32.powi(level as i32) };
+        let tolerance = tuning.visibility_sigma * sigma + VISIBILITY_EPSILON;
+        let (mut sum, mut squares, mut weights) = (0.0, 0.0, 0.0);
+        for (offset, q) in taps() {
+            let [v_q, sigma_q] = inputs.estimate.at(q);
+            let near =
+                if offset == IVec2::ZERO { 1.0 } else { (-kernel.way(offset * (1 << level)) - (v_q - v).abs() / tolerance).exp() };
+            let weight = near * geometry.weight(p, q);
+            sum += weight * v_q;
+            squares += weight * weight * sigma_q * sigma_q;
+            weights += weight;
+        }
+        [sum / weights, squares.sqrt() / weights]
+    })
+}
+
+/// A Gaussian on the surface, which is longer along an edge of the shadow.
+struct Kernel {
+    ruler: Ruler,
+    /// The way into the light, of unit length; 0 where there is none.
+    light: Vec2,
+    /// Squared pixels, where the surface faces the camera.
+    variance: f32,
+    /// Squared steps of the level.
+    full: f32,
+}
+
+impl Kernel {
+    /// The negative exponent of the weight.
+    fn way(&self, offset: IVec2) -> f32 {
+        let offset = offset.as_vec2();
+        let scale = 2.0 * self.variance * self.ruler.longer() * self.ruler.longer();
+        let round = self.ruler.squared(offset) / scale;
+        if self.light == Vec2::ZERO {
+            return round;
+        }
+        let (across, along) = (offset.dot(self.light), offset.dot(Vec2::new(-self.light.y, self.light.x)));
+        let aside = (self.ruler.squared(across * self.light) / scale).min(across * across / (2.0 * ASIDE));
+        round.min(aside + along * along / (2.0 * ALONG * self.full))
+    }
+}
+
+/// A level is good for a variance of 4^level, and finer ones come first.
+fn share_of_level(wanted: f32, level: u32) -> f32 {
+    let full = 4_f32.powi(level as i32);
+    let finer: f32 = (0..level).map(|finer| 4_f32.powi(finer as i32)).sum();
+    (wanted - finer).clamp(0.0, full)
+}
+
+/// Runs the stage on the bindings of a pass.
+pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let input = b.uint("filter_in")?;
+    let halves = |texel: &u32| [from_half_bits(*texel as u16), from_half_bits((texel >> 16) as u16)];
+    let estimate = if b.is_on("FIRST")? { first_estimate(input) } else { input.map(halves) };
+    let inputs = VisibilityFilterInputs {
+        guide: b.packed("guide")?,
+        depth_gradient: b.uint("depth_gradient")?,
+        visibility_history: b.uint("visibility_history")?,
+        estimate: &estimate,
+    };
+    let filtered = visibility_filter(b.frame, b.tuning, b.level, &inputs);
+    match b.has("denoised_visibility") {
+        true => b.write("denoised_visibility", filtered.map(|[v, _]| *v)),
+        false => b.write("filter_out", filtered.map(|[v, sigma]| u32::from(half_bits(*v)) | u32::from(half_bits(*sigma)) << 16)),
+    }
+}

@@ -1,0 +1,23 @@
+//! Takes in the visibility of one light, and how far away its occluder is.
+
+pub(crate) mod twin;
+
+use crate::contract::Lifetime;
+use crate::graph::{Graph, Guides, Pass, Port, VisibilitySamples, HOST_SCALAR, PACKED_32};
+use crate::shaders;
+
+impl Graph {
+    /// Samples of the visibility of a light, without what is none. Inputs: `noisy_visibility`, 0 (occluded) to 1 (lit), and
+    /// `occluder_distance`.
+    pub fn visibility_samples(&mut self, guides: &Guides) -> VisibilitySamples {
+        let node = self.node("visibility_samples", "");
+        let samples = self.named_image("visibility_samples", "", PACKED_32, 1, Lifetime::Transient);
+        let pass = Pass::new(&node, &shaders::VISIBILITY_SAMPLES)
+            .bind("guide", guides.guide)
+            .bind("noisy_visibility", self.input("noisy_visibility", HOST_SCALAR, 1, false))
+            .bind("occluder_distance", self.input("occluder_distance", HOST_SCALAR, 1, false))
+            .bind("visibility_samples", samples);
+        self.add(pass);
+        Port::of(self.refreshed(samples))
+    }
+}

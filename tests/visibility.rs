@@ -1,0 +1,180 @@
+//! The visibility of one light: beside the presets for surfaces, with its light and without.
+
+use super::support::{assert_finite, assert_valid, frame, scene::Guides, scene::Scene, session, session_with, upload};
+use atrous::config::{PostProcess, Preset, Signals};
+use atrous::executor::{Session, SessionOptions};
+use atrous::reference::Counter;
+use atrous::{Config, FrameParams, ResetReason, Tuning};
+use atrous_harness::DeviceTest;
+
+pub const TESTS: &[DeviceTest] = &[
+    ("it_costs_at_most_12_bytes_a_pixel", it_costs_at_most_12_bytes_a_pixel),
+    ("it_is_nearer_to_the_truth_than_its_samples", it_is_nearer_to_the_truth_than_its_samples),
+    ("all_or_nothing_is_a_fixed_point", all_or_nothing_is_a_fixed_point),
+    ("a_reset_frame_equals_a_first_frame", a_reset_frame_equals_a_first_frame),
+    ("two_runs_are_bit_identical", two_runs_are_bit_identical),
+    ("a_render_rect_gives_the_bits_of_a_tight_image", a_render_rect_gives_the_bits_of_a_tight_image),
+    ("surfaces_are_as_they_were_and_the_product_is_added", surfaces_are_as_they_were_and_the_product_is_added),
+    ("what_is_no_visibility_is_counted_and_does_not_spread", what_is_no_visibility_is_counted_and_does_not_spread),
+];
+
+const EXTENT: [u32; 2] = [96, 54];
+
+fn config(extent: [u32; 2]) -> Config {
+    Config { visibility: true, ..Config::new(extent) }
+}
+
+fn visibility_of(s: &mut Session, g: &Guides, params: &FrameParams) -> Vec<f32> {
+    upload(s, g);
+    let context = s.run(params, &Tuning::default()).expect("frame");
+    let image = s.download("denoised_visibility").expect("denoised_visibility");
+    assert_finite(&image, context.render_extent, s.executor().denoiser().declaration().allocated_extent());
+    assert_valid();
+    image.iter().map(|v| v[0]).collect()
+}
+
+/// History, transients and the output, of every preset with what it has by default and with the post-process.
+fn it_costs_at_most_12_bytes_a_pixel() {
+    let extent = [1920, 1080];
+    for preset in Preset::ALL {
+        for (signals, post_process) in [(Signals::Together, PostProcess::None), (Signals::Apart, PostProcess::ToneMapTaa)] {
+            let without = Config { preset, signals, post_process, ..Config::new(extent) };
+            let bytes = |config: &Config| {
+                let memory = config.declare().expect("valid").memory();
+                memory.history + memory.transient + memory.output
+            };
+            let more = bytes(&Config { visibility: true, ..without }) as f64 - bytes(&without) as f64;
+            let a_pixel = more / f64::from(extent[0] * extent[1]);
+            let most = match (preset, post_process) {
+                // It keeps no guide of the frame before.
+                (Preset::Eaw, _) => 24.0,
+                // It has no spatial filter, whose images would be free by then, and its motion is still needed.
+                (Preset::Stabilize, PostProcess::ToneMapTaa) => 16.0,
+                _ => 12.0,
+            };
+            assert!(a_pixel > 8.0 && a_pixel <= most, "{preset:?}: {a_pixel}");
+        }
+    }
+}
+
+fn it_is_nearer_to_the_truth_than_its_samples() {
+    let error =
+        |a: &[f32], truth: &[[f32; 4]]| (a.iter().zip(truth).map(|(a, b)| (a - b[0]).powi(2)).sum::<f32>() / a.len() as f32).sqrt();
+    for (speed, share) in [(0.0, 0.35), (0.05, 0.5)] {
+        let scene = Scene { speed, ..Scene::new(EXTENT) };
+        let mut s = session(&config(EXTENT));
+        let (mut filtered, mut noisy) = (0.0, 0.0);
+        for i in 0..24 {
+            let g = scene.frame(i, i);
+            let image = visibility_of(&mut s, &g, &scene.params(i));
+            let samples: Vec<_> =
+                g.noisy_visibility.iter().map(|v| if v[0].is_nan() { 1.0 } else { v[0].clamp(0.0, 1.0) }).collect();
+            (filtered, noisy) = (error(&image, &g.clean_visibility), error(&samples, &g.clean_visibility));
+        }
+        println!("speed {speed}: {noisy:.4} to {filtered:.4}");
+        assert!(filtered < share * noisy, "speed {speed}: {noisy} to {filtered}");
+    }
+}
+
+fn all_or_nothing_is_a_fixed_point() {
+    let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
+    for (v, distance) in [(1.0, f32::INFINITY), (0.0, 50.0)] {
+        let mut s = session(&config(EXTENT));
+        for i in 0..4 {
+            let mut g = scene.frame(i, i);
+            g.noisy_visibility.fill([v; 4]);
+            g.occluder_distance.fill([distance; 4]);
+            let image = visibility_of(&mut s, &g, &scene.params(i));
+            // The sky is not in a shadow.
+            let expected = g.surface_id.iter().map(|id| if *id == 0 { 1.0 } else { v });
+            assert!(image.iter().zip(expected).all(|(a, b)| *a == b), "{v}");
+        }
+    }
+}
+
+fn a_reset_frame_equals_a_first_frame() {
+    let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
+    let (mut used, mut fresh) = (session(&config(EXTENT)), session(&config(EXTENT)));
+    for i in 0..4 {
+        visibility_of(&mut used, &scene.frame(i, i), &scene.params(i));
+    }
+    let cut = FrameParams { reset: Some(ResetReason::CameraCut), ..scene.params(9) };
+    let g = scene.frame(9, 9);
+    assert_eq!(visibility_of(&mut used, &g, &cut), visibility_of(&mut fresh, &g, &scene.params(9)));
+}
+
+fn two_runs_are_bit_identical() {
+    let scene = Scene { speed: 0.13, ..Scene::new(EXTENT) };
+    let run = || -> Vec<Vec<f32>> {
+        let mut s = session_with(&config(EXTENT), SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+        (0..5).map(|i| visibility_of(&mut s, &scene.frame(i, i), &scene.params(i))).collect()
+    };
+    assert_eq!(run(), run());
+}
+
+fn a_render_rect_gives_the_bits_of_a_tight_image() {
+    let tight = Scene { speed: 0.15, ..Scene::new([37, 21]) };
+    let loose = Scene { allocated: [64, 40], ..tight };
+    let (mut a, mut b) = (session(&config(tight.allocated)), session(&config(loose.allocated)));
+    for i in 0..4 {
+        let x = visibility_of(&mut a, &tight.frame(i, i), &tight.params(i));
+        let y = visibility_of(&mut b, &loose.frame(i, i), &loose.params(i));
+        for (row, expected) in x.chunks(37).enumerate() {
+            assert_eq!(&y[row * 64..row * 64 + 37], expected, "frame {i}, row {row}");
+        }
+    }
+}
+
+fn surfaces_are_as_they_were_and_the_product_is_added() {
+    let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
+    for preset in [Preset::Svgf, Preset::Eaw, Preset::Best] {
+        let without = Config { preset, ..Config::new(EXTENT) };
+        let (mut surfaces, mut both) = (session(&without), session(&Config { visibility: true, ..without }));
+        for i in 0..4 {
+            let (g, params) = (scene.frame(i, i), scene.params(i));
+            let (_, expected) = frame(&mut surfaces, &g, &params, &Tuning::for_preset(preset));
+            // With the input left out, and then with it.
+            upload(&mut both, &g);
+            if i % 2 == 0 {
+                both.unbind("unshadowed_direct").expect("known");
+            }
+            both.run(&params, &Tuning::for_preset(preset)).expect("frame");
+            let image = both.download("denoised_radiance").expect("output");
+            let seen = both.download("denoised_visibility").expect("output");
+            for (p, (sum, alone)) in image.iter().zip(&expected).enumerate() {
+                let light = |c: usize| if i % 2 == 0 { 0.0 } else { g.unshadowed_direct[p][c] * seen[p][0] };
+                let close = (0..3).all(|c| (sum[c] - alone[c] - light(c)).abs() <= 2e-3 * (alone[c] + light(c)));
+                assert!(close && (i % 2 == 1 || sum == alone), "{preset:?}, frame {i}, {p}: {sum:?} {alone:?}");
+            }
+        }
+        assert_valid();
+    }
+}
+
+fn what_is_no_visibility_is_counted_and_does_not_spread() {
+    let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
+    let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.5, 1.5, 1e30];
+    let mut s = session(&config(EXTENT));
+    for i in 0..4 {
+        let mut g = scene.frame(i, i);
+        g.noisy_visibility.fill([1.0; 4]);
+        g.occluder_distance.fill([f32::INFINITY; 4]);
+        let surface: Vec<usize> =
+            (0..g.surface_id.len()).filter(|p| g.surface_id[*p] != 0).step_by(211).take(2 * bad.len()).collect();
+        for (k, value) in bad.into_iter().enumerate() {
+            g.noisy_visibility[surface[k]] = [value; 4];
+            g.occluder_distance[surface[bad.len() + k]] = [value; 4];
+        }
+        g.unshadowed_direct[surface[0]] = [f32::NAN; 4];
+        let image = visibility_of(&mut s, &g, &scene.params(i));
+        // Negative infinity and -0.5 are no light: -0.5 becomes 0, what is not finite takes after its surroundings.
+        let dark = image.iter().filter(|v| **v < 1.0).count();
+        assert!(dark <= 9 * 4 && image.iter().all(|v| (0.0..=1.0).contains(v)), "frame {i}: {dark}");
+        let counts = s.download("statistics").expect("statistics");
+        let count = |i: Counter| counts[i as usize][0];
+        assert_eq!((count(Counter::Visibility), count(Counter::OccluderDistance)), (6.0, 3.0));
+        assert_eq!(count(Counter::Radiance), 1.0);
+        let radiance = s.download("denoised_radiance").expect("output");
+        assert_finite(&radiance, EXTENT, EXTENT);
+    }
+}
