@@ -14,12 +14,20 @@ pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
     let mut dice = Dice::new(seed);
     let mut g = Graph::new(extent).frames_in_flight(1 + dice.below(3));
     let guides = g.import(Import { surface_id: dice.coin(), object_normal: dice.coin() });
-    let surfaces = surfaces(&mut g, &mut dice, &guides, "denoised_radiance");
+    let mut surfaces = surfaces(&mut g, &mut dice, &guides, "denoised_radiance");
     if dice.coin() {
         g.scope("again", |g| self::surfaces(g, &mut dice, &guides, "denoised_again"));
     }
     if dice.coin() {
         ambient_occlusion(&mut g, &mut dice, &guides);
+    }
+    // Without a throw of the dice, so that other seeds stay what they were.
+    if seed % 3 == 1 {
+        let samples = g.visibility_samples(&guides);
+        let accumulated = g.visibility_accumulation(&guides, &samples);
+        let visibility = g.visibility_filter(&guides, &accumulated, 1 + seed / 3 % 4);
+        surfaces.radiance = g.shadowed_light(&surfaces.radiance, &visibility);
+        g.output("denoised_visibility", &visibility);
     }
     let fog = dice.coin().then(|| volume(&mut g, &mut dice, &guides));
     if dice.coin() {

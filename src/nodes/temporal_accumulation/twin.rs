@@ -149,6 +149,9 @@ pub fn temporal_accumulation(
     outputs
 }
 
+/// Tested pixels with their weights, and those of a cubic.
+type Taps = ([(IVec2, f32); 9], Option<[(IVec2, f32); 16]>);
+
 /// A surface with what is expected of it in the previous frame.
 pub(crate) struct Reprojected {
     /// Position in the previous image; pixel centres are whole numbers.
@@ -186,7 +189,7 @@ impl Reprojected {
 
     /// Pixels that show this surface, with weights that sum to 1, those beyond the valid ones have weight 0; and 4×4 with the weights
     /// of a cubic, where all show it.
-    pub fn taps(&self, surfaces: &Image<Surface>) -> Option<([(IVec2, f32); 9], Option<[(IVec2, f32); 16]>)> {
+    pub fn taps(&self, surfaces: &Image<Surface>) -> Option<Taps> {
         match self.history(surfaces, false, true) {
             History::Taps(taps) => Some((taps, None)),
             History::Sharp(taps, cubic) => Some((taps, Some(cubic))),
