@@ -1,6 +1,7 @@
 // For a host's path tracer: which pixels of this frame repeat a sample of the previous frame, so that the denoiser sees how light changed.
-// Source: [ASVGF] 3.1, 3.3. Needs GL_EXT_samplerless_texture_functions. The preset `asvgf` or `stabilize` with forward-projected gradients
-// writes `gradient_samples` in its phase BeforeLighting; trace after it, and set FrameParams::reshaded.
+// Source: [ASVGF] 3.1, 3.3. Needs GL_EXT_samplerless_texture_functions. The presets `asvgf`, `best` and `stabilize` with forward-projected
+// gradients write `gradient_samples` in their phase BeforeLighting; trace after it, and set FrameParams::reshaded. The same in HLSL, which Slang
+// reads as well, and in WGSL: gradient_sample.hlsl, gradient_sample.wgsl.
 //
 // One pixel in a stratum (3x3 by default) is a gradient sample. It shades the surface that `previous_pixel` saw in the previous frame, moved along
 // with its object, with the random numbers that were used there: all that may differ is the light. Shade it as every other pixel, into the same
