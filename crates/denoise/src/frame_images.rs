@@ -124,9 +124,12 @@ impl Channels<'_> {
 
     pub fn guides(&mut self, camera: Option<&Camera>, images: &mut BTreeMap<&'static str, Texels>) {
         let pixels = self.setup.pixels();
-        images.extend(self.vectors(Role::Albedo).map(|a| ("albedo", a)));
+        // A renderer's albedo for denoisers has the coat in it, which specular light apart has no use for.
+        let is_specular = self.setup.config.signals == Signals::Specular;
+        let base = if is_specular { self.vectors(Role::DiffuseColour) } else { None };
+        images.extend(base.or_else(|| self.vectors(Role::Albedo)).map(|a| ("albedo", a)));
         images.extend(self.vectors(Role::Roughness).map(|r| ("roughness", r)));
-        if self.setup.config.signals == Signals::Specular {
+        if is_specular {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
             images.extend(self.vectors(Role::HitDistance).map(|d| ("specular_hit_distance", d)));
         }
