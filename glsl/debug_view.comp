@@ -2,10 +2,10 @@
 // What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
 // Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
 // In:  guide, surface_motion, statistics; moments, block_percentiles and irradiance_history per signal, history_confidence, gradient, noisy
-//      radiance per signal and albedo, each where the graph has it.
+//      radiance per signal and albedo, reflection, each where the graph has it.
 // Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
 // optional: surface_motion, moments_0, moments_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
-// optional: gradient, noisy_1, albedo
+// optional: gradient, noisy_1, albedo, reflection
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -27,6 +27,7 @@ layout(push_constant) uniform Push {
 #include "demodulation.glsl"
 #include "firefly_limit.glsl"
 #include "strata.glsl"
+#include "reflection.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -42,6 +43,7 @@ const uint HISTORY_CONFIDENCE = 10u;
 const uint GRADIENT = 11u;
 const uint NOISY_1 = 13u;
 const uint ALBEDO = 14u;
+const uint REFLECTION = 16u;
 
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 layout(set = 0, binding = 2) uniform utexture2D guide;
@@ -58,10 +60,11 @@ layout(set = 0, binding = 12) uniform texture2D noisy_0;
 layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 15, rgba16f) uniform writeonly image2D debug_view;
+layout(set = 0, binding = REFLECTION) uniform utexture2D reflection;
 
 // In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; FRAME: none.
-const uint NEEDED[14] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
-                               BLOCK_PERCENTILES_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME);
+const uint NEEDED[16] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
+                               BLOCK_PERCENTILES_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME, REFLECTION, REFLECTION);
 const uint VIEW_HISTORY_LENGTH = 0u;
 const uint VIEW_VARIANCE = 1u;
 const uint VIEW_MOMENTS = 2u;
@@ -76,8 +79,11 @@ const uint VIEW_NORMAL = 10u;
 const uint VIEW_DEPTH = 11u;
 const uint VIEW_SURFACE_ID = 12u;
 const uint VIEW_BAD_VALUES = 13u;
+const uint VIEW_HIT_DISTANCE = 14u;
+const uint VIEW_LOBE_ANGLE = 15u;
 
 const float LONG_HISTORY = 32.0;    // frames; from here on histories look alike
+const float WIDEST_LOBE = 45.0;     // degrees
 const float LARGE_MOTION = 64.0;    // pixels; from here on motions look alike
 const float VARIANCE_SCALE = 4.0;   // deviations of 1/4 are in the middle of the colours
 const uint BAD_KINDS = 12u;
@@ -170,6 +176,16 @@ vec4 bad_values_at(ivec2 p) {
     return vec4(lit ? from_srgb(REASON_COLOURS[5]) : ground, count);
 }
 
+vec4 hit_distance_at(ivec2 p, uvec4 packed) {
+    float distance = unpack_reflection(texelFetch(reflection, p, 0).x).hit_distance;
+    return distance > 0.0 ? vec4(false_colour(nearness_of(unpack_depth(packed), distance)), distance) : vec4(0.0);
+}
+
+vec4 lobe_angle_at(ivec2 p) {
+    float angle = degrees(atan(lobe_width(unpack_reflection(texelFetch(reflection, p, 0).x).roughness)));
+    return vec4(false_colour(angle / WIDEST_LOBE), angle);
+}
+
 vec4 shown(ivec2 p, uvec4 packed, uint view) {
     float value = 0.0;
     switch (view) {
@@ -192,6 +208,8 @@ vec4 shown(ivec2 p, uvec4 packed, uint view) {
         return vec4(from_srgb(REASON_COLOURS[reason]), float(reason));
     }
     case VIEW_MOTION: return motion_at(p);
+    case VIEW_HIT_DISTANCE: return hit_distance_at(p, packed);
+    case VIEW_LOBE_ANGLE: return lobe_angle_at(p);
     case VIEW_NORMAL: return vec4(unpack_normal(packed) * 0.5 + 0.5, 0.0);
     case VIEW_DEPTH: value = unpack_depth(packed); return vec4(false_colour(compressed(value)), value);
     default: return id_at(unpack_id(packed));
@@ -201,7 +219,7 @@ vec4 shown(ivec2 p, uvec4 packed, uint view) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uint view = min(push.level, VIEW_BAD_VALUES);
+    uint view = min(push.level, VIEW_LOBE_ANGLE);
     uvec4 packed = texelFetch(guide, p, 0);
     vec4 value = vec4(0.0);
     if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);

@@ -193,6 +193,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         ShaderBinding { number: 13, name: Cow::Borrowed("noisy_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 14, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 15, name: Cow::Borrowed("debug_view"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 16, name: Cow::Borrowed("reflection"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
@@ -204,6 +205,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
 pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {

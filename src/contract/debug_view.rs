@@ -40,8 +40,14 @@ choices! {
         /// A colour for every surface id as the filters see it (8 bits). a: the id.
         SurfaceId = 12 => "surface_id",
         /// Values of this frame that were not finite: one bar each, from the top, for depth, normal, motion, radiance, albedo,
-        /// emission, forward motion, scattering depth; the logarithm of their number against that of all pixels. a: the number.
+        /// emission, forward motion, scattering depth, roughness, hit distance, visibility, distance of the occluder; the logarithm of
+        /// their number against that of all pixels. a: the number.
         BadValues = 13 => "bad_values",
+        /// Distance d to what is seen in a surface, as the filter of specular light has it: d over the way from the eye in false
+        /// colours, so that contact is dark; black where it is not known. a: scene units; 65504 beyond the scene.
+        HitDistance = 14 => "hit_distance",
+        /// Half the angle of the lobe of a surface, 0 to 45 degrees in false colours. a: degrees.
+        LobeAngle = 15 => "lobe_angle",
     }
 }
 
@@ -55,6 +61,7 @@ impl DebugView {
             Self::Lambda => Some("history_confidence"),
             Self::Gradient => Some("gradient"),
             Self::Motion => Some("surface_motion"),
+            Self::HitDistance | Self::LobeAngle => Some("reflection"),
             Self::Normal | Self::Depth | Self::SurfaceId | Self::BadValues => None,
         }
     }
@@ -72,7 +79,7 @@ impl Declaration {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::{Config, Preset};
+    use crate::config::{Config, Preset, Signals};
 
     #[test]
     fn a_preset_shows_what_it_has() {
@@ -85,6 +92,9 @@ mod tests {
             views(Preset::Percentile).contains(&DebugView::Fireflies) && !views(Preset::Percentile).contains(&DebugView::Gradient)
         );
         assert!(!views(Preset::Stabilize).contains(&DebugView::Variance) && views(Preset::Stabilize).contains(&DebugView::Alpha));
+        let config = Config { signals: Signals::Specular, debug_view: true, ..Config::new([16, 16]) };
+        let specular = config.declare().expect("valid").debug_views();
+        assert!(specular.contains(&DebugView::LobeAngle) && !views(Preset::Svgf).contains(&DebugView::LobeAngle));
         assert_eq!(Config::new([16, 16]).declare().expect("valid").debug_views(), []);
     }
 }

@@ -3,7 +3,9 @@
 pub(crate) mod twin;
 
 use crate::contract::{Lifetime, Phase};
-use crate::graph::{Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, HDR, HOST_COLOUR};
+use crate::graph::{
+    Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, Reflection, HDR, HOST_COLOUR,
+};
 use crate::shaders;
 
 /// Images of a graph beside the guides; views of what is `None` are a dark chequer.
@@ -21,6 +23,8 @@ pub struct Known {
     pub confidence: Option<Confidence>,
     /// Reconstructed temporal gradients.
     pub gradient: Option<Gradient>,
+    /// What is seen in the surfaces.
+    pub reflection: Option<Reflection>,
     /// Percentiles of blocks.
     pub percentiles: Option<Percentiles>,
 }
@@ -28,7 +32,16 @@ pub struct Known {
 impl Known {
     /// A filter that knows its input alone.
     pub fn new(noisy: &Radiance) -> Self {
-        Self { noisy: *noisy, albedo: true, history: None, deviation: false, confidence: None, gradient: None, percentiles: None }
+        Self {
+            noisy: *noisy,
+            albedo: true,
+            history: None,
+            deviation: false,
+            confidence: None,
+            gradient: None,
+            reflection: None,
+            percentiles: None,
+        }
     }
 }
 
@@ -44,7 +57,8 @@ impl Graph {
             .bind("surface_motion", guides.surface_motion)
             .each("noisy", known.noisy.images())
             .bind("debug_view", shown)
-            .bind_some("history_confidence", known.confidence.map(|confidence| confidence.image()));
+            .bind_some("history_confidence", known.confidence.map(|confidence| confidence.image()))
+            .bind_some("reflection", known.reflection.map(|reflection| reflection.image));
         if known.albedo {
             pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
         }

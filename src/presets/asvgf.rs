@@ -26,7 +26,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let radiance = modulated(
+    let (radiance, reflection) = modulated(
         g,
         guides,
         config,
@@ -35,6 +35,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     );
     let known = Known {
         history: Some(history),
+        reflection,
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,

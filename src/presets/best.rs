@@ -37,10 +37,11 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, kernel: Kernel::Box, ..Atrous::default() });
-    let radiance =
+    let (radiance, reflection) =
         modulated(g, guides, config, filtered.into(), Specular { variance, confidence: Some(confidence), ..Specular::default() });
     let known = Known {
         history: Some(history),
+        reflection,
         deviation: true,
         confidence: Some(confidence),
         gradient,

@@ -22,7 +22,7 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let radiance = modulated(
+    let (radiance, reflection) = modulated(
         g,
         guides,
         config,
@@ -34,6 +34,13 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             confidence: Some(confidence),
         },
     );
-    let known = Known { history: Some(history), deviation: true, confidence: Some(confidence), percentiles, ..Known::new(&noisy) };
+    let known = Known {
+        history: Some(history),
+        reflection,
+        deviation: true,
+        confidence: Some(confidence),
+        percentiles,
+        ..Known::new(&noisy)
+    };
     Denoised { radiance, known }
 }

@@ -29,7 +29,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
     let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let radiance = modulated(
+    let (radiance, reflection) = modulated(
         g,
         guides,
         config,
@@ -38,6 +38,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     );
     let known = Known {
         history: Some(history),
+        reflection,
         deviation: true,
         confidence: Some(confidence),
         percentiles: Some(percentiles),

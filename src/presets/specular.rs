@@ -43,14 +43,21 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     (g.atrous(guides, &estimate, atrous).into(), found.reflection)
 }
 
-/// Radiance of what a preset filtered, with specular light beside it where [`Signals::Specular`] asks for it.
-pub(super) fn modulated(g: &mut Graph, guides: &Guides, config: &Config, filtered: Irradiance, parameters: Specular) -> Radiance {
+/// Radiance of what a preset filtered, with specular light beside it where [`Signals::Specular`] asks for it, and what is seen in the
+/// surfaces then.
+pub(super) fn modulated(
+    g: &mut Graph,
+    guides: &Guides,
+    config: &Config,
+    filtered: Irradiance,
+    parameters: Specular,
+) -> (Radiance, Option<Reflection>) {
     if config.signals != Signals::Specular {
-        return g.modulate(guides, &filtered, Modulate::default());
+        return (g.modulate(guides, &filtered, Modulate::default()), None);
     }
-    let (reflected, _) = specular(g, guides, config, parameters);
+    let (reflected, reflection) = specular(g, guides, config, parameters);
     let both = g.pair(&filtered, &reflected);
-    g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() })
+    (g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() }), Some(reflection))
 }
 
 /// The noisy radiance of the whole picture, of which gradients are made: diffuse and specular light as a pair.

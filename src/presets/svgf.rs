@@ -17,12 +17,12 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, feedback: Some(history), ..Atrous::default() });
-    let radiance = modulated(
+    let (radiance, reflection) = modulated(
         g,
         guides,
         config,
         filtered.into(),
         Specular { feedback: Feedback::Filtered, kernel: Kernel::Spline, variance: Variance::default(), confidence: None },
     );
-    Denoised { radiance, known: Known { history: Some(history), deviation: true, percentiles, ..Known::new(&noisy) } }
+    Denoised { radiance, known: Known { history: Some(history), reflection, deviation: true, percentiles, ..Known::new(&noisy) } }
 }

@@ -12,6 +12,7 @@ pub fn every_view() {
     for config in [
         base,
         Config { preset: Preset::Percentile, signals: Signals::Apart, ..base },
+        Config { preset: Preset::Best, signals: Signals::Specular, ..base },
         Config { preset: Preset::Asvgf, firefly_filter: true, ..base },
         Config { preset: Preset::Stabilize, ..base },
         Config { preset: Preset::Eaw, ..base },

@@ -138,7 +138,8 @@ pub struct AtrousFrameParams {
     /// The view of the pass `debug_view`; without one the host leaves the pass out.
     ///
     /// 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
-    /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values).
+    /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
+    /// 15 (hit_distance), 16 (lobe_angle).
     pub debug_view: u32,
 }
 

@@ -233,7 +233,8 @@ mod tests {
 
     #[test]
     fn a_width_is_that_of_the_penumbra() {
-        for width in [1.0, 3.0, 6.0] {
+        // Narrower ones are as wide as the look-up between pixels.
+        for width in [2.0, 3.0, 6.0] {
             let (guides, radiance) = guides(width);
             let edges = ShadowEdges::new(guides);
             let measured = edges.width(&radiance, &radiance).expect("profiles");

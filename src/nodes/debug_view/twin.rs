@@ -8,6 +8,7 @@ use crate::reference::blocks::block_of;
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
+use crate::reference::reflection::{lobe_width, nearness, unpack_reflection, SeenReflection};
 use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::{Image, Moments, Statistics, LARGEST_HALF};
 use crate::{DebugView, FrameConstants, Tuning};
@@ -29,6 +30,9 @@ const LARGE_MOTION: f32 = 64.0;
 /// The deviation in the middle of the colours.
 const MIDDLE_DEVIATION: f32 = 0.25;
 /// Kinds of input that are counted.
+/// Degrees at the end of the colours of lobes.
+const WIDEST_LOBE: f32 = 45.0;
+
 const BAD_KINDS: u32 = 12;
 /// Viridis (van der Walt, Smith 2015) at nine places, sRGB.
 const VIRIDIS: [[u8; 3]; 9] = [
@@ -67,6 +71,8 @@ pub struct DebugViewInputs<'a> {
     pub block_percentiles: &'a [&'a Image<u32>],
     /// Noisy radiance of every signal.
     pub noisy: &'a [&'a Image<[f32; 4]>],
+    /// What is seen in the surfaces, where specular light is filtered.
+    pub reflection: Option<&'a Image<u32>>,
     /// Albedo of the host.
     pub albedo: Option<&'a Image<[f32; 4]>>,
 }
@@ -97,6 +103,7 @@ impl DebugViewInputs<'_> {
             DebugView::Variance => !self.irradiance_history.is_empty(),
             DebugView::Gradient => self.gradient.is_some(),
             DebugView::Lambda => self.history_confidence.is_some(),
+            DebugView::HitDistance | DebugView::LobeAngle => self.reflection.is_some(),
             DebugView::Percentiles | DebugView::Fireflies => !self.block_percentiles.is_empty(),
             DebugView::Motion | DebugView::Normal | DebugView::Depth | DebugView::SurfaceId | DebugView::BadValues => true,
         }
@@ -106,7 +113,14 @@ impl DebugViewInputs<'_> {
         let coloured = |t: f32, value: f32| (false_colour(t), value);
         let surface = unpack_guide(self.guide.at(p));
         let change = self.history_confidence.map_or(0.0, |c| 1.0 - c.at(p));
+        let seen = self.reflection.map_or(SeenReflection::default(), |reflection| unpack_reflection(reflection.at(p)));
         match view {
+            DebugView::HitDistance if seen.hit_distance == 0.0 => ([0.0; 3], 0.0),
+            DebugView::HitDistance => coloured(nearness(surface.linear_depth, seen.hit_distance), seen.hit_distance),
+            DebugView::LobeAngle => {
+                let angle = lobe_width(seen.roughness).atan().to_degrees();
+                coloured(angle / WIDEST_LOBE, angle)
+            }
             DebugView::HistoryLength => {
                 let frames = self.moments_at(0, p).history_length;
                 coloured(frames / LONG_HISTORY, frames)

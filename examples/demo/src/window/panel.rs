@@ -170,6 +170,8 @@ fn explained(view: DebugView) -> &'static str {
         DebugView::Normal => "Normals in world space",
         DebugView::Depth => "Linear depth",
         DebugView::SurfaceId => "A colour for every object",
+        DebugView::HitDistance => "How far away is what is seen in a surface: dark blue touches it, yellow is the sky",
+        DebugView::LobeAngle => "Width of what a surface blurs together: dark blue a mirror, yellow 45 degrees",
         DebugView::BadValues => {
             "Inputs that were not finite: a bar each for depth, normal, motion, radiance, albedo, emission, forward motion"
         }

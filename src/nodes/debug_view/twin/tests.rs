@@ -21,6 +21,7 @@ fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f
         stratum_size: 3,
         block_percentiles: &[],
         noisy: &[],
+        reflection: None,
         albedo: None,
     };
     debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..Tuning::default() }, &inputs, view)
