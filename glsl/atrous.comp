@@ -131,10 +131,6 @@ struct Lobe {
     float distance_sharpness;  // per squared difference of nearness
 };
 
-float nearness_at(ivec2 p, uvec4 packed) {
-    return nearness_of(unpack_depth(packed), unpack_reflection(texelFetch(reflection, p, 0).x).hit_distance);
-}
-
 // Narrows the tolerance of normals as well.
 Lobe lobe_of(ivec2 p, uvec4 packed, inout EdgeCentre surface) {
     Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
@@ -143,11 +139,12 @@ Lobe lobe_of(ivec2 p, uvec4 packed, inout EdgeCentre surface) {
     float sigma_n = share / (width * width + 1e-3);
     surface.normal_sharpness += LOG2_E * sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     float distance_sharpness = r.hit_distance > 0.0 ? LOG2_E * 4.0 * share / (width * width + 0.02) : 0.0;
-    return Lobe(nearness_at(p, packed), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
+    return Lobe(nearness_of(unpack_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
 }
 
 float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, uvec4 packed_tap) {
-    float difference = nearness_at(tap, packed_tap) - lobe.nearness;
+    float distance = unpack_reflection(texelFetch(reflection, tap, 0).x).hit_distance;
+    float difference = nearness_of(unpack_depth(packed_tap), distance) - lobe.nearness;
     return -(float(offset.x * offset.x + offset.y * offset.y) * lobe.spatial_sharpness + difference * difference * lobe.distance_sharpness);
 }
 #endif

@@ -26,6 +26,8 @@ layout(push_constant) uniform Push {
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
+#include "history_blend.glsl"
+#include "surface_test.glsl"
 #include "view_position.glsl"
 #include "forward_projection.glsl"
 #include "roughness.glsl"
@@ -56,8 +58,7 @@ struct Centre {
     vec3 sight;      // from the eye, of unit length
     vec3 normal;
     float depth;
-    vec2 gradient;   // of depth, scene units per pixel
-    SurfaceMotion motion;
+    Expected expected;  // of the surface in the previous frame, at its position
     vec2 surface_position;  // in the previous frame, pixels; centres are whole numbers
 };
 
@@ -67,25 +68,20 @@ struct Past {
     float frames;
     float nearness;  // mean of hit distance / (depth + hit distance)
     float roughness;
-    vec3 irradiance;
-    float mean;
-    float second_moment;
+    History light;
 };
-
-const float MIN_TAP_WEIGHT = 0.01;
 
 Centre centre_of(ivec2 p, uvec4 packed) {
     Centre c;
     c.p = p;
     c.packed = packed;
     c.depth = unpack_depth(packed);
-    vec3 view = view_position(p, c.depth);
-    c.position = (frame.world_from_view * vec4(view, 1.0)).xyz;
-    c.sight = normalize(mat3(frame.world_from_view) * (view - view_position(p, 0.0)));
+    c.position = (frame.world_from_view * vec4(view_position(p, c.depth), 1.0)).xyz;
+    c.sight = line_of_sight(p);
     c.normal = unpack_normal(packed);
-    c.gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
-    c.motion = unpack_surface_motion(texelFetch(surface_motion, p, 0));
-    c.surface_position = previous_position(p, c.motion.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
+    SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+    c.expected = expected_surface(packed, m, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x), m.previous_normal);
+    c.surface_position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
     return c;
 }
 
@@ -152,19 +148,18 @@ bool virtual_position(Centre c, float distance, float share, out vec2 position) 
     return true;
 }
 
+// Of a pixel that may lie far from where the surface was: on its plane.
 bool is_same_surface(Centre c, ivec2 tap) {
     if (!is_inside_previous(tap)) return false;
     uvec4 packed = texelFetch(previous_guide, tap, 0);
-    float z = unpack_depth(packed);
-    if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
     vec2 aside = vec2(tap) - c.surface_position;
-    float previous_z = c.depth * (1.0 + c.motion.depth_ratio);
-    float expected = previous_z + dot(c.gradient, aside);
-    float slack = push.depth_tolerance * previous_z + (abs(c.gradient.x) + abs(c.gradient.y)) * (1.0 + 0.1 * length(aside));
-    return abs(z - expected) <= slack && dot(unpack_normal(packed), c.motion.previous_normal) >= push.normal_tolerance;
+    Expected there = c.expected;
+    there.depth += dot(there.gradient, aside);
+    float slack = 0.1 * length(aside) * (abs(there.gradient.x) + abs(there.gradient.y));
+    return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(unpack_normal(packed), there) == REASON_NONE;
 }
 
-Past nothing() { return Past(0.0, 0.0, 0.0, 0.0, vec3(0.0), 0.0, 0.0); }
+Past nothing() { return Past(0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
 
 // The tested 2x2 taps around a position, as a mean.
 Past past_at(Centre c, vec2 position) {
@@ -180,14 +175,12 @@ Past past_at(Centre c, vec2 position) {
         sum.frames += weight * m.history_length;
         sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
         sum.roughness += weight * r.roughness;
-        sum.irradiance += weight * texelFetch(history, tap, 0).rgb;
-        sum.mean += weight * m.mean;
-        sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
+        add_history(sum.light, texelFetch(history, tap, 0).rgb, m, weight);
     }
     if (sum.weight < MIN_TAP_WEIGHT) return nothing();
     float scale = 1.0 / sum.weight;
-    return Past(sum.weight, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, sum.irradiance * scale, sum.mean * scale,
-                sum.second_moment * scale);
+    History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
+    return Past(sum.weight, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, light);
 }
 
 // Whether the surface at a pixel of the previous frame mirrored the same thing: the lobe there holds the direction to it.
@@ -209,13 +202,12 @@ bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
 // Frames that a past is worth whose content is `error` pixels off in each of them.
 float worth(float frames, float error, float tolerance) { return min(frames, tolerance / max(error, 1e-4)); }
 
-float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
-
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
 Past mixed(Past a, Past b, float share) {
-    return Past(1.0, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share),
-                mix(a.irradiance, b.irradiance, share), mix(a.mean, b.mean, share), mix(a.second_moment, b.second_moment, share));
+    History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
+                            mix(a.light.second_moment, b.light.second_moment, share));
+    return Past(1.0, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share), light);
 }
 
 // The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
@@ -251,21 +243,10 @@ Past best_past(Centre c, float roughness, inout float hit_distance) {
     return mixed(surface, image, b / max(a + b, 1e-20));
 }
 
-vec4 blend(vec3 irradiance, Past past, float change, inout Moments moments) {
-    float scale = frame.exposure_ratio;
-    vec3 before = storable(past.irradiance * scale);
-    float mean = min(past.mean * scale, 65504.0);
-    float variance = min(max(0.0, past.second_moment - past.mean * past.mean) * scale * scale, 65504.0 * 65504.0);
-    float frames = min(past.frames + 1.0, push.max_history_length);
-    if (is_present(HISTORY_CONFIDENCE)) frames = min(frames, 1.0 / max(adapted(push.alpha, change), 1e-6));
-    float alpha = max(adapted(push.alpha, change), 1.0 / frames);
-    float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / frames);
-    float difference = moments.mean - mean;
-    moments.mean = mean + alpha_moments * difference;
-    moments.deviation = sqrt((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference));
-    moments.history_length = frames;
-    moments.reason = REASON_NONE;
-    return vec4(alpha < 1.0 ? mix(before, irradiance, alpha) : irradiance, 0.0);
+// Frames of a past, with this one.
+float length_with(float frames, float change) {
+    float history_length = min(frames + 1.0, push.max_history_length);
+    return is_present(HISTORY_CONFIDENCE) ? min(history_length, 1.0 / max(adapted(push.alpha, change), 1e-6)) : history_length;
 }
 
 void main() {
@@ -284,7 +265,11 @@ void main() {
         if (!has_flag(FLAG_RESET)) {
             Past past = best_past(c, rough, seen.hit_distance);
             moments.reason = REASON_DEPTH;
-            if (past.weight > 0.0) irradiance = blend(irradiance, past, change_at(p), moments).rgb;
+            if (past.weight > 0.0) {
+                float change = change_at(p), history_length = length_with(past.frames, change);
+                History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
+                irradiance = blend(irradiance, light, history_length, change, moments);
+            }
         }
     }
     imageStore(accumulated, p, vec4(storable(irradiance), length_or_reason(moments)));

@@ -34,6 +34,7 @@ layout(push_constant) uniform Push {
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
+#include "history_blend.glsl"
 #include "packed_image.glsl"
 #include "strata.glsl"
 #include "surface_test.glsl"
@@ -67,15 +68,6 @@ layout(set = 0, binding = 15, rgba16f) uniform image2D irradiance_1;
 layout(set = 0, binding = 16, r32ui) uniform writeonly uimage2D new_moments_1;
 #endif
 
-// Below this sum of bilinear weights a reprojection rests on next to nothing.
-const float MIN_TAP_WEIGHT = 0.01;
-
-struct History {
-    vec3 irradiance;
-    float mean;
-    float second_moment;
-};
-
 struct Gathered {
     float weight;
     float history_length;
@@ -100,19 +92,13 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
     return normal_refusal(n, expected);
 }
 
-void add_signal(inout History sum, vec3 irradiance, Moments m, float weight) {
-    sum.irradiance += weight * irradiance;
-    sum.mean += weight * m.mean;
-    sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
-}
-
 void add_tap(inout Gathered sum, ivec2 tap, float weight) {
     Moments m = unpack_moments(packed_at(previous_moments_0, tap));
     sum.weight += weight;
     sum.history_length += weight * m.history_length;
-    add_signal(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, weight);
+    add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, weight);
 #if SIGNALS == 2
-    add_signal(sum.signals[1], texelFetch(history_1, tap, 0).rgb, unpack_moments(packed_at(previous_moments_1, tap)), weight);
+    add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, unpack_moments(packed_at(previous_moments_1, tap)), weight);
 #endif
 }
 
@@ -222,8 +208,6 @@ Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
 // How far light changed at a pixel: 0, not at all, to 1.
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
-float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
-
 // How much brighter each component of the light is than in the frame before, smooth between strata.
 vec3 light_ratio_at(ivec2 p) {
     if (!is_present(LIGHT_RATIO)) return vec3(1.0);
@@ -240,26 +224,9 @@ vec3 light_ratio_at(ivec2 p) {
     return sum.a > 0.0 ? sum.rgb / sum.a : vec3(1.0);
 }
 
-// The history in the light of this frame, with its variance in the place of the second moment. A ratio of exposures may be as large as a
-// float: the clamps keep infinity minus infinity away.
-History in_light(History history, vec3 ratio) {
-    float scale = frame.exposure_ratio;
-    if (is_present(LIGHT_RATIO)) scale = min(scale * luminance(ratio), 1e38);
-    float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
-    vec3 irradiance = storable(history.irradiance * ratio * frame.exposure_ratio);
-    return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0));
-}
-
-vec3 blend(vec3 irradiance, History history, float history_length, float change, out Moments moments) {
-    float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / history_length);
-    float difference = luminance(irradiance) - history.mean;
-    moments.mean = history.mean + alpha_moments * difference;
-    moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
-    moments.history_length = history_length;
-    moments.reason = REASON_NONE;
-    float alpha = max(adapted(push.alpha, change), 1.0 / history_length);
-    // What is dropped leaves no rounding error behind.
-    return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;
+// The factor of luminance by which light changed.
+float light_scale(vec3 ratio) {
+    return is_present(LIGHT_RATIO) ? min(frame.exposure_ratio * luminance(ratio), 1e38) : frame.exposure_ratio;
 }
 
 void main() {
@@ -302,7 +269,7 @@ void main() {
         if (sum.weight > 0.0) {
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
-            irradiance[i] = blend(irradiance[i], in_light(h, ratio), history_length, change, moments[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, change, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));

@@ -37,8 +37,6 @@ PACKED_IMAGE_32(5, visibility_samples);
 layout(set = 0, binding = 6) uniform utexture2D previous_visibility_history;
 layout(set = 0, binding = 7, r32ui) uniform writeonly uimage2D visibility_history;
 
-// Below this sum of bilinear weights a reprojection rests on next to nothing.
-const float MIN_TAP_WEIGHT = 0.01;
 // Of weights of taps: less is nothing.
 const float NOTHING = 1e-3;
 // Pixels that always count as near: an edge that is sharp, and stands still, runs between them.

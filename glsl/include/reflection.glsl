@@ -3,7 +3,7 @@
 #ifndef REFLECTION_GLSL
 #define REFLECTION_GLSL
 #include "frame.glsl"
-#include "conventions.glsl"
+#include "view_position.glsl"
 
 struct Reflection {
     float hit_distance;  // scene units; 0: unknown
@@ -32,10 +32,7 @@ float mirror_share(float roughness) {
 // Pixels that the lobe of a surface covers at the distance of what is seen in it.
 float lobe_radius(float linear_depth, Reflection r) {
     if (r.hit_distance == 0.0) return 65504.0;
-    float z = forward_sign() * (linear_depth + r.hit_distance);
-    float w = abs(frame.clip_from_view[2][3] * z + frame.clip_from_view[3][3]);
-    float pixels = 0.5 * float(frame.render_extent.y) * abs(frame.clip_from_view[1][1]) / max(w, 1e-20);
-    return min(lobe_width(r.roughness) * r.hit_distance * pixels, 65504.0);
+    return min(lobe_width(r.roughness) * r.hit_distance / pixel_size(linear_depth + r.hit_distance).y, 65504.0);
 }
 
 // Hit distance as a share of the way from the eye: bounded, and next to what moves on the screen, so that means are taken of it. 0 of the

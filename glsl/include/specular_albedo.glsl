@@ -16,8 +16,7 @@ vec3 environment_reflectance(vec3 f0, float roughness, float view_cosine) {
 
 // Cosine between the normal of a pixel and its line of sight.
 float view_cosine(ivec2 p, uvec4 packed) {
-    vec3 sight = normalize(view_position(p, 1.0) - view_position(p, 0.0));
-    return clamp(dot(mat3(frame.world_from_view) * -sight, unpack_normal(packed)), 0.0, 1.0);
+    return clamp(-dot(line_of_sight(p), unpack_normal(packed)), 0.0, 1.0);
 }
 
 // 1 where the reflectance is not finite.

@@ -6,6 +6,9 @@
 #include "moments.glsl"
 #include "surface_motion.glsl"
 
+// Below this sum of bilinear weights a reprojection rests on next to nothing.
+const float MIN_TAP_WEIGHT = 0.01;
+
 struct Expected {
     float depth;
     float depth_tolerance;

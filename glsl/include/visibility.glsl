@@ -2,7 +2,7 @@
 #ifndef VISIBILITY_GLSL
 #define VISIBILITY_GLSL
 #include "frame.glsl"
-#include "conventions.glsl"
+#include "view_position.glsl"
 
 // What one pixel remembers of its visibility: 12, 6, 6 and 8 bits.
 struct VisibilityHistory {
@@ -31,13 +31,6 @@ uint pack_visibility(VisibilityHistory h) {
 VisibilityHistory unpack_visibility(uint packed) {
     return VisibilityHistory(float(packed & 0xfffu) / MEAN_STEPS, float(packed >> 12 & 0x3fu) / DEVIATION_STEPS,
                              float(packed >> 18 & 0x3fu), unpack_distance(packed >> 24));
-}
-
-// Scene units from one pixel to the next, across and down, where a surface faces the camera.
-vec2 pixel_size(float linear_depth) {
-    mat4 clip = frame.clip_from_view;
-    float w = clip[2][3] * (forward_sign() * min(linear_depth, 1e15)) + clip[3][3];
-    return clamp(abs(2.0 * w / (vec2(frame.render_extent) * vec2(clip[0][0], clip[1][1]))), 1e-15, 1e15);
 }
 
 // Between two places on a surface that tilts as `gradient` says: where it recedes, a pixel is a longer way.

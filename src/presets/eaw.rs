@@ -1,5 +1,6 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
+use super::specular::sum;
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Graph, Guides};
@@ -19,8 +20,7 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             let noisy = g.radiance("noisy_specular");
             let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, gradient: None });
             let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
-            let both = g.pair(&filtered, &specular);
-            g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() })
+            sum(g, guides, &filtered, &specular)
         }
         _ => g.modulate(guides, &filtered, Modulate::default()),
     };

@@ -56,8 +56,13 @@ pub(super) fn modulated(
         return (g.modulate(guides, &filtered, Modulate::default()), None);
     }
     let (reflected, reflection) = specular(g, guides, config, parameters);
-    let both = g.pair(&filtered, &reflected);
-    (g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() }), Some(reflection))
+    (sum(g, guides, &filtered, &reflected), Some(reflection))
+}
+
+/// Radiance of diffuse and specular irradiance.
+pub(super) fn sum(g: &mut Graph, guides: &Guides, diffuse: &Irradiance, specular: &Irradiance) -> Radiance {
+    let both = g.pair(diffuse, specular);
+    g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() })
 }
 
 /// The noisy radiance of the whole picture, of which gradients are made: diffuse and specular light as a pair.

@@ -38,6 +38,14 @@ pub(crate) fn view_position(frame: &FrameConstants, p: IVec2, linear_depth: f32)
     Vec3::new(axis(0), axis(1), z)
 }
 
+/// Scene units from one pixel to the next, across and down, where a surface faces the camera.
+pub(crate) fn pixel_size(frame: &FrameConstants, linear_depth: f32) -> Vec2 {
+    let clip = Mat4::from_cols_array_2d(&frame.clip_from_view);
+    let w = clip.row(3).z * forward(frame) * linear_depth.min(FARTHEST) + clip.row(3).w;
+    let across = Vec2::new(clip.row(0).x, clip.row(1).y);
+    (2.0 * w / (extent(frame.render_extent) * across)).abs().clamp(Vec2::splat(1e-15), Vec2::splat(1e15))
+}
+
 /// The line of sight of a pixel in view space: `origin + direction·z` is its point at linear depth z.
 #[derive(Clone, Copy, Debug)]
 struct ViewRay {

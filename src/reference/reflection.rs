@@ -1,7 +1,8 @@
 //! What is seen in a glossy surface: how far behind it, and how wide its lobe is.
 
 use super::binary16::{from_half_bits, half_bits, store};
-use super::conventions::{forward, roughness_is_alpha};
+use super::conventions::roughness_is_alpha;
+use super::projection::pixel_size;
 use crate::FrameConstants;
 
 /// Hit distance that stands for what is beyond the scene.
@@ -59,10 +60,8 @@ pub(crate) fn lobe_radius(frame: &FrameConstants, linear_depth: f32, seen: SeenR
     if seen.hit_distance == 0.0 {
         return FARTHEST_HIT;
     }
-    let z = forward(frame) * (linear_depth + seen.hit_distance);
-    let w = (frame.clip_from_view[2][3] * z + frame.clip_from_view[3][3]).abs();
-    let pixels_per_unit = 0.5 * frame.render_extent[1] as f32 * frame.clip_from_view[1][1].abs() / w.max(1e-20);
-    (lobe_width(seen.roughness) * seen.hit_distance * pixels_per_unit).min(FARTHEST_HIT)
+    let pixel = pixel_size(frame, linear_depth + seen.hit_distance).y;
+    (lobe_width(seen.roughness) * seen.hit_distance / pixel).min(FARTHEST_HIT)
 }
 
 /// Distance behind the surface of the image of what it mirrors: 1/d' = 1/d + 2κ, times the share that is mirrored.

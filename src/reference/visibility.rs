@@ -1,8 +1,8 @@
 //! Visibility of one light: its packing, and lengths on a surface.
 
-use super::conventions::forward;
+use super::projection::pixel_size;
 use crate::FrameConstants;
-use glam::{Mat4, Vec2};
+use glam::Vec2;
 
 /// A pixel of `visibility_history`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -54,11 +54,7 @@ pub(crate) struct Ruler {
 impl Ruler {
     /// `gradient`: change of depth from a pixel to the next.
     pub fn new(frame: &FrameConstants, linear_depth: f32, gradient: [f32; 2]) -> Self {
-        let clip = Mat4::from_cols_array_2d(&frame.clip_from_view);
-        let w = clip.row(3).z * forward(frame) * linear_depth.min(1e15) + clip.row(3).w;
-        let extent = Vec2::new(frame.render_extent[0] as f32, frame.render_extent[1] as f32);
-        let across = Vec2::new(clip.row(0).x, clip.row(1).y);
-        let size = (2.0 * w / (extent * across)).abs().clamp(Vec2::splat(1e-15), Vec2::splat(1e15));
+        let size = pixel_size(frame, linear_depth);
         Self { size, gradient: gradient.into() }
     }
 

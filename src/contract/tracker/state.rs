@@ -103,41 +103,34 @@ const SHARED_BITS: u64 = 0x1_ffff;
 
 fn legacy_stage(stage: vk::PipelineStageFlags2) -> vk::PipelineStageFlags {
     use vk::{PipelineStageFlags as Old, PipelineStageFlags2 as New};
-    let mut legacy = Old::from_raw((stage.as_raw() & SHARED_BITS) as u32);
     let renamed = [
         (New::COPY | New::RESOLVE | New::BLIT | New::CLEAR, Old::TRANSFER),
         (New::INDEX_INPUT | New::VERTEX_ATTRIBUTE_INPUT, Old::VERTEX_INPUT),
         (New::PRE_RASTERIZATION_SHADERS, Old::ALL_GRAPHICS),
     ];
-    let mut rest = New::from_raw(stage.as_raw() & !SHARED_BITS);
-    for (new, old) in renamed {
-        if rest.intersects(new) {
-            (legacy, rest) = (legacy | old, rest & !new);
-        }
-    }
-    if rest.is_empty() {
-        legacy
-    } else {
-        legacy | Old::ALL_COMMANDS
-    }
+    let renamed = renamed.map(|(new, old)| (new.as_raw(), old.as_raw()));
+    Old::from_raw(legacy_bits(stage.as_raw(), renamed, Old::ALL_COMMANDS.as_raw()))
 }
 
 fn legacy_access(access: vk::AccessFlags2) -> vk::AccessFlags {
     use vk::{AccessFlags as Old, AccessFlags2 as New};
-    let mut legacy = Old::from_raw((access.as_raw() & SHARED_BITS) as u32);
     let renamed = [
         (New::SHADER_SAMPLED_READ | New::SHADER_STORAGE_READ | New::SHADER_BINDING_TABLE_READ_KHR, Old::SHADER_READ),
         (New::SHADER_STORAGE_WRITE, Old::SHADER_WRITE),
     ];
-    let mut rest = New::from_raw(access.as_raw() & !SHARED_BITS);
-    for (new, old) in renamed {
-        if rest.intersects(new) {
-            (legacy, rest) = (legacy | old, rest & !new);
-        }
+    let renamed = renamed.map(|(new, old)| (new.as_raw(), old.as_raw()));
+    Old::from_raw(legacy_bits(access.as_raw(), renamed, (Old::MEMORY_READ | Old::MEMORY_WRITE).as_raw()))
+}
+
+/// Bits that have other names, and `unknown` for those that have none.
+fn legacy_bits<const N: usize>(bits: u64, renamed: [(u64, u32); N], unknown: u32) -> u32 {
+    let (mut legacy, mut rest) = ((bits & SHARED_BITS) as u32, bits & !SHARED_BITS);
+    for (new, old) in renamed.into_iter().filter(|(new, _)| bits & new != 0) {
+        (legacy, rest) = (legacy | old, rest & !new);
     }
-    if rest.is_empty() {
+    if rest == 0 {
         legacy
     } else {
-        legacy | Old::MEMORY_READ | Old::MEMORY_WRITE
+        legacy | unknown
     }
 }

@@ -1,17 +1,16 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
-use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
-use crate::reference::projection::{extent_ratio, view_position};
+use crate::reference::projection::Projections;
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
-use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
+use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
-use glam::{IVec2, Mat4, Vec2, Vec3};
+use glam::{IVec2, Vec3, Vec4, Vec4Swizzles};
 
 mod curvature;
 mod past;
@@ -69,7 +68,7 @@ struct Scene<'a> {
     tuning: &'a Tuning,
     inputs: &'a SpecularAccumulationInputs<'a>,
     rect: RenderRect,
-    world_from_view: Mat4,
+    projections: Projections,
     surfaces: Image<Surface>,
     previous_surfaces: Image<Surface>,
 }
@@ -82,11 +81,7 @@ struct Centre {
     position: Vec3,
     /// From the eye, of unit length, world space.
     sight: Vec3,
-    /// Of depth, scene units per pixel.
-    gradient: Vec2,
-    motion: SurfaceMotion,
-    /// Where it was, pixels of the previous frame; centres are whole numbers.
-    surface_position: Vec2,
+    reprojected: Reprojected,
 }
 
 /// Accumulates specular light along the motion of surfaces and of what is seen in them, whichever tells more.
@@ -113,7 +108,7 @@ impl<'a> Scene<'a> {
             tuning,
             inputs,
             rect: RenderRect::new(frame.render_extent),
-            world_from_view: Mat4::from_cols_array_2d(&frame.world_from_view),
+            projections: Projections::new(frame),
             surfaces: surfaces(inputs.guide, frame.render_extent),
             previous_surfaces: match is_reset(frame) {
                 true => Image::new(extent, Surface::default()),
@@ -128,41 +123,37 @@ impl Scene<'_> {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
         let surface = self.surfaces.at(p);
-        let fresh = |reason: Reason| {
-            let mean = texel_luminance([r, g, b, 0.0]);
-            ([store(r), store(g), store(b), 0.0], Moments { mean, deviation: 0.0, history_length: 1.0, reason: reason as u16 })
-        };
+        let noisy = [r, g, b, 0.0];
         let with = |(texel, moments), seen| (texel, moments, seen);
         if surface.is_background() {
-            return with(fresh(Reason::None), SeenReflection { hit_distance: 0.0, roughness });
+            return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness });
         }
         let c = self.centre(p, surface);
         let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance, roughness), roughness };
         if is_reset(self.frame) {
-            return with(fresh(Reason::Reset), seen);
+            return with(fresh(noisy, Reason::Reset), seen);
         }
         match self.best_past(&c, &mut seen) {
-            Some(past) => with(self.blend(p, [r, g, b], &past), seen),
-            None => with(fresh(Reason::Depth), seen),
+            Some(past) => with(self.blend(p, noisy, &past), seen),
+            None => with(fresh(noisy, Reason::Depth), seen),
         }
     }
 
-    fn world(&self, view: Vec3) -> Vec3 {
-        self.world_from_view.transform_point3(view)
+    fn world(&self, p: IVec2, linear_depth: f32) -> Vec3 {
+        Vec4::from(self.projections.world_point(p.into(), linear_depth)).xyz()
     }
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
-        let view = view_position(self.frame, p, surface.linear_depth);
-        let sight = self.world_from_view.transform_vector3(view - view_position(self.frame, p, 0.0)).normalize();
+        let position = self.world(p, surface.linear_depth);
+        let sight = (self.world(p, 2.0 * surface.linear_depth) - position).normalize();
         let motion = unpack_surface_motion(self.inputs.surface_motion.at(p));
+        let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(p));
         Centre {
             p,
             surface,
-            position: self.world(view),
+            position,
             sight,
-            gradient: unpack_depth_gradient(self.inputs.depth_gradient.at(p)).into(),
-            motion,
-            surface_position: (p.as_vec2() + 0.5) * extent_ratio(self.frame) + Vec2::from(motion.motion) - 0.5,
+            reprojected: Reprojected::new(self.frame, self.tuning, (surface, p), &motion, gradient),
         }
     }
 
@@ -186,31 +177,13 @@ impl Scene<'_> {
         }
     }
 
-    /// Blends a pixel with its past as \[SVGF 4.1\] does.
-    fn blend(&self, p: IVec2, noisy: [f32; 3], past: &Past) -> ([f32; 4], Moments) {
-        let scale = self.frame.exposure_ratio;
-        let change = self.inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
-        let mut frames = (past.frames + 1.0).min(self.tuning.max_history_length);
-        if self.inputs.history_confidence.is_some() {
-            frames = frames.min(1.0 / adapted(self.tuning.alpha).max(1e-6));
-        }
-        let alpha = adapted(self.tuning.alpha).max(1.0 / frames);
-        let alpha_moments = adapted(self.tuning.alpha_moments).max(1.0 / frames);
-        let [r, g, b] = [0, 1, 2].map(|i| {
-            let before = (past.irradiance[i] * scale).clamp(0.0, LARGEST_HALF);
-            store(if alpha < 1.0 { before + alpha * (noisy[i] - before) } else { noisy[i] })
-        });
-        let mean = (past.mean * scale).min(LARGEST_HALF);
-        let variance = ((past.second_moment - past.mean * past.mean).max(0.0) * scale * scale).min(LARGEST_HALF * LARGEST_HALF);
-        let difference = texel_luminance([noisy[0], noisy[1], noisy[2], 0.0]) - mean;
-        let moments = Moments {
-            mean: mean + alpha_moments * difference,
-            deviation: ((1.0 - alpha_moments) * (variance + alpha_moments * difference * difference)).sqrt(),
-            history_length: frames,
-            reason: Reason::None as u16,
-        };
-        ([r, g, b, 0.0], moments)
+    fn blend(&self, p: IVec2, noisy: [f32; 4], past: &Past) -> ([f32; 4], Moments) {
+        let confidence = self.inputs.history_confidence;
+        let change = confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
+        let bounds = AlphaBounds::new(self.tuning, confidence.is_some(), false, change);
+        let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
+        let before = Moments { mean: past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
+        blend(self.frame, noisy, past.irradiance, &before, bounds, [1.0; 3])
     }
 }
 

@@ -1,18 +1,17 @@
 //! The stage `temporal_accumulation` \[SVGF 4.1\]: irradiance and moments of luminance accumulated along the motion of the surface.
 
-use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::moments::{pack_moments, unpack_moments, Moments, Reason};
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
-use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 mod adapter;
+mod blend;
 #[cfg(test)]
 mod history_tests;
 mod light;
@@ -22,6 +21,8 @@ mod tests;
 mod volume;
 
 pub(crate) use adapter::twin;
+pub(crate) use blend::{blend, fresh, AlphaBounds};
+pub(crate) use taps::SMALLEST_WEIGHT_SUM;
 pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// History of a signal.
@@ -129,7 +130,7 @@ pub fn temporal_accumulation(
         let surface = unpack_guide(inputs.guide.at(p));
         match &surfaces {
             _ if surface.is_background() => History::Background,
-            Some(surfaces) => Reprojected::new(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair, inputs.sharp),
+            Some(surfaces) => reprojected(frame, tuning, inputs, surface, p).history(surfaces, inputs.repair, inputs.sharp),
             None => History::Disoccluded(Reason::Reset),
         }
     });
@@ -149,10 +150,25 @@ pub fn temporal_accumulation(
     outputs
 }
 
+/// The surface of a pixel, by object-space normals where there are any.
+fn reprojected(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &TemporalAccumulationInputs,
+    surface: Surface,
+    p: IVec2,
+) -> Reprojected {
+    let motion = unpack_surface_motion(inputs.surface_motion.at(p));
+    let normal = inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p)));
+    let motion = SurfaceMotion { previous_normal: normal, ..motion };
+    Reprojected::new(frame, tuning, (surface, p), &motion, unpack_depth_gradient(inputs.depth_gradient.at(p)))
+}
+
 /// Tested pixels with their weights, and those of a cubic.
 type Taps = ([(IVec2, f32); 9], Option<[(IVec2, f32); 16]>);
 
 /// A surface with what is expected of it in the previous frame.
+#[derive(Clone, Copy)]
 pub(crate) struct Reprojected {
     /// Position in the previous image; pixel centres are whole numbers.
     pub s: Vec2,
@@ -169,9 +185,15 @@ pub(crate) struct Reprojected {
 }
 
 impl Reprojected {
-    pub fn new(frame: &FrameConstants, tuning: &Tuning, inputs: &TemporalAccumulationInputs, surface: Surface, p: IVec2) -> Self {
-        let motion = unpack_surface_motion(inputs.surface_motion.at(p));
-        let [dx, dy] = unpack_depth_gradient(inputs.depth_gradient.at(p));
+    /// The surface of the pixel `p`.
+    pub fn new(
+        frame: &FrameConstants,
+        tuning: &Tuning,
+        (surface, p): (Surface, IVec2),
+        motion: &SurfaceMotion,
+        depth_gradient: [f32; 2],
+    ) -> Self {
+        let [dx, dy] = depth_gradient;
         let linear_depth = surface.linear_depth * (1.0 + motion.depth_ratio);
         let start = (p.as_vec2() + 0.5) * extent_ratio(frame) - 0.5;
         Self {
@@ -180,7 +202,7 @@ impl Reprojected {
             linear_depth,
             depth_tolerance: tuning.depth_tolerance * linear_depth + dx.abs() + dy.abs(),
             depth_gradient: Vec2::new(dx, dy),
-            normal: inputs.object_normals.map_or(motion.previous_normal, |n| octahedral10_to_normal(n.current.at(p))).into(),
+            normal: motion.previous_normal.into(),
             normal_tolerance: tuning.normal_tolerance,
             id: surface.id,
             rect: RenderRect::new(frame.previous_render_extent),
@@ -214,6 +236,13 @@ impl Reprojected {
         } else {
             Reason::None
         }
+    }
+
+    /// Whether a pixel that may lie far from `s` is this surface, whose plane goes on there; its slope may be a tenth off.
+    pub fn is_on_plane(&self, surfaces: &Image<Surface>, q: IVec2) -> bool {
+        let aside = q.as_vec2() - self.s;
+        let there = Self { linear_depth: self.linear_depth + self.depth_gradient.dot(aside), ..*self };
+        there.refusal_aside(surfaces, q, 0.1 * aside.length() * self.depth_gradient.abs().element_sum()) == Reason::None
     }
 
     fn history(&self, surfaces: &Image<Surface>, repair: bool, sharp: bool) -> History {
@@ -255,29 +284,6 @@ impl Reprojected {
     }
 }
 
-/// Smallest weights of the new sample, and the longest history that goes with them.
-#[derive(Clone, Copy)]
-struct AlphaBounds {
-    alpha: f32,
-    alpha_moments: f32,
-    history_length: f32,
-}
-
-impl AlphaBounds {
-    /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
-    fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
-        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
-        let alpha = adapted(tuning.alpha);
-        // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
-        let longest = match (is_adaptive, repair) {
-            (_, true) => 1.0 / change.max(1e-6),
-            (true, false) => 1.0 / alpha.max(1e-6),
-            (false, false) => f32::INFINITY,
-        };
-        Self { alpha, alpha_moments: adapted(tuning.alpha_moments), history_length: longest.min(tuning.max_history_length) }
-    }
-}
-
 /// Blends one signal of one pixel with its history \[SVGF 4.1\].
 fn accumulate(
     frame: &FrameConstants,
@@ -287,15 +293,10 @@ fn accumulate(
     signal: Option<&SignalHistory>,
     ratio: [f32; 3],
 ) -> ([f32; 4], Moments) {
-    let l = texel_luminance(c);
-    let fresh = |reason: Reason| {
-        let moments = Moments { mean: l, deviation: 0.0, history_length: 1.0, reason: reason as u16 };
-        ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
-    };
     let (taps, longest, signal) = match (history, signal) {
-        (History::Background, _) => return fresh(Reason::None),
-        (History::Disoccluded(reason), _) => return fresh(reason),
-        (_, None) => return fresh(Reason::Reset),
+        (History::Background, _) => return fresh(c, Reason::None),
+        (History::Disoccluded(reason), _) => return fresh(c, reason),
+        (_, None) => return fresh(c, Reason::Reset),
         (History::Taps(taps) | History::Sharp(taps, _), Some(signal)) => (taps, f32::INFINITY, signal),
         (History::Repaired(taps), Some(signal)) => (taps, REPAIRED_HISTORY_LENGTH, signal),
     };
@@ -303,21 +304,8 @@ fn accumulate(
     if let History::Sharp(_, cubic) = history {
         irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum::<f32>().max(0.0));
     }
-    // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
-    let scaled = |x: f32| (x * (frame.exposure_ratio * luminance(ratio)).min(1e38)).min(LARGEST_HALF);
-    let history_length = (before.history_length.min(longest) + 1.0).min(bounds.history_length);
-    let alpha = bounds.alpha.max(1.0 / history_length);
-    let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
-    let [r, g, b] = [0, 1, 2].map(|i| {
-        let before = (irradiance[i] * ratio[i] * frame.exposure_ratio).min(LARGEST_HALF);
-        // What is dropped leaves no rounding error behind.
-        store(if alpha < 1.0 { before + alpha * (c[i] - before) } else { c[i] })
-    });
-    let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
-    let difference = l - mean;
-    let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
-    let moments = Moments { mean: mean + alpha_moments * difference, deviation: variance.sqrt(), history_length, reason: 0 };
-    ([r, g, b, 0.0], moments)
+    let before = Moments { history_length: before.history_length.min(longest), ..before };
+    blend(frame, c, irradiance, &before, bounds, ratio)
 }
 
 /// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does

@@ -1,13 +1,13 @@
 //! The stage `visibility_accumulation` \[Mehta et al. 2012\], \[SVGF 4.1\]: visibility blended with its past, and the distance of
 //! what casts the shadow.
 
-use crate::nodes::temporal_accumulation::twin::{Reprojected, TemporalAccumulationInputs};
+use crate::nodes::temporal_accumulation::twin::Reprojected;
 use crate::reference::binary16::from_half_bits;
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::is_reset;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::guide::unpack_guide;
-use crate::reference::surface_motion::unpack_depth_gradient;
+use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::visibility::{pack_visibility, unpack_visibility, Ruler, VisibilityHistory, LONGEST_HISTORY};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
@@ -80,12 +80,13 @@ pub fn visibility_accumulation(frame: &FrameConstants, tuning: &Tuning, inputs: 
         if surface.is_background() {
             return pack_visibility(&VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() });
         }
-        let ruler = Ruler::new(frame, surface.linear_depth, unpack_depth_gradient(inputs.depth_gradient.at(p)));
+        let gradient = unpack_depth_gradient(inputs.depth_gradient.at(p));
+        let ruler = Ruler::new(frame, surface.linear_depth, gradient);
         let rect = RenderRect::new(frame.render_extent);
         let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius: tuning.light_radius, p };
         let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
-            // The tests are those of the accumulation of radiance, which no image of it takes part in.
-            let reprojected = Reprojected::new(frame, tuning, &surface_inputs(inputs), surface, p);
+            let motion = unpack_surface_motion(inputs.surface_motion.at(p));
+            let reprojected = Reprojected::new(frame, tuning, (surface, p), &motion, gradient);
             let (taps, cubic) = reprojected.taps(surfaces)?;
             let (past, blur) = (weighted_history(&taps, history), ruler.blur(reprojected.s - reprojected.s.floor()));
             let Some(cubic) = cubic else { return Some((past, blur)) };
@@ -94,21 +95,6 @@ pub fn visibility_accumulation(frame: &FrameConstants, tuning: &Tuning, inputs: 
         });
         pack_visibility(&around.accumulate(tuning, past))
     })
-}
-
-fn surface_inputs<'a>(inputs: &VisibilityAccumulationInputs<'a>) -> TemporalAccumulationInputs<'a> {
-    TemporalAccumulationInputs {
-        guide: inputs.guide,
-        surface_motion: inputs.surface_motion,
-        depth_gradient: inputs.depth_gradient,
-        irradiance: &[],
-        object_normals: None,
-        history_confidence: None,
-        repair: false,
-        sharp: false,
-        light_ratio: None,
-        previous: None,
-    }
 }
 
 /// The mean over taps with weights that sum to 1; of the distance the largest.

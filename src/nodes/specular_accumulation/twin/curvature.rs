@@ -1,7 +1,6 @@
 //! Curvature of surfaces, from the normals around a pixel.
 
 use super::{Centre, Scene};
-use crate::reference::projection::view_position;
 use glam::IVec2;
 
 /// Pixels between normals: those of the guide are rounded to half a degree.
@@ -29,7 +28,7 @@ impl Scene<'_> {
         if tap.is_background() || tap.id != c.surface.id {
             return None;
         }
-        let way = self.world(view_position(self.frame, q, tap.linear_depth)) - c.position;
+        let way = self.world(q, tap.linear_depth) - c.position;
         Some((tap.unit_normal() - c.surface.unit_normal()).dot(way) / way.length_squared().max(1e-20))
     }
 }

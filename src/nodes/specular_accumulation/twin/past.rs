@@ -1,16 +1,15 @@
 //! The past of a reflection: where the surface was, where the image behind it was, and how much each is worth.
 
 use super::{Centre, Scene};
+use crate::nodes::temporal_accumulation::twin::SMALLEST_WEIGHT_SUM;
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
+use crate::reference::projection::{extent_ratio, sample_offset};
 use crate::reference::reflection::{
     hit_distance_of, image_distance, lobe_radius, lobe_width, mirror_share, nearness, unpack_reflection, SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
-use glam::{IVec2, Mat4, Vec2, Vec3, Vec4Swizzles};
-
-/// Smallest sum of bilinear weights that taps are trusted with.
-const SMALLEST_WEIGHT_SUM: f32 = 0.01;
+use glam::{IVec2, Vec2, Vec3, Vec4Swizzles};
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -52,7 +51,7 @@ impl Scene<'_> {
     /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
     pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<Past> {
         let depth = c.surface.linear_depth;
-        let mut surface = self.past_at(c, c.surface_position);
+        let mut surface = self.past_at(c, c.reprojected.s);
         let radius = lobe_radius(self.frame, depth, *seen);
         if let Some(past) = surface.filter(|past| past.nearness > 0.0 && seen.hit_distance > 0.0) {
             let share = radius * radius / (1.0 + radius * radius) * past.frames / (1.0 + past.frames);
@@ -66,7 +65,7 @@ impl Scene<'_> {
         let image = position.filter(|position| self.is_in_lobe(c, *position, *seen));
         let mut image = image.and_then(|position| self.past_at(c, position));
         if let Some(past) = &mut surface {
-            let moved = position.map_or(0.0, |position| position.distance(c.surface_position));
+            let moved = position.map_or(0.0, |position| position.distance(c.reprojected.s));
             past.frames = worth(past.frames, moved, tolerance);
         }
         if let (Some(past), Some(position)) = (&mut image, position) {
@@ -88,34 +87,17 @@ impl Scene<'_> {
 
     /// Where a point of the world that stands still was on the screen; `None`: behind the camera.
     fn previous_pixel_position(&self, world: Vec3) -> Option<Vec2> {
-        let clip = Mat4::from_cols_array_2d(&self.frame.previous_clip_from_world) * world.extend(1.0);
-        let extent = Vec2::from(self.frame.previous_render_extent.map(|side| side as f32));
-        let ratio = extent / Vec2::from(self.frame.render_extent.map(|side| side as f32));
-        let position = (clip.xy() / clip.w * 0.5 + 0.5) * extent - Vec2::from(self.frame.jitter) * ratio - 0.5;
-        (clip.w > 0.0 && position.abs().cmplt(Vec2::splat(1e6)).all()).then_some(position)
+        let at = Vec2::from(self.projections.previous_position(world.extend(1.0).into())?);
+        let position = at - sample_offset(self.frame) * extent_ratio(self.frame) - 0.5;
+        // What lies far outside has no pixel.
+        position.abs().cmplt(Vec2::splat(1e6)).all().then_some(position)
     }
 
     /// Where the image at a distance behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
     fn virtual_position(&self, c: &Centre, distance: f32, share: f32) -> Option<Vec2> {
         let still = self.previous_pixel_position(c.position)?;
         let position = self.previous_pixel_position(c.position + c.sight * distance)?;
-        Some(position + (c.surface_position - still) * (1.0 - share))
-    }
-
-    fn is_same_surface(&self, c: &Centre, q: IVec2) -> bool {
-        if !RenderRect::new(self.frame.previous_render_extent).contains(q) {
-            return false;
-        }
-        let tap = self.previous_surfaces.at(q);
-        if tap.is_background() || tap.id != c.surface.id {
-            return false;
-        }
-        let aside = q.as_vec2() - c.surface_position;
-        let previous_depth = c.surface.linear_depth * (1.0 + c.motion.depth_ratio);
-        let expected = previous_depth + c.gradient.dot(aside);
-        let slope = c.gradient.abs().element_sum() * (1.0 + 0.1 * aside.length());
-        (tap.linear_depth - expected).abs() <= self.tuning.depth_tolerance * previous_depth + slope
-            && tap.unit_normal().dot(c.motion.previous_normal.into()) >= self.tuning.normal_tolerance
+        Some(position + (c.reprojected.s - still) * (1.0 - share))
     }
 
     /// The mean of the tested 2×2 taps around a position.
@@ -126,7 +108,7 @@ impl Scene<'_> {
         for (x, y) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
             let q = corner.as_ivec2() + IVec2::new(x, y);
             let weight = (if x == 0 { 1.0 - f.x } else { f.x }) * (if y == 0 { 1.0 - f.y } else { f.y });
-            if weight > 0.0 && self.is_same_surface(c, q) {
+            if weight > 0.0 && c.reprojected.is_on_plane(&self.previous_surfaces, q) {
                 sum.add(&self.tap(c, q), weight);
                 weights += weight;
             }

@@ -1,6 +1,7 @@
 use super::*;
 use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs};
 use crate::reference::guide::pack_guide;
+use crate::reference::projection::view_position;
 use crate::reference::reflection::unpack_reflection;
 use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;

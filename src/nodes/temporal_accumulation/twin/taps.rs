@@ -4,7 +4,7 @@ use super::{History, Reason};
 use glam::{IVec2, Vec2};
 
 /// Smallest sum of bilinear weights that the 2×2 taps are trusted with.
-const SMALLEST_WEIGHT_SUM: f32 = 0.01;
+pub(crate) const SMALLEST_WEIGHT_SUM: f32 = 0.01;
 
 /// The pixel nearest to a position; pixel centres are whole numbers.
 pub(super) fn nearest(s: Vec2) -> IVec2 {

@@ -1,0 +1,44 @@
+// Blends a pixel with its past. Source: [SVGF] 4.1; by pixel [ASVGF] 3.5. Twin: src/nodes/temporal_accumulation/twin/blend.rs.
+// Needs `float alpha` and `float alpha_moments` in the shader's block `push`.
+#ifndef HISTORY_BLEND_GLSL
+#define HISTORY_BLEND_GLSL
+#include "frame.glsl"
+#include "luminance.glsl"
+#include "moments.glsl"
+
+struct History {
+    vec3 irradiance;
+    float mean;
+    float second_moment;
+};
+
+void add_history(inout History sum, vec3 irradiance, Moments m, float weight) {
+    sum.irradiance += weight * irradiance;
+    sum.mean += weight * m.mean;
+    sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
+}
+
+// How far light changed, 0 to 1, raises the weight of the new sample.
+float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
+
+// The history in the light of this frame, with its variance in the place of the second moment. A ratio of exposures may be as large as a
+// float: the clamps keep infinity minus infinity away.
+History in_light(History history, vec3 ratio, float scale) {
+    float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
+    vec3 irradiance = storable(history.irradiance * ratio * frame.exposure_ratio);
+    return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0));
+}
+
+vec3 blend(vec3 irradiance, History history, float history_length, float change, out Moments moments) {
+    float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / history_length);
+    float difference = luminance(irradiance) - history.mean;
+    moments.mean = history.mean + alpha_moments * difference;
+    moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
+    moments.history_length = history_length;
+    moments.reason = REASON_NONE;
+    float alpha = max(adapted(push.alpha, change), 1.0 / history_length);
+    // What is dropped leaves no rounding error behind.
+    return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;
+}
+
+#endif

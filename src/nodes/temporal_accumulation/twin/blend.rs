@@ -1,0 +1,61 @@
+//! A pixel blended with its past \[SVGF 4.1\].
+
+use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::luminance::{luminance, texel_luminance};
+use crate::reference::moments::{Moments, Reason};
+use crate::{FrameConstants, Tuning};
+
+/// Smallest weights of the new sample, and the longest history that goes with them.
+#[derive(Clone, Copy)]
+pub(crate) struct AlphaBounds {
+    alpha: f32,
+    alpha_moments: f32,
+    history_length: f32,
+}
+
+impl AlphaBounds {
+    /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
+    pub fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
+        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
+        let alpha = adapted(tuning.alpha);
+        // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
+        let longest = match (is_adaptive, repair) {
+            (_, true) => 1.0 / change.max(1e-6),
+            (true, false) => 1.0 / alpha.max(1e-6),
+            (false, false) => f32::INFINITY,
+        };
+        Self { alpha, alpha_moments: adapted(tuning.alpha_moments), history_length: longest.min(tuning.max_history_length) }
+    }
+}
+
+/// A pixel without a past.
+pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], Moments) {
+    let moments = Moments { mean: texel_luminance(c), deviation: 0.0, history_length: 1.0, reason: reason as u16 };
+    ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
+}
+
+/// Irradiance `c` with its past: irradiance and moments, of which `ratio` says by how much light is brighter now.
+pub(crate) fn blend(
+    frame: &FrameConstants,
+    c: [f32; 4],
+    past: [f32; 3],
+    before: &Moments,
+    bounds: AlphaBounds,
+    ratio: [f32; 3],
+) -> ([f32; 4], Moments) {
+    // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
+    let scaled = |x: f32| (x * (frame.exposure_ratio * luminance(ratio)).min(1e38)).min(LARGEST_HALF);
+    let history_length = (before.history_length + 1.0).min(bounds.history_length);
+    let alpha = bounds.alpha.max(1.0 / history_length);
+    let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
+    let [r, g, b] = [0, 1, 2].map(|i| {
+        let before = (past[i] * ratio[i] * frame.exposure_ratio).min(LARGEST_HALF);
+        // What is dropped leaves no rounding error behind.
+        store(if alpha < 1.0 { before + alpha * (c[i] - before) } else { c[i] })
+    });
+    let (mean, deviation) = (scaled(before.mean), scaled(before.deviation));
+    let difference = texel_luminance(c) - mean;
+    let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
+    let mean = mean + alpha_moments * difference;
+    ([r, g, b, 0.0], Moments { mean, deviation: variance.sqrt(), history_length, reason: Reason::None as u16 })
+}
