@@ -9,11 +9,13 @@
 //! | [`rel_mse`] | mean square error relative to the reference | lower | linear radiance |
 //! | [`psnr`] | peak signal-to-noise ratio, dB | higher | tone-mapped values |
 //! | [`ssim`] | structural similarity | higher, 1 at most | tone-mapped values |
+//! | [`flip`], [`flip_map`] | HDR-FLIP: what a viewer sees who flips between the images | lower, 1 at most | tone-mapped exposures |
 //! | [`temporal_error`] | change along the motion that the reference does not have | lower | tone-mapped values |
 //! | [`static_temporal_error`] | change between frames where nothing moves | lower | linear luminance |
 #![forbid(unsafe_code)]
 
 mod error;
+mod flip;
 mod image;
 mod psnr;
 mod rmse;
@@ -24,6 +26,7 @@ mod tests;
 mod tone;
 
 pub use error::QualityError;
+pub use flip::{flip, flip_map};
 pub use image::Rgb;
 pub use psnr::psnr;
 pub use rmse::{rel_mse, rmse};

@@ -15,7 +15,7 @@ const SSIM_WIN3: f64 = 0.948_818_353_2;
 const TEMPORAL: f64 = 0.051_536_485_8;
 const STATIC_TEMPORAL: f64 = 0.627_932_620_2;
 
-fn hash(i: u32) -> f32 {
+pub(crate) fn hash(i: u32) -> f32 {
     let state = i.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
     (((word >> 22) ^ word) >> 8) as f32 / 16_777_216.0
