@@ -120,7 +120,7 @@ impl Comparison {
                 @for (i, layer) in self.layers.iter().enumerate() {
                     @if let Some([low, high]) = layer.range {
                         div.colour-bar data-layer=(i) hidden[i != left && i != right] {
-                            span { (layer.name) } span { (low) } span.magma {} span { (high) }
+                            span.of { (layer.name) } span.scale { (low) span.magma {} (high) }
                         }
                     }
                 }
