@@ -70,7 +70,6 @@ fn observe(script: &str) -> Value {
 fn all_pictures_are_inside() {
     let seen = observe(
         "const layers = all('.layer');
-        await Promise.all(layers.map((layer) => layer.decode()));
         const first = (layer) => {
             const canvas = document.createElement('canvas').getContext('2d');
             canvas.drawImage(layer, 0, 0);
