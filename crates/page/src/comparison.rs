@@ -105,9 +105,10 @@ impl Comparison {
                     div.viewport {
                         div.stage data-width=(width) style=(format!("--width:{width};--height:{height}")) {
                             @for (i, layer) in self.layers.iter().enumerate() {
-                                // Laid one over the other; the style shows those that are chosen.
+                                // Laid one over the other; the style shows those that are chosen. A choice waits for its picture:
+                                // an empty stage in between would hide the very difference that the reader looks for.
                                 img .layer .left[i == left] .right[i == right] src=(layer.address) alt=(layer.name)
-                                    width=(width) height=(height) decoding="async" draggable="false";
+                                    width=(width) height=(height) decoding="sync" draggable="false";
                             }
                             input.split type="range" min="0" max="100" step="1" value="50" autocomplete="off"
                                 aria-label=(format!("{}: where the left picture ends, percent", self.caption));

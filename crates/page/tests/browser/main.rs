@@ -216,9 +216,9 @@ fn lines_stand_at_their_ticks() {
         };",
     );
     let number = |name: &str| seen[name].as_f64().unwrap();
-    assert!(number("up").abs() < 1.0, "the line of 10 ms stands beside the label 10: {seen}");
+    assert!(number("up").abs() < 0.5, "the line of 10 ms stands beside the label 10: {seen}");
     // The dot is frame 31 of those from 1000 on: one to the right of the label.
-    assert!((number("along") + number("frame")).abs() < 1.0, "{seen}");
+    assert!((number("along") + number("frame")).abs() < 0.5, "{seen}");
 }
 
 fn rows_are_sorted() {
