@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing and nothing else: a C toolchain for shaderc's archive, the Vulkan loader, a Vulkan driver
 # where no device answers; with --window what a window needs, and with --test that, the Khronos validation layer, the headers for the C++ host,
-# and a virtual X server. Then makes the archive that `shaderc` links.
+# a virtual X server, and a browser for the tests of reports. Then makes the archive that `shaderc` links.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -30,7 +30,12 @@ if command -v apt-get >/dev/null; then
     for option in "$@"; do
         case $option in
             --window) ;;
-            --test) for package in vulkan-validationlayers libvulkan-dev xvfb xdotool; do need "$package"; done ;;
+            --test)
+                for package in vulkan-validationlayers libvulkan-dev xvfb xdotool; do need "$package"; done
+                # Ubuntu's package of that name only fetches a snap, which does not start in a container. There the tests of reports
+                # take any Chromium or Chrome that works, and say that they are skipped without one.
+                if grep -q '^ID=debian$' /etc/os-release; then need chromium; fi
+                ;;
             *) fail "unknown option $option: only --window and --test are known" ;;
         esac
         for package in libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0; do need "$package"; done

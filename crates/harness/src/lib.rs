@@ -1,5 +1,6 @@
-//! A harness for tests that run on a device: on a machine without one they count as ignored, and the output says so, instead of
-//! passing. `ATROUS_REQUIRE_DEVICE=1` makes a missing device a failure.
+//! A harness for tests that need what not every machine has, such as a device or a browser: on a machine without it they count as
+//! ignored, and the output says so, instead of passing. `ATROUS_REQUIRE_DEVICE=1` makes a missing device a failure; other needs have
+//! variables of their own.
 
 #![forbid(unsafe_code)]
 
@@ -16,24 +17,40 @@ pub struct Group {
     pub name: &'static str,
     /// The tests.
     pub tests: &'static [DeviceTest],
-    /// They are ignored without a device.
+    /// They are ignored without a device, or what else [`run_with`] was given.
     pub needs_device: bool,
 }
 
+/// What tests need of a machine.
+pub struct Need {
+    /// Tests that need it, as the message says it that they are ignored.
+    pub tests: &'static str,
+    /// Name of the environment variable that makes it a failure when it is missing.
+    pub required_by: &'static str,
+}
+
+/// A Vulkan device.
+pub const DEVICE: Need = Need { tests: "GPU tests", required_by: "ATROUS_REQUIRE_DEVICE" };
+
 /// Runs the tests that the command line asks for, and ends the process. `device` is what opening the device gave.
 pub fn run<D, E: Display>(groups: &[Group], device: &Result<D, E>) -> ! {
+    run_with(&DEVICE, groups, device)
+}
+
+/// Runs tests as [`run`] does, with another need in place of the device. `found` is what looking for it gave.
+pub fn run_with<D, E: Display>(need: &Need, groups: &[Group], found: &Result<D, E>) -> ! {
     let mut arguments = Arguments::from_args();
     // A frame keeps every core busy on a software device: more threads than two only cost memory.
     arguments.test_threads.get_or_insert(2);
-    if let Err(error) = device {
-        eprintln!("GPU tests are ignored: {error}");
-        assert!(std::env::var_os("ATROUS_REQUIRE_DEVICE").is_none(), "ATROUS_REQUIRE_DEVICE is set, but: {error}");
+    if let Err(error) = found {
+        eprintln!("{} are ignored: {error}", need.tests);
+        assert!(std::env::var_os(need.required_by).is_none(), "{} is set, but: {error}", need.required_by);
     }
     let mut trials = Vec::new();
     for group in groups {
         for &(name, test) in group.tests {
             let name = if group.name.is_empty() { name.to_owned() } else { format!("{}::{name}", group.name) };
-            let ignored = group.needs_device && device.is_err();
+            let ignored = group.needs_device && found.is_err();
             trials.push(Trial::test(name, move || caught(test)).with_ignored_flag(ignored));
         }
     }

@@ -103,6 +103,9 @@ pub enum PictureError {
         /// Error of the system.
         source: std::io::Error,
     },
+    /// A picture could not be encoded as PNG in memory.
+    #[error("cannot encode a picture: {0}")]
+    EncodeInMemory(png::EncodingError),
     /// A PNG file could not be encoded.
     #[error("{}: cannot encode: {source}", path.display())]
     Encode {

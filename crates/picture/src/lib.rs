@@ -23,6 +23,6 @@ pub use bars::StackedBars;
 pub use convert::NOT_FINITE;
 pub use error::PictureError;
 pub use picture::{Picture, Region};
-pub use plot::{LinePlot, Series};
+pub use plot::{value_axis, LinePlot, Series};
 pub use strip::Strip;
 pub use table::{Column, TextTable};

@@ -33,8 +33,7 @@ pub struct Series {
 
 /// A plot with one line per series over the frame number; its legend stands beside it and hides nothing.
 ///
-/// The vertical axis starts at 0, unless all values lie in the upper half between 0 and the largest (as those of SSIM
-/// do): then it starts below the smallest value.
+/// The vertical axis is that of [`value_axis`].
 #[derive(Debug, Clone)]
 pub struct LinePlot {
     title: String,
@@ -68,7 +67,7 @@ impl LinePlot {
     /// [`PictureError::NothingToPlot`] if no value is finite; [`PictureError::PlotSize`] if the size leaves no room for
     /// axes and legend; [`PictureError::TooLarge`]; [`PictureError::Plot`] if the plotting library fails.
     pub fn render(&self) -> Result<Picture, PictureError> {
-        let vertical = self.vertical_range()?;
+        let vertical = value_axis(&self.series).ok_or_else(|| PictureError::NothingToPlot(self.title.clone()))?;
         let legend_width = self.legend_width();
         let top = MARGIN + Font::PLOT_TITLE.height() + MARGIN;
         let rows = LINE_HEIGHT.saturating_mul(self.series.len() as u32).max(LEAST_CHART[1]);
@@ -86,20 +85,6 @@ impl LinePlot {
         picture.paste(&chart, 0, top);
         self.draw_legend(&mut picture, [width - legend_width, top]);
         Ok(picture)
-    }
-
-    fn vertical_range(&self) -> Result<Range<f64>, PictureError> {
-        let finite = || self.series.iter().flat_map(|s| &s.values).filter(|v| v.is_finite()).map(|v| bounded(*v));
-        let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
-        if low > high {
-            return Err(PictureError::NothingToPlot(self.title.clone()));
-        }
-        let start = if low > 0.5 * high || low < 0.0 { low } else { 0.0 };
-        // A constant line still needs an axis around it; and ticks closer than the digits of a number never end.
-        let spread = high - start;
-        let room = if spread > 1e-9 * high.abs().max(1e-18) { 0.06 * spread } else { 0.5 * high.abs().max(1e-6) };
-        let start = if start == 0.0 { 0.0 } else { start - room };
-        Ok(start..high + room)
     }
 
     fn frames(&self) -> usize {
@@ -168,6 +153,24 @@ impl LinePlot {
             Font::PLOT.draw(picture, &series.name, [left, top], INK);
         }
     }
+}
+
+/// The range of an axis on which all values of some lines have room; `None` if none is finite.
+///
+/// It starts at 0, unless all values lie in the upper half between 0 and the largest, or one is negative: then below the
+/// smallest value. Values beyond 1e30 count as 1e30.
+pub fn value_axis(series: &[Series]) -> Option<Range<f64>> {
+    let finite = || series.iter().flat_map(|s| &s.values).filter(|v| v.is_finite()).map(|v| bounded(*v));
+    let (low, high) = (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+    if low > high {
+        return None;
+    }
+    let start = if low > 0.5 * high || low < 0.0 { low } else { 0.0 };
+    // A constant line still needs an axis around it; and ticks closer than the digits of a number never end.
+    let spread = high - start;
+    let room = if spread > 1e-9 * high.abs().max(1e-18) { 0.06 * spread } else { 0.5 * high.abs().max(1e-6) };
+    let start = if start == 0.0 { 0.0 } else { start - room };
+    Some(start..high + room)
 }
 
 /// Stretches of values without a gap, with their frame numbers.

@@ -1,4 +1,4 @@
-//! PNG files.
+//! PNG, in memory and in files.
 
 use crate::{Picture, PictureError};
 use atrous_files::{open_regular, publish, Existing};
@@ -7,6 +7,16 @@ use std::io::{BufReader, BufWriter, ErrorKind, Write};
 use std::path::Path;
 
 impl Picture {
+    /// Encodes the picture as 8-bit sRGB PNG.
+    ///
+    /// # Errors
+    /// [`PictureError::EncodeInMemory`] if the encoder fails.
+    pub fn to_png(&self) -> Result<Vec<u8>, PictureError> {
+        let mut bytes = Vec::new();
+        self.encode(&mut bytes).map_err(PictureError::EncodeInMemory)?;
+        Ok(bytes)
+    }
+
     /// Writes the picture as an 8-bit sRGB PNG file, in the place of an older one.
     ///
     /// A reader never sees half a file, and a failure leaves an older file as it was.

@@ -17,6 +17,14 @@ impl Column {
     pub fn new(name: impl Into<String>, decimals: usize) -> Self {
         Self { name: name.into(), decimals }
     }
+
+    /// A value as the column shows it: with its decimals, and as a dash if it is NaN.
+    pub fn show(&self, value: f64) -> String {
+        match value.is_nan() {
+            true => "-".into(),
+            false => format!("{value:.0$}", self.decimals.min(17)),
+        }
+    }
 }
 
 /// A table with one named row of numbers for each denoiser, scene or pass. It displays as Markdown, aligned so that it
@@ -46,6 +54,21 @@ impl TextTable {
         self.rows.push((name, values.to_vec()));
         Ok(())
     }
+
+    /// Heading above the names of the rows.
+    pub fn corner(&self) -> &str {
+        &self.corner
+    }
+
+    /// Columns of values, from the left.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
+    /// Name and values of each row, from the top.
+    pub fn rows(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        self.rows.iter().map(|(name, values)| (name.as_str(), values.as_slice()))
+    }
 }
 
 impl std::fmt::Display for TextTable {
@@ -57,11 +80,7 @@ impl std::fmt::Display for TextTable {
         let headings = self.columns.iter().map(|c| right(c.name.clone()));
         table.set_header(std::iter::once(Cell::new(&self.corner)).chain(headings));
         for (name, values) in &self.rows {
-            let number = |(v, c): (&f64, &Column)| match v.is_nan() {
-                true => right("-".into()),
-                false => right(format!("{v:.0$}", c.decimals.min(17))),
-            };
-            let cells = values.iter().zip(&self.columns).map(number);
+            let cells = values.iter().zip(&self.columns).map(|(v, c)| right(c.show(*v)));
             table.add_row(std::iter::once(Cell::new(name)).chain(cells));
         }
         writeln!(f, "{table}")

@@ -20,6 +20,7 @@ fn png_round_trip() {
     let (picture, path) = (gradient(37, 23), folder.join("picture.png"));
     picture.write_png(&path).unwrap();
     assert_eq!(Picture::read_png(&path).unwrap(), picture);
+    assert_eq!(picture.to_png().unwrap(), std::fs::read(&path).unwrap());
     // A second write replaces the first, and leaves no temporary file.
     let other = gradient(5, 3);
     other.write_png(&path).unwrap();

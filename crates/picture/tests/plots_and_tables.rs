@@ -75,6 +75,9 @@ fn tables_are_aligned() {
 | percentile | 0.0234 | 120.0 |
 ";
     assert_eq!(table.to_string(), expected);
+    assert_eq!(table.rows().last(), Some(("percentile", &[0.02341, 120.0][..])));
+    let shown: Vec<_> = table.columns().iter().map(|c| c.show(0.05)).collect();
+    assert_eq!((table.corner(), shown), ("denoiser", vec!["0.0500".into(), "0.1".to_owned()]));
     let error = table.row("svgf", &[1.0]).unwrap_err();
     assert_eq!(error.to_string(), "row \"svgf\" has 1 values, but the table has 2 columns of values");
 }
