@@ -3,6 +3,8 @@
 //! Includes come from `glsl/include`, and from the folder of the crate that holds the header for hosts.
 
 use atrous_glsl::{shaders, Compiler, Detail, Glsl, Variant};
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -12,6 +14,8 @@ fn main() -> Result<(), String> {
     let includes = [root.join("include"), root.join("../../../glsl/host")];
     println!("cargo:rerun-if-changed={}", root.display());
     println!("cargo:rerun-if-changed={}", includes[1].display());
+    let sources = [&root.join("../src/tracer"), &root, &includes[0]];
+    println!("cargo:rustc-env=ATROUS_DEMO_TRACER={:016x}", hash(&sources)?);
     write_table(&root, &includes, &out.join("shaders.rs"))?;
     if env::var_os("CARGO_FEATURE_WINDOW").is_some() {
         write_table(&root.join("window"), &includes, &out.join("window_shaders.rs"))?;
@@ -52,4 +56,19 @@ fn interface_of(source: &Glsl, compiler: &Compiler, variant: &Variant) -> Result
 #[cfg(not(feature = "hot-reload"))]
 fn interface_of(_: &Glsl, _: &Compiler, _: &Variant) -> Result<String, String> {
     Ok("[]".into())
+}
+
+/// A hash of everything that the path tracer's pictures depend on: of all files in some folders.
+fn hash(folders: &[&PathBuf]) -> Result<u64, String> {
+    let mut hasher = DefaultHasher::new();
+    for folder in folders {
+        println!("cargo:rerun-if-changed={}", folder.display());
+        let entries = fs::read_dir(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        let mut files: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| path.is_file()).collect();
+        files.sort();
+        for file in files {
+            fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?.hash(&mut hasher);
+        }
+    }
+    Ok(hasher.finish())
 }

@@ -42,11 +42,11 @@ pub fn strip(title: &str, frame: &FrameInputs, radiance: &[[f32; 3]], score: Opt
 
 /// One plot below the other: each metric over the frames, noisy and denoised.
 pub fn plots(book: &ScoreBook, preset: &str) -> Drawn {
-    let titles = ["RMSE, linear radiance", "SSIM, tone-mapped", "temporal error, tone-mapped"];
-    let pick = [0, 3, 4];
+    let titles = ["RMSE, linear radiance", "SSIM, tone-mapped", "HDR-FLIP", "temporal error, tone-mapped"];
+    let pick = [0, 3, 4, 5];
     let mut panels = Vec::new();
     for (title, metric) in titles.iter().zip(pick) {
-        let of = |f: &dyn Fn(&FrameScore) -> [f64; 5]| book.frames.iter().map(|s| f(s)[metric]).collect::<Vec<f64>>();
+        let of = |f: &dyn Fn(&FrameScore) -> [f64; 6]| book.frames.iter().map(|s| f(s)[metric]).collect::<Vec<f64>>();
         let plot = LinePlot::new(*title).size(PLOT[0], PLOT[1]);
         let plot = plot.series(preset, of(&|s| s.denoised.values())).series("noisy", of(&|s| s.noisy.values()));
         match plot.render() {

@@ -7,13 +7,9 @@ use atrous::config::Conventions;
 use atrous::FrameParams;
 use atrous_files::Existing;
 use atrous_picture::{Column, PictureError, TextTable};
-use atrous_quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous_quality::{flip, psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 use serde::Serialize;
 use std::path::Path;
-
-/// The reason why FLIP is not among the metrics.
-pub const NO_FLIP: &str =
-    "FLIP is left out: the one crate that binds it (nv-flip 0.1) has no HDR-FLIP, which linear radiance needs";
 
 /// Metrics of one frame. `None`: not defined for it, as the temporal error is not for the first.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
@@ -26,18 +22,21 @@ pub struct Metrics {
     pub psnr: Option<f64>,
     /// Structural similarity of the tone-mapped images.
     pub ssim: f64,
+    /// Difference that an eye sees, HDR-FLIP.
+    pub flip: f64,
     /// Motion-compensated temporal error.
     pub temporal_error: Option<f64>,
 }
 
 impl Metrics {
     /// Headings and decimals.
-    pub const COLUMNS: [(&'static str, usize); 5] = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("temporal", 5)];
+    pub const COLUMNS: [(&'static str, usize); 6] =
+        [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("FLIP", 4), ("temporal", 5)];
 
     /// The values in the order of [`Self::COLUMNS`]; NaN for what is not defined.
-    pub fn values(&self) -> [f64; 5] {
+    pub fn values(&self) -> [f64; 6] {
         let or_nan = |v: Option<f64>| v.unwrap_or(f64::NAN);
-        [self.rmse, self.rel_mse, or_nan(self.psnr), self.ssim, or_nan(self.temporal_error)]
+        [self.rmse, self.rel_mse, or_nan(self.psnr), self.ssim, self.flip, or_nan(self.temporal_error)]
     }
 
     /// The mean of what is defined.
@@ -51,6 +50,7 @@ impl Metrics {
             rel_mse: mean(&|m| Some(m.rel_mse)).unwrap_or_default(),
             psnr: mean(&|m| m.psnr),
             ssim: mean(&|m| Some(m.ssim)).unwrap_or_default(),
+            flip: mean(&|m| Some(m.flip)).unwrap_or_default(),
             temporal_error: mean(&|m| m.temporal_error),
         }
     }
@@ -150,8 +150,6 @@ impl ScoreBook {
             "mean": mean,
             "noisy_mean": noisy_mean,
             "frames": self.frames,
-            "flip": null,
-            "flip_note": NO_FLIP,
         })
     }
 }
@@ -170,6 +168,7 @@ fn measure(
         rel_mse: rel_mse(now, reference)?,
         psnr: Some(psnr(now, reference)?).filter(|p| p.is_finite()),
         ssim: ssim(now, reference)?,
+        flip: flip(now, reference)?,
         temporal_error: None,
     };
     if let Some((previous, image)) = previous {

@@ -14,7 +14,7 @@ use crate::record::Record;
 use crate::results::{self, Expected, Extras};
 use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
-use crate::score::{self, ScoreBook, NO_FLIP};
+use crate::score::{self, ScoreBook};
 use crate::setup::Setup;
 use atrous::Config;
 use atrous_files::Existing;
@@ -159,9 +159,6 @@ fn scores(cli: &Cli, preset: &str, existing: Existing, book: &ScoreBook, device:
     print!("{table}");
     if book.without_reference > 0 {
         println!("{} frames have no reference and are not in the table", book.without_reference);
-    }
-    if !cli.quiet {
-        eprintln!("{NO_FLIP}");
     }
     let [json, plots] = results::scores(cli.output());
     score::write_json(&json, existing, &book.json(preset, device))?;

@@ -3,7 +3,7 @@
 use ash::vk;
 use atrous::config::{Conventions, EawWeights, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
-use atrous::{Config, DebugView, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
+use atrous::{Config, DebugView, Declaration, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::Reshading;
@@ -12,6 +12,9 @@ use crate::{PathTracer, Result};
 /// The filters that the demo compares, in the order of strips, tables and menus. A-SVGF, which has lighting of its own, is not the last: then the
 /// noisy picture is the one that all others had.
 pub const FILTERS: [Preset; 6] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Eaw, Preset::Best];
+
+/// A graph for what a configuration says of the host.
+pub type GraphOfConfig = fn(&Config) -> std::result::Result<Declaration, atrous::Error>;
 
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
@@ -30,6 +33,8 @@ pub struct DenoiserOptions {
     pub tuning: Tuning,
     /// The output `debug_view`: see [`FrameDenoiser::view`]. What it shows lives until the end of the frame, so transients share less memory.
     pub debug_view: bool,
+    /// A graph in place of that of the preset, which says what the inputs are.
+    pub graph: Option<GraphOfConfig>,
 }
 
 impl DenoiserOptions {
@@ -48,6 +53,7 @@ impl DenoiserOptions {
             volume_motion: true,
             taa: false,
             debug_view: false,
+            graph: None,
             tuning: Tuning::for_preset(preset),
         }
     }
@@ -99,6 +105,7 @@ impl FrameDenoiser {
     /// A device without what the denoiser needs, or no memory.
     pub fn new(gpu: &Gpu, tracer: &PathTracer, options: &DenoiserOptions) -> Result<Self> {
         let config = options.config(tracer);
+        let declaration = options.graph.map_or_else(|| config.declare(), |graph| graph(&config))?;
         let mut tuning = options.tuning;
         if let Some(sun) = tracer.sun().filter(|_| tuning.light_radius == Tuning::default().light_radius) {
             tuning.light_radius = sun.radius;
@@ -109,7 +116,7 @@ impl FrameDenoiser {
             ..ExecutorOptions::default()
         };
         // SAFETY: `gpu` is kept by this value, and every submission of the engine is waited for.
-        let mut executor = unsafe { Executor::new(gpu.host(), config.declare()?, wanted)? };
+        let mut executor = unsafe { Executor::new(gpu.host(), declaration, wanted)? };
         for (name, image) in inputs(tracer, options) {
             executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
         }

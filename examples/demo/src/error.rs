@@ -133,6 +133,9 @@ pub enum Error {
     /// A picture could not be composed or written.
     #[error("{0}")]
     Composition(#[from] atrous_picture::PictureError),
+    /// A page could not be composed or written.
+    #[error("{0}")]
+    Page(#[from] atrous_page::PageError),
     /// A frame for which no reference can be rendered.
     #[error("reference frame {given} does not exist: with --frames {frames} they are 0 to {}", frames - 1)]
     ReferenceFrame {
@@ -140,6 +143,22 @@ pub enum Error {
         given: u32,
         /// Frames rendered.
         frames: u32,
+    },
+    /// More frames to measure than there are.
+    #[error("{given} frames at the end of an animation of {frames} cannot be measured: give --measured {frames} or less, or more --frames")]
+    MeasuredFrames {
+        /// As given.
+        given: u32,
+        /// Frames rendered.
+        frames: u32,
+    },
+    /// Figures that are worse than what is claimed.
+    #[error("{failed} of {claims} claims do not hold, as listed above; everything was written")]
+    Claims {
+        /// Those that fail.
+        failed: usize,
+        /// All.
+        claims: usize,
     },
     /// `--capture` without the code for it.
     #[error("--capture needs the feature `capture`: cargo run --release --package atrous-demo --features capture -- --capture")]

@@ -1,7 +1,9 @@
 //! Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
 
 mod capture;
+mod evaluate;
 mod options;
+mod progress;
 mod run;
 mod times;
 
@@ -9,7 +11,7 @@ use std::process::ExitCode;
 
 use atrous_demo::{Gpu, GpuOptions, Result};
 use clap::Parser;
-use options::Options;
+use options::{Command, Options};
 
 fn main() -> ExitCode {
     match demo(&Options::parse()) {
@@ -40,6 +42,9 @@ fn demo(options: &Options) -> Result<usize> {
     if options.list_devices {
         Gpu::list_devices()?.iter().for_each(|device| println!("{device}"));
         return Ok(0);
+    }
+    if let Some(Command::Evaluate(options)) = &options.command {
+        return evaluate::run(options);
     }
     options.check()?;
     if options.window {

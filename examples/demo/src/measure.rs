@@ -1,7 +1,9 @@
 //! What a frame is measured with: its pictures on the CPU, and their scores against the reference.
 
 use atrous::DebugView;
-use atrous_quality::{psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous_quality::{flip, psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+
+use serde::{Deserialize, Serialize};
 
 use crate::{FrameDenoiser, Gpu, PathTracer, Reference, Result, VolumeFrame};
 
@@ -38,7 +40,7 @@ const SHOWN: [DebugView; 5] =
     [DebugView::HistoryLength, DebugView::Variance, DebugView::Gradient, DebugView::Lambda, DebugView::Alpha];
 
 /// Scores of one picture against the reference.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Scores {
     /// Root mean square error.
     pub rmse: f64,
@@ -48,7 +50,10 @@ pub struct Scores {
     pub psnr: f64,
     /// Structural similarity of tone-mapped values.
     pub ssim: f64,
+    /// Difference that an eye sees, HDR-FLIP.
+    pub flip: f64,
     /// Motion-compensated change that the reference does not have; NaN without the frame before.
+    #[serde(with = "nan_as_null")]
     pub temporal_error: f64,
 }
 
@@ -121,6 +126,7 @@ impl Frame {
                 rel_mse: rel_mse(image, reference)?,
                 psnr: psnr(image, reference)?,
                 ssim: ssim(image, reference)?,
+                flip: flip(image, reference)?,
                 temporal_error: self.temporal_error(image, reference, previous, i)?,
             })
         };
@@ -160,4 +166,17 @@ fn add(sum: &mut [[f32; 3]], other: &[[f32; 3]]) {
 
 pub(crate) fn rgb(texels: Vec<[f32; 4]>) -> Vec<[f32; 3]> {
     texels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
+}
+
+/// JSON has no NaN.
+mod nan_as_null {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        (!value.is_nan()).then_some(*value).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        Ok(Option::deserialize(deserializer)?.unwrap_or(f64::NAN))
+    }
 }

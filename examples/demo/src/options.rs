@@ -6,15 +6,20 @@ use atrous::config::{EawWeights, Preset, Signals};
 use atrous::{Choice, Tuning};
 use atrous_demo::{DenoiserOptions, Error, Result, SceneOptions, TracerOptions, FILTERS};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use clap::Parser;
+use clap::{Parser, Subcommand};
+
+use crate::evaluate::EvaluateOptions;
 
 /// Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
 ///
 /// Without options: 24 frames of `cornell` and `pillars` at 320x180, with references of the last two frames.
 #[derive(Parser)]
-#[command(version)]
+#[command(version, args_conflicts_with_subcommands = true)]
 pub struct Options {
-    /// Scenes: cornell, pillars, glossy, mirror, hall, fog, leaves, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    /// Another thing to do
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// Scenes: cornell, pillars, glossy, mirror, hall, fog, leaves, lamps, tiles, door, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
@@ -95,6 +100,12 @@ pub struct Options {
     /// Another seed gives other noise
     #[arg(long, default_value_t = 0)]
     pub seed: u32,
+}
+
+/// Things to do besides rendering and denoising.
+#[derive(Subcommand)]
+pub enum Command {
+    Evaluate(EvaluateOptions),
 }
 
 /// One of some values by its name.
@@ -194,7 +205,8 @@ impl Options {
     }
 }
 
-fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
+/// Width and height, such as 320x180.
+pub fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
     let parsed = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     parsed.ok_or_else(|| format!("\"{text}\" is not a size: give width and height like 320x180"))
 }

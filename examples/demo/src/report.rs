@@ -76,6 +76,7 @@ pub fn mean(scores: &[Scores]) -> Scores {
         rel_mse: over(|s| s.rel_mse),
         psnr: over(|s| s.psnr),
         ssim: over(|s| s.ssim),
+        flip: over(|s| s.flip),
         temporal_error: over(|s| s.temporal_error),
     }
 }
@@ -85,10 +86,10 @@ pub fn mean(scores: &[Scores]) -> Scores {
 /// # Errors
 /// None in practice: every row has every column.
 pub fn score_table(rows: &[(String, Scores, f64)]) -> std::result::Result<TextTable, PictureError> {
-    let columns = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("temporal error", 5), ("ms per frame", 1)];
+    let columns = [("RMSE", 4), ("relMSE", 4), ("PSNR", 2), ("SSIM", 4), ("FLIP", 4), ("temporal error", 5), ("ms per frame", 1)];
     let mut table = TextTable::new("", columns.map(|(name, decimals)| Column::new(name, decimals)));
     for (name, s, milliseconds) in rows {
-        table.row(name, &[s.rmse, s.rel_mse, s.psnr, s.ssim, s.temporal_error, *milliseconds])?;
+        table.row(name, &[s.rmse, s.rel_mse, s.psnr, s.ssim, s.flip, s.temporal_error, *milliseconds])?;
     }
     Ok(table)
 }

@@ -8,10 +8,10 @@ use std::sync::Arc;
 use atrous::config::Preset;
 use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{report, volume, DenoiserOptions, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
-use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::capture;
 use crate::options::Options;
+use crate::progress;
 use crate::times::Times;
 
 /// A denoiser with its name and the time that it took.
@@ -70,7 +70,7 @@ fn sequence(
     contenders: &mut [Contender],
     folder: &Path,
 ) -> Result<Vec<Frame>> {
-    let bar = progress(u64::from(options.frames), &format!("{name}: frames"));
+    let bar = progress::bar(u64::from(options.frames), &format!("{name}: frames"));
     let kept = options.reference_frames();
     let mut measured = Vec::new();
     for index in 0..options.frames {
@@ -99,7 +99,7 @@ fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: 
         return Ok(());
     }
     let total = u64::from(options.reference_spp) * measured.len() as u64;
-    let bar = progress(total, &format!("{name}: references"));
+    let bar = progress::bar(total, &format!("{name}: references"));
     for (i, frame) in measured.iter_mut().enumerate() {
         tracer.begin_frame(frame.index)?;
         let before = i as u64 * u64::from(options.reference_spp);
@@ -171,12 +171,4 @@ fn score_tables(options: &Options, scene: &str, scored: &[(u32, Vec<Scores>)], c
 
 fn make(folder: &PathBuf) -> Result<()> {
     fs::create_dir_all(folder).map_err(|e| Error::Folder { path: folder.clone(), problem: e.to_string() })
-}
-
-fn progress(length: u64, what: &str) -> ProgressBar {
-    let bar = ProgressBar::new(length).with_message(what.to_owned());
-    if let Ok(style) = ProgressStyle::with_template("{msg:24} [{bar:40}] {pos}/{len} {elapsed} (eta {eta})") {
-        bar.set_style(style);
-    }
-    bar
 }

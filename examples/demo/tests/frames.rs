@@ -89,6 +89,18 @@ fn the_light_steps_and_can_be_held() {
 }
 
 #[test]
+fn one_lamp_flickers_by_itself_and_can_be_held() {
+    let stepping = |options: SceneOptions| {
+        let scene = built_in("lamps", options);
+        let (on, off) = (scene.emissions(0), scene.emissions(6));
+        let changed = on.iter().zip(&off).filter(|(on, off)| on != off);
+        changed.map(|(on, off)| off.length() / on.length()).collect::<Vec<_>>()
+    };
+    assert!(matches!(stepping(SceneOptions::default())[..], [tenth] if (tenth - 0.1).abs() < 1e-6));
+    assert!(stepping(SceneOptions { static_light: true, ..Default::default() }).is_empty());
+}
+
+#[test]
 fn jitter_stays_within_the_pixel_and_is_off_by_default() {
     let Some(gpu) = Validated::new() else { return };
     let scene = built_in("cornell", SceneOptions::default());

@@ -47,8 +47,10 @@ fn scores_are_written_as_json() {
     let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
     assert_eq!(json["frames"].as_array().map(Vec::len), Some(3));
     assert!(json["frames"][0]["denoised"]["temporal_error"].is_null());
-    let rmse = |path: &str| json[path]["rmse"].as_f64().expect("a number");
-    assert!(rmse("mean") < 0.5 * rmse("noisy_mean"), "{text}");
+    for metric in ["rmse", "flip"] {
+        let mean = |path: &str| json[path][metric].as_f64().expect("a number");
+        assert!(mean("mean") > 0.0 && mean("mean") < 0.5 * mean("noisy_mean"), "{metric}: {text}");
+    }
     // The first frame by hand.
     let values = red(&frame_path(out.path(), 0));
     assert!(values.iter().any(|v| half::f16::from_f32(*v).to_f32() != *v) || values.iter().all(|v| v.is_finite()));

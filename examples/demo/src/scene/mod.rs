@@ -1,6 +1,7 @@
 //! Worlds to look at: meshes, materials, lights and a camera, all of them functions of the frame index.
 
 mod cornell;
+mod door;
 mod fog;
 mod glossy;
 mod gltf_bounds;
@@ -10,6 +11,7 @@ mod gltf_parts;
 mod gltf_sources;
 mod hall;
 mod lamp;
+mod lamps;
 mod leaves;
 mod material;
 mod medium;
@@ -17,6 +19,7 @@ mod mesh;
 mod mirror;
 mod pillars;
 mod shapes;
+mod tiles;
 
 pub use lamp::{Environment, Lamp};
 pub use material::{Material, Pattern, Texture};
@@ -31,7 +34,7 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 7] = ["cornell", "pillars", "glossy", "mirror", "hall", "fog", "leaves"];
+pub const BUILT_IN: [&str; 10] = ["cornell", "pillars", "glossy", "mirror", "hall", "fog", "leaves", "lamps", "tiles", "door"];
 
 /// Parts of the animation that stand still.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -82,8 +85,14 @@ pub struct Moment {
     pub view: View,
     /// Where the objects are on their ways, seconds.
     pub object_time: f32,
-    /// Factor of all lights and emitters (not of the environment).
-    pub light_scale: f32,
+    /// Frame that the intensity of lights and emitters is of.
+    pub light_frame: u32,
+}
+
+/// The intensity of one material over the frames.
+struct EmissionScale {
+    material: usize,
+    scale: Box<dyn Fn(u32) -> f32 + Send + Sync>,
 }
 
 /// A world, as a function of the frame index.
@@ -106,6 +115,7 @@ pub struct Scene {
     pub medium: Option<Medium>,
     camera: Box<dyn Fn(f32) -> View + Send + Sync>,
     light_scale: Box<dyn Fn(u32) -> f32 + Send + Sync>,
+    emission_scales: Vec<EmissionScale>,
     options: SceneOptions,
 }
 
@@ -123,6 +133,7 @@ impl Scene {
             medium: None,
             camera: Box::new(move |_| view),
             light_scale: Box::new(|_| 1.0),
+            emission_scales: Vec::new(),
             options: SceneOptions::default(),
         }
     }
@@ -141,6 +152,9 @@ impl Scene {
             "hall" => hall::scene(),
             "fog" => fog::scene(),
             "leaves" => leaves::scene(),
+            "lamps" => lamps::scene(),
+            "tiles" => tiles::scene(),
+            "door" => door::scene(),
             _ if lower.ends_with(".gltf") || lower.ends_with(".glb") => gltf_file::load(name.as_ref())?,
             _ => return Err(Error::UnknownScene { given: name.to_string() }),
         };
@@ -158,10 +172,20 @@ impl Scene {
         (self.light_scale)(if self.options.static_light { 0 } else { frame })
     }
 
+    /// Emission of each material at a frame, with the factor of all lights in it.
+    pub fn emissions(&self, frame: u32) -> Vec<Vec3> {
+        let (all, held) = (self.light_scale(frame), if self.options.static_light { 0 } else { frame });
+        let mut emissions: Vec<_> = self.materials.iter().map(|material| material.emission * all).collect();
+        for own in &self.emission_scales {
+            emissions[own.material] *= (own.scale)(held);
+        }
+        emissions
+    }
+
     /// The world at a frame.
     pub fn moment(&self, frame: u32) -> Moment {
         let object_time = seconds(if self.options.static_objects { 0 } else { frame });
-        Moment { view: self.view(frame), object_time, light_scale: self.light_scale(frame) }
+        Moment { view: self.view(frame), object_time, light_frame: frame }
     }
 
     /// The view at a time in seconds, whatever the options say.
@@ -188,6 +212,11 @@ impl Scene {
     /// Sets the lights' intensity over the frames.
     pub fn set_light_scale(&mut self, scale: impl Fn(u32) -> f32 + Send + Sync + 'static) {
         self.light_scale = Box::new(scale);
+    }
+
+    /// Sets the emission of one material over the frames, as a factor of its own.
+    pub fn set_emission_scale(&mut self, material: usize, scale: impl Fn(u32) -> f32 + Send + Sync + 'static) {
+        self.emission_scales.push(EmissionScale { material, scale: Box::new(scale) });
     }
 
     /// Adds a mesh, a material and one fixed instance of them.

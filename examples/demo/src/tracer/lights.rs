@@ -19,13 +19,12 @@ pub struct Lights {
     pub sun: u32,
 }
 
-/// The materials with their emission scaled.
-pub fn materials(scene: &Scene, scale: f32) -> Vec<MaterialData> {
-    scene.materials.iter().map(|material| material_data(material, scale)).collect()
+/// The materials, with what they emit at a frame.
+pub fn materials(scene: &Scene, frame: u32) -> Vec<MaterialData> {
+    scene.materials.iter().zip(scene.emissions(frame)).map(|(material, emission)| material_data(material, emission)).collect()
 }
 
-fn material_data(material: &Material, scale: f32) -> MaterialData {
-    let emission = material.emission * scale;
+fn material_data(material: &Material, emission: Vec3) -> MaterialData {
     let side = if material.two_sided_emission { -1.0 } else { 1.0 };
     let (texture, other, squares) = match material.pattern {
         Pattern::Plain => (NO_TEXTURE, Vec3::ZERO, 0.0),
@@ -43,9 +42,9 @@ fn material_data(material: &Material, scale: f32) -> MaterialData {
     }
 }
 
-/// All lights. `first_triangles` says where each mesh begins among the attributes; `diagonal` gives a sun its power.
-pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], scale: f32, diagonal: f32) -> Lights {
-    let materials = materials(scene, scale);
+/// All lights at a frame. `first_triangles` says where each mesh begins among the attributes; `diagonal` gives a sun its power.
+pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], frame: u32, diagonal: f32) -> Lights {
+    let (materials, scale) = (materials(scene, frame), scene.light_scale(frame));
     let mut data = Vec::new();
     let mut weights = Vec::new();
     let mut sun = 0;

@@ -77,6 +77,8 @@ pub struct PathTracer {
     lighting: Pipeline,
     scene_layout: SetLayout,
     volume: Option<Volume>,
+    /// Whether the outputs hold the lighting of the frame whose G-buffer was drawn last.
+    is_lit: bool,
     sun: Option<Sun>,
 }
 
@@ -108,6 +110,7 @@ impl PathTracer {
             buffers,
             sun: if options.sun_apart { Sun::new(gpu, scene, &scene_layout, &outputs)? } else { None },
             volume: scene.medium.map(|_| Volume::new(gpu, &scene_layout, &outputs)).transpose()?,
+            is_lit: false,
             outputs,
             scene_layout,
         };
@@ -179,6 +182,7 @@ impl PathTracer {
         let written = vk::AccessFlags::TRANSFER_WRITE;
         let read = vk::AccessFlags::SHADER_READ | vk::AccessFlags::UNIFORM_READ;
         memory_barrier(&device, cmd, (all, anything), (copy, written));
+        self.is_lit = false;
         self.buffers.record(&device, cmd);
         memory_barrier(&device, cmd, (copy, written), (compute, read));
         general_barrier(&device, cmd, &self.outputs.gbuffer());
@@ -186,8 +190,11 @@ impl PathTracer {
     }
 
     /// Records the lighting pass: one path for each pixel. Waits for all earlier commands of the queue, so whatever
-    /// wrote the visibility samples and seeds last is seen.
+    /// wrote the visibility samples and seeds last is seen. Nothing where it was recorded since the G-buffer: it would give the same.
     pub fn record_lighting(&mut self, cmd: vk::CommandBuffer) {
+        if std::mem::replace(&mut self.is_lit, true) {
+            return;
+        }
         self.prepare_lighting(cmd);
         self.lighting.record(cmd, &[&self.scene_set, &self.lighting_set], &[], self.extent);
         self.record_apart(cmd);

@@ -73,6 +73,8 @@ impl PathTracer {
     /// [`Reshading::gradient_samples`], in this command buffer or earlier.
     pub fn record_lighting_reshaded(&mut self, cmd: vk::CommandBuffer, reshading: &mut Reshading) {
         reshading.newest = 1 - reshading.newest;
+        // Gradient samples have another seed.
+        self.is_lit = false;
         self.prepare_lighting(cmd);
         general_barrier(self.gpu.device(), cmd, &reshading.samples[reshading.newest].each_ref());
         let sets = [&self.scene_set, &reshading.sets[reshading.newest]];

@@ -89,10 +89,9 @@ impl SceneBuffers {
             self.set_tree(&tree);
             self.built_for.clone_from(&transforms);
         }
-        let scale = now.light_scale;
-        let lights = lights::lights(scene, &transforms, &self.first_triangles, scale, self.diagonal);
+        let lights = lights::lights(scene, &transforms, &self.first_triangles, now.light_frame, self.diagonal);
         self.lights.write(&lights.data);
-        self.materials.write(&lights::materials(scene, scale));
+        self.materials.write(&lights::materials(scene, now.light_frame));
         self.write_transforms(scene, &transforms, &previous);
         Ok(SceneState {
             light_count: lights.data.len() as u32,

@@ -23,7 +23,7 @@ impl Clock {
         let now = Moment {
             view: view.unwrap_or_else(|| scene.view_at(self.camera / FRAMES_PER_SECOND)),
             object_time: self.objects / FRAMES_PER_SECOND,
-            light_scale: scene.light_scale(self.light as u32),
+            light_frame: self.light as u32,
         };
         let before = self.last.replace(now).unwrap_or(now);
         (now, before)

@@ -1,0 +1,137 @@
+//! The figures as Markdown, with a picture of details.
+
+use std::fs;
+use std::path::Path;
+
+use atrous_demo::measure::Scores;
+use atrous_demo::{Error, Result};
+use atrous_picture::{Column, Picture, Region, Strip, TextTable};
+
+use super::claims::{self, Claim};
+use super::contenders::{ASVGF, BEST, NOISY, SVGF};
+use super::results::{write, SceneResult};
+use super::scene::{picture, REFERENCE};
+
+const BEGIN: &str = "<!-- evaluate -->";
+const END: &str = "<!-- /evaluate -->";
+/// Pictures of a row of the sheet.
+const SHOWN: [&str; 5] = [NOISY, SVGF, ASVGF, BEST, REFERENCE];
+
+/// A metric: heading, digits, and where it is among the scores.
+pub struct Metric {
+    /// Heading.
+    pub name: &'static str,
+    /// Digits behind the point.
+    pub decimals: usize,
+    /// Its value.
+    pub of: fn(&Scores) -> f64,
+    /// Whether more is better.
+    pub more_is_better: bool,
+}
+
+/// The metrics in the order of tables.
+pub const METRICS: [Metric; 5] = [
+    Metric { name: "RMSE", decimals: 4, of: |s| s.rmse, more_is_better: false },
+    Metric { name: "relMSE", decimals: 4, of: |s| s.rel_mse, more_is_better: false },
+    Metric { name: "SSIM", decimals: 3, of: |s| s.ssim, more_is_better: true },
+    Metric { name: "FLIP", decimals: 3, of: |s| s.flip, more_is_better: false },
+    Metric { name: "temporal error", decimals: 4, of: |s| s.temporal_error, more_is_better: false },
+];
+
+/// How the figures came about, in a sentence.
+pub fn conditions(results: &[SceneResult]) -> String {
+    let Some(SceneResult { settings, .. }) = results.first() else { return String::new() };
+    let frames = settings.measured_frames();
+    format!(
+        "{}x{}, one path a pixel, frames {} to {} of {} against {} paths a pixel; {}.",
+        settings.size.0,
+        settings.size.1,
+        frames.start,
+        frames.end - 1,
+        settings.frames,
+        settings.reference_spp,
+        settings.device
+    )
+}
+
+/// A table of one metric: a row for each filter, a column for each scene.
+///
+/// # Errors
+/// None in practice.
+pub fn metric_table(results: &[SceneResult], metric: &Metric) -> Result<TextTable> {
+    let columns = results.iter().map(|result| Column::new(result.scene.as_str(), metric.decimals));
+    let mut table = TextTable::new(metric.name, columns);
+    for name in names(results) {
+        let values: Vec<_> =
+            results.iter().map(|result| result.row(name).map_or(f64::NAN, |row| (metric.of)(&row.mean()))).collect();
+        table.row(name, &values)?;
+    }
+    Ok(table)
+}
+
+/// A table of what filters cost: means over the scenes.
+///
+/// # Errors
+/// None in practice.
+pub fn cost_table(results: &[SceneResult]) -> Result<TextTable> {
+    let mut table = TextTable::new("cost", [Column::new("ms a frame", 1), Column::new("bytes a pixel", 1)]);
+    for name in names(results).into_iter().filter(|name| *name != NOISY) {
+        let rows: Vec<_> = results.iter().filter_map(|result| result.row(name)).collect();
+        let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
+        let milliseconds = mean(rows.iter().filter_map(|row| row.milliseconds).collect());
+        table.row(name, &[milliseconds, mean(rows.iter().filter_map(|row| row.bytes_per_pixel).collect())])?;
+    }
+    Ok(table)
+}
+
+/// Names of the rows, in order.
+pub fn names(results: &[SceneResult]) -> Vec<&str> {
+    results.first().map_or(Vec::new(), |result| result.rows.iter().map(|row| row.name.as_str()).collect())
+}
+
+/// All tables.
+///
+/// # Errors
+/// None in practice.
+pub fn text(results: &[SceneResult], claims: &[Claim]) -> Result<String> {
+    let mut text = format!("{}\n", conditions(results));
+    for metric in &METRICS {
+        text += &format!("\n{}", metric_table(results, metric)?);
+    }
+    text += &format!("\n{}\n{}", cost_table(results)?, claims::table(claims)?);
+    Ok(text)
+}
+
+/// Puts a text between the lines of a Markdown file that are meant for it.
+///
+/// # Errors
+/// A file without these lines, or one that cannot be written.
+pub fn renew(path: &Path, text: &str) -> Result<()> {
+    let problem = |problem: String| Error::Folder { path: path.to_owned(), problem };
+    let old = fs::read_to_string(path).map_err(|e| problem(e.to_string()))?;
+    let (Some(begin), Some(end)) = (old.find(BEGIN), old.find(END)) else {
+        return Err(problem(format!("it has no lines {BEGIN} and {END}")));
+    };
+    if end < begin {
+        return Err(problem(format!("{END} stands before {BEGIN}")));
+    }
+    write(path, &format!("{}{BEGIN}\n\n{text}\n{}", &old[..begin], &old[end..]))
+}
+
+/// Details of every scene: noisy, three filters, reference.
+///
+/// # Errors
+/// A picture that cannot be read or written.
+pub fn write_sheet(path: &Path, results: &[SceneResult], out: &Path) -> Result<()> {
+    let shown: Vec<_> = SHOWN.into_iter().filter(|name| *name == REFERENCE || names(results).contains(name)).collect();
+    let mut sheet = Strip::new("last frame of each scene, the middle of it").columns(shown.len() as u32);
+    for result in results {
+        for name in &shown {
+            let whole = Picture::read_png(picture(&out.join(&result.scene), name))?;
+            let (width, height) = (whole.width().div_ceil(2), whole.height().div_ceil(2));
+            let region = Region { x: width / 2, y: height / 2, width, height };
+            sheet = sheet.panel(format!("{}\n{name}", result.scene), whole.crop(region)?);
+        }
+    }
+    Ok(sheet.render()?.write_png(path)?)
+}

@@ -1,0 +1,101 @@
+//! The figures as one HTML file: tables, pictures to compare, errors as heat maps, curves over the frames.
+
+use std::path::Path;
+
+use atrous_demo::Result;
+use atrous_page::{Best, Cell, Comparison, Curves, HeatMap, Page, Section, Table};
+use atrous_picture::Picture;
+
+use super::claims::Claim;
+use super::contenders::{BEST, NOISY};
+use super::markdown::{conditions, cost_table, names, Metric, METRICS};
+use super::results::SceneResult;
+use super::scene::{picture, read_error, REFERENCE};
+
+/// FLIP that heat maps end at: what is above is a plain fault, and below it differences stay visible.
+const LARGEST_FLIP: f32 = 0.5;
+
+/// Writes the page.
+///
+/// # Errors
+/// A picture that cannot be read, or a page that cannot be written.
+pub fn write(path: &Path, results: &[SceneResult], claims: &[Claim], out: &Path) -> Result<()> {
+    let mut page = Page::new("Denoisers on the scenes of the demo");
+    page.introduction(conditions(results));
+    let summary = page.section("All scenes");
+    summary.text("Means over the measured frames. RMSE and relMSE of linear radiance, SSIM and temporal error of tone-mapped values, HDR-FLIP.");
+    for metric in &METRICS {
+        summary.table(metric_table(results, metric)?);
+    }
+    summary.table(&cost_table(results)?);
+    page.section("What is claimed").table(claim_table(claims)?);
+    for result in results {
+        of_scene(page.section(result.scene.as_str()), result, &out.join(&result.scene))?;
+    }
+    Ok(page.write(path)?)
+}
+
+fn metric_table(results: &[SceneResult], metric: &Metric) -> Result<Table> {
+    let mut table = Table::new(metric.name, results.iter().map(|result| result.scene.as_str()));
+    for name in names(results) {
+        let cell = |result: &SceneResult| {
+            let value = result.row(name).map_or(f64::NAN, |row| (metric.of)(&row.mean()));
+            Cell::number(value, format!("{value:.*}", metric.decimals))
+        };
+        table.row(name, results.iter().map(cell))?;
+    }
+    for result in results {
+        table.best(&result.scene, if metric.more_is_better { Best::Highest } else { Best::Lowest })?;
+    }
+    Ok(table)
+}
+
+fn claim_table(claims: &[Claim]) -> Result<Table> {
+    let mut table = Table::new("scene and claim", ["measured", "bound", ""]);
+    for claim in claims {
+        let verdict = if claim.holds() { "holds" } else { "fails" };
+        let cells = [
+            Cell::number(claim.ratio, format!("{:.3}", claim.ratio)),
+            Cell::number(claim.bound, format!("{:.2}", claim.bound)),
+            Cell::from(verdict),
+        ];
+        table.row(format!("{}: {}", claim.scene, claim.text), cells)?;
+    }
+    Ok(table)
+}
+
+fn of_scene(section: &mut Section, result: &SceneResult, folder: &Path) -> Result<()> {
+    let frames = result.settings.measured_frames();
+    let mut comparison = Comparison::new(format!("Frame {}", frames.end - 1));
+    for row in &result.rows {
+        comparison.picture(row.name.as_str(), &Picture::read_png(picture(folder, &row.name))?)?;
+    }
+    comparison.picture(REFERENCE, &Picture::read_png(picture(folder, REFERENCE))?)?;
+    let (width, height) = result.settings.size;
+    for row in &result.rows {
+        let map = HeatMap::new(width, height, &read_error(folder, &row.name)?, 0.0..=LARGEST_FLIP)?;
+        comparison.heat_map(format!("FLIP of {}", row.name), &map)?;
+    }
+    let right = if result.row(BEST).is_some() { BEST } else { REFERENCE };
+    comparison.start(NOISY, right)?;
+    section.comparison(comparison)?;
+    let mut table = Table::new("mean of the measured frames", METRICS.iter().map(|metric| metric.name));
+    for row in &result.rows {
+        let mean = row.mean();
+        let cell = |metric: &Metric| Cell::number((metric.of)(&mean), format!("{:.*}", metric.decimals, (metric.of)(&mean)));
+        table.row(row.name.as_str(), METRICS.iter().map(cell))?;
+    }
+    for metric in &METRICS {
+        table.best(metric.name, if metric.more_is_better { Best::Highest } else { Best::Lowest })?;
+    }
+    section.table(table);
+    for metric in &METRICS {
+        // The noisy picture would make one line of all others.
+        let denoised = result.rows.iter().filter(|row| row.name != NOISY);
+        let curves = denoised.fold(Curves::new(metric.name).first_frame(frames.start), |curves, row| {
+            curves.series(row.name.as_str(), row.frames.iter().map(metric.of).collect::<Vec<_>>())
+        });
+        section.curves(curves)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,78 @@
+//! References, kept as EXR files: they take most of the time, and depend on the scene and the path tracer alone.
+
+use std::collections::hash_map::DefaultHasher;
+use std::fmt::{self, Write};
+use std::hash::{Hash, Hasher};
+use std::path::PathBuf;
+
+use atrous_demo::{Error, PathTracer, Result, Scene};
+use exr::prelude::{read_first_rgba_layer_from_file, write_rgb_file};
+
+use super::settings::Settings;
+
+/// References in a folder, which exists.
+pub struct References {
+    folder: PathBuf,
+    samples: u32,
+}
+
+impl References {
+    /// Those with as many samples as the settings say.
+    pub fn new(folder: PathBuf, settings: &Settings) -> Self {
+        Self { folder, samples: settings.reference_spp }
+    }
+
+    /// The reference of a frame: from its file, or rendered into it. Overwrites the tracer's frame.
+    ///
+    /// # Errors
+    /// A lost device, or a file that cannot be written.
+    pub fn of_frame(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32) -> Result<Vec<[f32; 3]>> {
+        let [width, height] = [tracer.extent().width, tracer.extent().height].map(|side| side as usize);
+        let content = content(scene, frame);
+        let path = self.folder.join(format!("{}_{frame:04}_{width}x{height}_{}_{content:016x}.exr", scene.name, self.samples));
+        // A file that cannot be read, or is of another size, is rendered again: it was cut off, or is not ours.
+        if let Some(kept) = read(&path).filter(|kept| kept.len() == width * height) {
+            return Ok(kept);
+        }
+        tracer.begin_frame(frame)?;
+        let reference = tracer.render_reference(self.samples, |_, _| ())?.radiance();
+        let part = path.with_extension("part");
+        let pixel = |x: usize, y: usize| <(f32, f32, f32)>::from(reference[y * width + x]);
+        let problem = |path: &PathBuf, problem: String| Error::Folder { path: path.clone(), problem };
+        write_rgb_file(&part, width, height, pixel).map_err(|e| problem(&part, e.to_string()))?;
+        std::fs::rename(&part, &path).map_err(|e| problem(&path, e.to_string()))?;
+        Ok(reference)
+    }
+}
+
+/// A hash of what a picture depends on: the scene at a frame, and the code of the path tracer. Noise has no part in it: the seed of a reference is
+/// as good as any other.
+fn content(scene: &Scene, frame: u32) -> u64 {
+    struct Text(DefaultHasher);
+    impl Write for Text {
+        fn write_str(&mut self, text: &str) -> fmt::Result {
+            self.0.write(text.as_bytes());
+            Ok(())
+        }
+    }
+    let mut text = Text(DefaultHasher::new());
+    env!("ATROUS_DEMO_TRACER").hash(&mut text.0);
+    let moment = scene.moment(frame);
+    let instances: Vec<_> = scene.instances.iter().map(|instance| (instance.mesh, instance.material)).collect();
+    let things = (&scene.meshes, &scene.materials, &scene.textures, instances, scene.transforms(moment.object_time));
+    let light = (scene.emissions(frame), scene.light_scale(frame), &scene.lamps, scene.environment, scene.medium);
+    // Numbers print with all their digits.
+    let _ = write!(text, "{:?} {things:?} {light:?}", moment.view);
+    text.0.finish()
+}
+
+fn read(path: &PathBuf) -> Option<Vec<[f32; 3]>> {
+    let image = read_first_rgba_layer_from_file(
+        path,
+        |size, _| (size.width(), vec![[0.0; 3]; size.width() * size.height()]),
+        |(width, pixels): &mut (usize, Vec<[f32; 3]>), at, (r, g, b, _): (f32, f32, f32, f32)| {
+            pixels[at.y() * *width + at.x()] = [r, g, b];
+        },
+    );
+    Some(image.ok()?.layer_data.channel_data.pixels.1)
+}

@@ -1,0 +1,134 @@
+//! What is evaluated, and how.
+
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
+use std::path::PathBuf;
+
+use atrous_demo::scene::BUILT_IN;
+use atrous_demo::{Error, Result};
+use clap::builder::PossibleValuesParser;
+use clap::Args;
+use serde::{Deserialize, Serialize};
+
+use super::contenders;
+use crate::options::parse_size;
+
+/// Scenes of `--quick`: light of a lamp that steps, shadows that wander, mirrors and a moving camera, light that steps in a part of the picture.
+const QUICK: [&str; 4] = ["cornell", "pillars", "glossy", "lamps"];
+
+/// Measures every filter on every scene against references, and writes a page with pictures and curves, a table, and what the papers claim.
+///
+/// References are kept in OUT/references, and the results of a scene in OUT/SCENE: a run that was stopped goes on where it was.
+#[derive(Args)]
+pub struct EvaluateOptions {
+    /// Scenes: built in, or a glTF 2.0 file; may be given several times. Default: all that are built in, with --quick cornell, pillars, glossy, lamps
+    #[arg(long = "scene")]
+    scenes: Vec<String>,
+    /// Filters by their names in the tables; may be given several times. Default: all
+    #[arg(long = "filter", value_parser = PossibleValuesParser::new(contenders::all().iter().map(|c| c.name)))]
+    filters: Vec<String>,
+    /// Small pictures, few frames, four scenes, minutes; claims that do not hold are an error
+    #[arg(long)]
+    pub quick: bool,
+    /// Width and height in pixels; default: 320x180, with --quick 128x72
+    #[arg(long, value_parser = parse_size)]
+    size: Option<(u32, u32)>,
+    /// Frames of the animation; default: 40, with --quick 16
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    frames: Option<u32>,
+    /// Frames at the end of the animation that are measured; default: 8, with --quick 4
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    measured: Option<u32>,
+    /// Paths per pixel of a reference; default: 256, with --quick 128
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
+    reference_spp: Option<u32>,
+    /// Folder for references, results, and the page
+    #[arg(long, default_value = "out/evaluate")]
+    pub out: PathBuf,
+    /// Markdown file whose part between the lines `<!-- evaluate -->` and `<!-- /evaluate -->` is renewed, too
+    #[arg(long)]
+    pub markdown: Option<PathBuf>,
+    /// Index or a part of the name of the device
+    #[arg(long)]
+    pub device: Option<String>,
+    /// Run under the Khronos validation layer; its messages are errors
+    #[arg(long)]
+    pub validate: bool,
+    /// Another seed gives other noise
+    #[arg(long, default_value_t = 0)]
+    seed: u32,
+}
+
+/// What the results of a scene depend on.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct Settings {
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+    /// Frames of the animation.
+    pub frames: u32,
+    /// Frames at its end that are measured.
+    pub measured: u32,
+    /// Paths per pixel of a reference.
+    pub reference_spp: u32,
+    /// Names of the filters in the order of tables.
+    pub filters: Vec<String>,
+    /// Seed of the noise.
+    pub seed: u32,
+    /// Name of the device.
+    pub device: String,
+    /// Hash of this program.
+    pub program: u64,
+}
+
+impl EvaluateOptions {
+    /// The scenes in the order of tables.
+    pub fn scenes(&self) -> Vec<String> {
+        let names: &[&str] = if self.quick { &QUICK } else { &BUILT_IN };
+        match self.scenes.is_empty() {
+            true => names.iter().map(|name| name.to_string()).collect(),
+            false => self.scenes.clone(),
+        }
+    }
+
+    fn filters(&self) -> Vec<String> {
+        let names = contenders::all().into_iter().map(|c| c.name.to_owned());
+        names.filter(|name| self.filters.is_empty() || self.filters.contains(name)).collect()
+    }
+
+    /// Defaults filled in.
+    ///
+    /// # Errors
+    /// More measured frames than frames, or a program that cannot read itself.
+    pub fn settings(&self, device: &str) -> Result<Settings> {
+        let of = |given: Option<u32>, full: u32, quick: u32| given.unwrap_or(if self.quick { quick } else { full });
+        let (frames, measured) = (of(self.frames, 40, 16), of(self.measured, 8, 4));
+        if measured > frames {
+            return Err(Error::MeasuredFrames { given: measured, frames });
+        }
+        Ok(Settings {
+            size: self.size.unwrap_or(if self.quick { (128, 72) } else { (320, 180) }),
+            frames,
+            measured,
+            reference_spp: of(self.reference_spp, 256, 128),
+            filters: self.filters(),
+            seed: self.seed,
+            device: device.to_owned(),
+            program: program()?,
+        })
+    }
+}
+
+impl Settings {
+    /// Indices of the frames that are measured.
+    pub fn measured_frames(&self) -> std::ops::Range<u32> {
+        self.frames - self.measured..self.frames
+    }
+}
+
+fn program() -> Result<u64> {
+    let path = std::env::current_exe().unwrap_or_default();
+    let bytes = std::fs::read(&path).map_err(|e| Error::Folder { path, problem: e.to_string() })?;
+    let mut hasher = DefaultHasher::new();
+    bytes.hash(&mut hasher);
+    Ok(hasher.finish())
+}

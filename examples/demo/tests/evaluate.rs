@@ -1,0 +1,107 @@
+//! The command `evaluate`: what it writes, what it keeps, and what it refuses.
+
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use support::Validated;
+
+fn evaluate(out: &Path, arguments: &[&str]) -> Output {
+    measuring(2, out, arguments)
+}
+
+fn measuring(frames: u32, out: &Path, arguments: &[&str]) -> Output {
+    let small = ["evaluate", "--size", "48x27", "--frames", "4", "--reference-spp", "4", "--validate", "--out"];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
+    command.args(small).arg(out).args(["--measured", &frames.to_string()]).args(arguments).output().expect("the demo starts")
+}
+
+fn succeeded(output: Output) -> String {
+    let (stdout, stderr) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{stdout}{stderr}");
+    stdout.into_owned()
+}
+
+fn refused(output: Output) -> String {
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!output.status.success() && !message.contains("panicked"), "{message}");
+    message
+}
+
+fn empty(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+fn references(out: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(out.join("references")).expect("a folder");
+    let mut files: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn a_run_leaves_a_page_tables_and_pictures_and_keeps_its_results() {
+    let Some(_gpu) = Validated::new() else { return };
+    let out = empty("evaluate_run");
+    let markdown = out.join("docs.md");
+    fs::write(&markdown, "before\n<!-- evaluate -->\nold\n<!-- /evaluate -->\nafter\n").expect("a file");
+    let arguments = ["--scene", "cornell", "--scene", "lamps", "--markdown", markdown.to_str().expect("a path")];
+    succeeded(evaluate(&out, &arguments));
+    let table = fs::read_to_string(out.join("quality.md")).expect("a table");
+    for word in
+        ["cornell", "lamps", "RMSE", "SSIM", "FLIP", "temporal error", "bytes a pixel", "A-SVGF", "EAW, accumulated", "claim"]
+    {
+        assert!(table.contains(word), "no {word} in {table}");
+    }
+    let renewed = fs::read_to_string(&markdown).expect("a file");
+    assert!(renewed.starts_with("before\n<!-- evaluate -->") && renewed.ends_with("<!-- /evaluate -->\nafter\n"), "{renewed}");
+    assert!(renewed.contains(&table) && !renewed.contains("old"), "{renewed}");
+    let page = fs::read_to_string(out.join("quality.html")).expect("a page");
+    assert!(page.matches("data:image/png").count() > 2 * 11, "no pictures in the page");
+    assert!(out.join("quality.png").is_file());
+    assert_eq!(references(&out).len(), 4);
+
+    // Times are the only figures that another measurement would change.
+    fs::remove_file(out.join("quality.md")).expect("the table");
+    succeeded(evaluate(&out, &arguments));
+    assert_eq!(fs::read_to_string(out.join("quality.md")).expect("a table"), table, "a finished scene was measured again");
+}
+
+#[test]
+fn references_are_kept_and_a_broken_one_is_rendered_again() {
+    let Some(_gpu) = Validated::new() else { return };
+    let out = empty("evaluate_references");
+    let arguments = ["--scene", "cornell"];
+    succeeded(evaluate(&out, &arguments));
+    let files = references(&out);
+    let [kept, broken] = &files[..] else { panic!("{files:?}") };
+    let whole = fs::read(broken).expect("a reference");
+    fs::write(broken, &whole[..whole.len() / 2]).expect("a file");
+    let time = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).expect("a time");
+    let before = time(kept);
+    fs::remove_dir_all(out.join("cornell")).expect("the results");
+    succeeded(evaluate(&out, &arguments));
+    assert_eq!(references(&out), files);
+    assert_eq!(time(kept), before, "a reference was rendered again");
+    assert_eq!(fs::read(broken).expect("a reference"), whole, "half a reference was kept");
+}
+
+#[test]
+fn what_cannot_be_evaluated_is_said() {
+    let out = empty("evaluate_refused");
+    let message = refused(evaluate(&out, &["--scene", "cornel"]));
+    assert!(message.contains("\"cornel\"") && message.contains("lamps, tiles, door"), "{message}");
+    let message = refused(measuring(5, &out, &[]));
+    assert!(message.contains("5 frames") && message.contains("--measured 4"), "{message}");
+    let Some(_gpu) = Validated::new() else { return };
+    let markdown = out.join("plain.md");
+    fs::write(&markdown, "no lines\n").expect("a file");
+    let message = refused(evaluate(&out, &["--scene", "cornell", "--markdown", markdown.to_str().expect("a path")]));
+    assert!(message.contains("<!-- evaluate -->"), "{message}");
+    assert_eq!(fs::read_to_string(&markdown).expect("a file"), "no lines\n");
+}
