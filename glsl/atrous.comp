@@ -3,7 +3,8 @@
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
-// SMOOTH: the luminance weight takes the deviation of 3x3 pixels. VOLUME: steered by the depth of the surface behind alone, and
+// SMOOTH: the luminance weight takes the deviation of 3x3 pixels. SHARED: a quarter of what it tolerates is by the deviation of the tap [ours]:
+// what was never hit by rare light takes some of what was, instead of refusing it as an outlier. VOLUME: steered by the depth of the surface behind alone, and
 // less strictly [PSVGF]; the background takes part.
 // With SPECULAR no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it, and by
 // hit distance [ours]; a mirror is not filtered at all.
@@ -18,6 +19,7 @@ layout(constant_id = 1) const uint KERNEL = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
 layout(constant_id = 3) const bool ODD = false;
 layout(constant_id = 4) const bool SMOOTH = true;
+layout(constant_id = 5) const bool SHARED = false;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -59,6 +61,7 @@ const uint HEXAGON_KERNEL = 2u;
 const int RADIUS = KERNEL == SPLINE_KERNEL ? 2 : 1;
 const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 const float LUMINANCE_EPSILON = 1e-4;
+const float TAP_SHARE = 0.25;
 
 const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : KERNEL == BOX_KERNEL ? 1.0 / 9.0 : 1.0 / 7.0;
 
@@ -77,7 +80,8 @@ struct Sum {
 
 struct Centre {
     float luminance;
-    float sharpness;  // of luminance: log2(e) over eq. 5's denominator
+    float deviation;
+    float sharpness;  // of luminance
 };
 
 // g3x3: a steadier deviation, for the luminance weight alone.
@@ -106,12 +110,15 @@ vec2 tolerated_deviations(ivec2 p) {
     return sqrt(sum / max(weight_sum, 0.25));
 }
 
-Centre centre_of(vec4 value, float deviation) {
-    return Centre(luminance(value.rgb), LOG2_E / (push.sigma_l * deviation + LUMINANCE_EPSILON));
-}
+// log2(e) over eq. 5's denominator.
+float luminance_sharpness(float deviation) { return LOG2_E / (push.sigma_l * deviation + LUMINANCE_EPSILON); }
+
+Centre centre_of(vec4 value, float deviation) { return Centre(luminance(value.rgb), deviation, luminance_sharpness(deviation)); }
 
 void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
-    float weight = kernel * exp2(geometry - abs(luminance(value.rgb) - centre.luminance) * centre.sharpness);
+    // In the background the deviation is negative.
+    float sharpness = SHARED ? luminance_sharpness(mix(centre.deviation, max(value.a, 0.0), TAP_SHARE)) : centre.sharpness;
+    float weight = kernel * exp2(geometry - abs(luminance(value.rgb) - centre.luminance) * sharpness);
     sum.irradiance += weight * value.rgb;
     sum.variance += weight * weight * value.a * value.a;
     sum.weight += weight;

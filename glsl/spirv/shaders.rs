@@ -66,6 +66,7 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("SHARED"), id: 5, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -92,6 +93,7 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("SHARED"), id: 5, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
@@ -118,6 +120,7 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
+        SpecialisationConstant { name: Cow::Borrowed("SHARED"), id: 5, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };

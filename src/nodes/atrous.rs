@@ -18,6 +18,9 @@ pub struct Atrous {
     /// Whether the deviation by which luminance is compared is that of 3×3 pixels (`g3x3` of \[SVGF\] eq. 5), which is steadier,
     /// rather than the pixel's own. Default: true.
     pub smooth_deviation: bool,
+    /// Whether a quarter of the tolerated difference of luminance is by the deviation of the tap instead of the centre's. Where light is
+    /// rare, pixels that it never hit then take some of what it did hit, instead of refusing it as outliers. Default: false, as \[SVGF\].
+    pub shared_deviation: bool,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
     /// Reflections seen in the surfaces: of specular light, one signal, which is filtered no wider than their lobes are. Default: none.
@@ -37,6 +40,7 @@ impl Default for Atrous {
             levels: 5,
             kernel: Kernel::default(),
             smooth_deviation: true,
+            shared_deviation: false,
             feedback: None,
             reflection: None,
             sigma_l,
@@ -81,6 +85,7 @@ impl Graph {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
                 .constant("SMOOTH", u32::from(atrous.smooth_deviation))
+                .constant("SHARED", u32::from(atrous.shared_deviation))
                 // Of no other kernel, so that its levels share their pipelines.
                 .constant("ODD", if atrous.kernel == Kernel::Hexagon { level % 2 } else { 0 })
                 .value("sigma_l", atrous.sigma_l)

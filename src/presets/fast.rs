@@ -32,6 +32,7 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             kernel: Kernel::Hexagon,
             variance: Variance::default(),
             confidence: Some(confidence),
+            ..Specular::default()
         },
     );
     let known = Known {

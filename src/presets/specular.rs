@@ -13,6 +13,8 @@ pub struct Specular {
     pub variance: Variance,
     /// Kernel of the wavelet levels.
     pub kernel: Kernel,
+    /// Whether luminance is compared by the deviation of taps, too.
+    pub shared_deviation: bool,
     /// Confidence in the history.
     pub confidence: Option<Confidence>,
 }
@@ -23,6 +25,7 @@ impl Default for Specular {
             feedback: Feedback::Accumulated,
             variance: Variance { estimator: Estimator::Fading, ..Variance::default() },
             kernel: Kernel::Box,
+            shared_deviation: false,
             confidence: None,
         }
     }
@@ -34,12 +37,13 @@ impl Default for Specular {
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
     let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, ..Demodulate::default() });
-    let Specular { feedback, variance, kernel, confidence } = specular;
+    let Specular { feedback, variance, kernel, shared_deviation, confidence } = specular;
     let parameters = SpecularAccumulation { feedback, confidence, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, parameters);
     let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(found.history);
-    let atrous = Atrous { levels: config.levels, kernel, feedback, reflection: Some(found.reflection), ..Atrous::default() };
+    let shape = Atrous { levels: config.levels, kernel, shared_deviation, ..Atrous::default() };
+    let atrous = Atrous { feedback, reflection: Some(found.reflection), ..shape };
     (g.atrous(guides, &estimate, atrous).into(), found.reflection)
 }
 

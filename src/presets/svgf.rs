@@ -22,7 +22,7 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         guides,
         config,
         filtered.into(),
-        Specular { feedback: Feedback::Filtered, kernel: Kernel::Spline, variance: Variance::default(), confidence: None },
+        Specular { feedback: Feedback::Filtered, kernel: Kernel::Spline, variance: Variance::default(), ..Specular::default() },
     );
     Denoised { radiance, known: Known { history: Some(history), reflection, deviation: true, percentiles, ..Known::new(&noisy) } }
 }

@@ -225,9 +225,9 @@ impl Filter<'_> {
                 let estimate = estimate(g, estimator);
                 let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box, Kernel::Hexagon]);
                 let sigma_l = dice.one_of(&[Value::Own, Value::Fixed(1.5), Value::Tunable("volume_sigma_l")]);
-                let smooth_deviation = dice.coin();
-                let atrous =
-                    Atrous { levels: levels(dice), kernel, smooth_deviation, feedback: fed_back, sigma_l, ..Atrous::default() };
+                let (smooth_deviation, shared_deviation) = (dice.coin(), dice.coin());
+                let shape = Atrous { levels: levels(dice), kernel, smooth_deviation, shared_deviation, ..Atrous::default() };
+                let atrous = Atrous { feedback: fed_back, sigma_l, ..shape };
                 if dice.coin() {
                     self.other_kernel(g, dice, &estimate, kernel);
                 }

@@ -18,6 +18,8 @@ mod tests;
 
 /// Tolerated difference of luminance where the variance is 0.
 pub const LUMINANCE_EPSILON: f32 = 1e-4;
+/// Share of the tap's deviation in the tolerance, where it has one.
+const TAP_SHARE: f32 = 0.25;
 
 /// Inputs of [`atrous`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +43,14 @@ pub struct AtrousLevel {
     pub kernel: Kernel,
     /// Whether luminance is compared by the deviation of 3×3 pixels.
     pub smooth_deviation: bool,
+    /// Whether a quarter of the tolerance is by the deviation of the tap.
+    pub shared_deviation: bool,
 }
 
 impl AtrousLevel {
     /// A level of \[SVGF\].
     pub fn new(number: u32) -> Self {
-        Self { number, kernel: Kernel::Spline, smooth_deviation: true }
+        Self { number, kernel: Kernel::Spline, smooth_deviation: true, shared_deviation: false }
     }
 }
 
@@ -82,8 +86,7 @@ fn filter(
     let mut filtered = Vec::with_capacity(irradiance.len());
     for pair in irradiance.chunks(2) {
         let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
-            let mut sums: [Sum; 2] =
-                std::array::from_fn(|i| Sum::new(geometry, rect, level.smooth_deviation, pair.get(i).copied(), p));
+            let mut sums: [Sum; 2] = std::array::from_fn(|i| Sum::new(geometry, rect, level, pair.get(i).copied(), p));
             if geometry.is_background(p) {
                 return sums.map(|sum| sum.centre);
             }
@@ -106,31 +109,38 @@ fn filter(
 struct Sum {
     centre: [f32; 4],
     luminance: f32,
-    tolerance: f32,
+    /// Deviation by which taps are compared, and the share of it that is theirs.
+    deviation: f32,
+    tap_share: f32,
+    sigma_l: f32,
     weight: f32,
     irradiance: [f32; 3],
     variance: f32,
 }
 
 impl Sum {
-    fn new(geometry: &Geometry, rect: RenderRect, smooth: bool, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
+    fn new(geometry: &Geometry, rect: RenderRect, level: AtrousLevel, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
         let Some(image) = image else { return Self::default() };
         let centre = image.at(p);
         if geometry.is_background(p) {
             return Self { centre, ..Self::default() };
         }
-        let deviation = if smooth { blurred_deviation(rect, image, p) } else { centre[3] };
+        let deviation = if level.smooth_deviation { blurred_deviation(rect, image, p) } else { centre[3] };
         Self {
             centre,
             luminance: texel_luminance(centre),
-            tolerance: geometry.sigma_l * deviation + LUMINANCE_EPSILON,
+            deviation,
+            tap_share: if level.shared_deviation { TAP_SHARE } else { 0.0 },
+            sigma_l: geometry.sigma_l,
             ..Self::default()
         }
     }
 
     fn add(&mut self, geometry_weight: f32, is_centre: bool, texel: [f32; 4]) {
         // [SVGF eq. 5]
-        let weight_l = if is_centre { 1.0 } else { (-(self.luminance - texel_luminance(texel)).abs() / self.tolerance).exp() };
+        let deviation = self.deviation + self.tap_share * (texel[3] - self.deviation);
+        let tolerance = self.sigma_l * deviation + LUMINANCE_EPSILON;
+        let weight_l = if is_centre { 1.0 } else { (-(self.luminance - texel_luminance(texel)).abs() / tolerance).exp() };
         let weight = geometry_weight * weight_l;
         self.weight += weight;
         (0..3).for_each(|i| self.irradiance[i] += weight * texel[i]);
@@ -166,7 +176,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
     };
     let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
-    let level = AtrousLevel { number: b.level, kernel, smooth_deviation: b.is_on("SMOOTH")? };
+    let (smooth_deviation, shared_deviation) = (b.is_on("SMOOTH")?, b.is_on("SHARED")?);
+    let level = AtrousLevel { number: b.level, kernel, smooth_deviation, shared_deviation };
     let reflection = b.has("reflection").then(|| b.uint("reflection")).transpose()?;
     let lobes = reflection.map(|reflection| Lobes::new(b.frame, b.tuning, guide, reflection));
     let filtered = filter(b.frame, &geometry, lobes.as_ref(), level, &b.colours("input")?);

@@ -93,18 +93,18 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
     };
     let inputs =
         AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
-    let surfaces = |kernel, smooth_deviation| {
-        atrous(&frame, &tuning, AtrousLevel { kernel, smooth_deviation, ..AtrousLevel::new(1) }, &inputs).remove(0)
-    };
+    let level = AtrousLevel::new(1);
+    let surfaces = |level| atrous(&frame, &tuning, level, &inputs).remove(0);
     let expected = [
-        (0, 0, 1, surfaces(Kernel::Spline, true)),
-        (1, 0, 1, surfaces(Kernel::Box, true)),
-        (2, 0, 1, surfaces(Kernel::Hexagon, true)),
-        (0, 0, 0, surfaces(Kernel::Spline, false)),
-        (0, 1, 1, volume_atrous(&frame, &tuning, AtrousLevel::new(1), &scene.guide, &image)),
+        ([0, 0, 1, 0], surfaces(level)),
+        ([1, 0, 1, 0], surfaces(AtrousLevel { kernel: Kernel::Box, ..level })),
+        ([2, 0, 1, 0], surfaces(AtrousLevel { kernel: Kernel::Hexagon, ..level })),
+        ([0, 0, 0, 0], surfaces(AtrousLevel { smooth_deviation: false, ..level })),
+        ([0, 0, 1, 1], surfaces(AtrousLevel { shared_deviation: true, ..level })),
+        ([0, 1, 1, 0], volume_atrous(&frame, &tuning, level, &scene.guide, &image)),
     ];
-    for (kernel, volume, smooth, expected) in expected {
-        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("SMOOTH", smooth)];
+    for ([kernel, volume, smooth, shared], expected) in expected {
+        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("SMOOTH", smooth), ("SHARED", shared)];
         assert_eq!(run(&constants), Texels::Colour(expected), "{constants:?}");
     }
 }

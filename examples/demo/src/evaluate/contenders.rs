@@ -53,14 +53,12 @@ fn eaw_accumulated(config: &Config) -> Result<Declaration, atrous::Error> {
     let guides = g.import(Import { surface_id: config.surface_id, ..Import::default() });
     let noisy = presets::noisy(&mut g, config.signals);
     let irradiance = g.demodulate(&guides, &noisy, Default::default());
-    let history = g.history(&irradiance, Feedback::Accumulated);
+    // As in SVGF, so that the spatial filter is all that differs.
+    let history = g.history(&irradiance, Feedback::Filtered);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
-    let filtered = g.eaw(
-        &guides,
-        &Irradiance::of(estimate.image()),
-        Eaw { levels: config.levels, weights: config.eaw_weights, ..Eaw::default() },
-    );
+    let spatial = Eaw { levels: config.levels, weights: config.eaw_weights, feedback: Some(history), ..Eaw::default() };
+    let filtered = g.eaw(&guides, &Irradiance::of(estimate.image()), spatial);
     let denoised = g.modulate(&guides, &filtered, Modulate::default());
     g.output("denoised_radiance", &denoised);
     if config.volume {

@@ -39,6 +39,24 @@ fn a_constant_image_is_a_fixed_point() {
 }
 
 #[test]
+fn rare_light_reaches_pixels_that_it_never_hit_only_where_deviations_are_shared() {
+    let rare = paint(EXTENT, |x, y| if (x, y) == (10, 8) { [9.0, 9.0, 9.0, 3.0] } else { [0.0; 4] });
+    let scene = flat(EXTENT);
+    let inputs =
+        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&rare] };
+    let light = |shared_deviation| {
+        let level = AtrousLevel { smooth_deviation: false, shared_deviation, ..AtrousLevel::new(0) };
+        let output = atrous(&frame(EXTENT), &Tuning::default(), level, &inputs).remove(0);
+        (output.get(11, 8).expect("inside")[0], output.texels().iter().map(|texel| texel[0]).sum::<f32>())
+    };
+    let ((refused, lost), (taken, kept)) = (light(false), light(true));
+    assert_eq!(refused, 0.0);
+    // A sixth of nine times exp(-9 / (4 * 3 / 4)).
+    assert!((0.04..0.09).contains(&taken), "{taken}");
+    assert!(kept > lost + 0.5, "{kept} of 9 are left, without sharing {lost}");
+}
+
+#[test]
 fn one_bright_pixel_becomes_the_kernel() {
     let (frame, tuning) = (frame(EXTENT), Tuning { sigma_l: 128.0, ..Tuning::default() });
     for level in 0..3 {
