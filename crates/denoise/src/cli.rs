@@ -45,9 +45,14 @@ pub struct Cli {
     #[arg(long)]
     pub png: bool,
 
-    /// Write strip.png: noisy, denoised and reference of a frame, the last one unless given
+    /// Write strip.png: noisy, denoised, reference and error of a frame, the last one unless given
     #[arg(long, value_name = "FRAME", num_args = 0..=1)]
     pub strip: Option<Option<u64>>,
+
+    /// Write report.html: noisy, denoised, reference and errors of a frame to compare, the last one unless given, and every metric over
+    /// the frames that have a reference
+    #[arg(long, value_name = "FRAME", num_args = 0..=1)]
+    pub report: Option<Option<u64>>,
 
     /// Write what the filter knows of every pixel into FOLDER/views: history length, variance, alpha, disocclusion reasons, ...
     #[arg(long)]

@@ -57,6 +57,9 @@ pub enum ToolError {
     /// Options that contradict each other or the input.
     #[error("{0}")]
     Usage(String),
+    /// Pictures and figures that make no page.
+    #[error("the report cannot be made: {0}")]
+    Page(#[from] atrous_page::PageError),
     /// The library refused.
     #[error(transparent)]
     Denoise(#[from] atrous::Error),

@@ -27,6 +27,7 @@ mod pictures;
 pub mod pipeline;
 pub mod plan;
 pub mod record;
+pub mod report;
 pub mod results;
 pub mod roles;
 pub mod saver;

@@ -36,10 +36,12 @@ pub struct Existing {
     pub resume: bool,
     /// Finished frames before the first missing one that are filtered again for the sake of the history.
     pub warm_up: usize,
-    /// Files beside the frames. For a score every finished frame is read again.
+    /// Files beside the frames.
     pub extras: Extras,
-    /// The finished frame that is wanted for a picture.
-    pub shown: Option<u64>,
+    /// Whether frames are scored: then every finished one is read again.
+    pub scored: bool,
+    /// Finished frames that are wanted for pictures.
+    pub shown: [Option<u64>; 2],
 }
 
 /// Plans a run.
@@ -72,7 +74,7 @@ pub fn plan(frames: Vec<FrameFiles>, folder: &Path, expected: &Expected, existin
         let between = steps[start..last].iter_mut().filter(|s| s.action == Action::Read);
         between.for_each(|step| step.action = Action::KeepHistory);
     }
-    steps.retain(|s| s.action != Action::Read || existing.extras.score || existing.shown == Some(s.files.number));
+    steps.retain(|s| s.action != Action::Read || existing.scored || existing.shown.contains(&Some(s.files.number)));
     Ok(steps)
 }
 

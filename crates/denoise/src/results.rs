@@ -18,6 +18,8 @@ pub struct Extras {
     pub views: bool,
     /// The strip of one frame.
     pub strip: bool,
+    /// The report.
+    pub report: bool,
     /// Table and plots.
     pub score: bool,
 }
@@ -43,6 +45,11 @@ pub fn strip(folder: &Path) -> PathBuf {
     folder.join("strip.png")
 }
 
+/// Pictures of a frame and scores of all, to look at in a browser.
+pub fn report(folder: &Path) -> PathBuf {
+    folder.join("report.html")
+}
+
 /// Scores of all frames, and their plots.
 pub fn scores(folder: &Path) -> [PathBuf; 2] {
     ["scores.json", "scores.png"].map(|name| folder.join(name))
@@ -53,6 +60,7 @@ impl Extras {
     pub fn existing(self, folder: &Path, frames: &[PathBuf]) -> Option<PathBuf> {
         let mut paths = Vec::new();
         paths.extend(self.strip.then(|| strip(folder)));
+        paths.extend(self.report.then(|| report(folder)));
         paths.extend(self.score.then(|| scores(folder)).into_iter().flatten());
         for frame in frames {
             paths.extend(self.png.then(|| preview(frame)));

@@ -8,10 +8,12 @@ use crate::pictures;
 use crate::pipeline::{Finished, Sink};
 use crate::plan::Action;
 use crate::record::Record;
+use crate::report;
 use crate::results;
 use crate::roles::Role;
 use crate::score::ScoreBook;
 use atrous_files::Existing;
+use atrous_page::Comparison;
 use atrous_picture::Picture;
 use indicatif::ProgressBar;
 use std::collections::BTreeMap;
@@ -32,6 +34,8 @@ pub struct Wanted {
     pub png: bool,
     /// The frame of which a strip is made.
     pub strip: Option<u64>,
+    /// The frame that the report shows.
+    pub report: Option<u64>,
     /// Scores.
     pub score: bool,
     /// Exposure of pictures.
@@ -46,6 +50,8 @@ pub struct Saver {
     progress: ProgressBar,
     /// Scores.
     pub book: ScoreBook,
+    /// Pictures for the report.
+    pub shown: Option<Comparison>,
     /// Files that were written.
     pub written: usize,
     /// Values that were not finite, by role.
@@ -63,7 +69,7 @@ const NAMED: usize = 8;
 impl Saver {
     /// A saver that moves a progress bar.
     pub fn new(wanted: Wanted, book: ScoreBook, progress: ProgressBar) -> Self {
-        Self { wanted, progress, book, written: 0, replaced: BTreeMap::new(), bad_results: 0, taken: 0, warned: 0 }
+        Self { wanted, progress, book, shown: None, written: 0, replaced: BTreeMap::new(), bad_results: 0, taken: 0, warned: 0 }
     }
 
     /// Takes the progress bar away.
@@ -103,7 +109,8 @@ impl Saver {
 impl Sink for Saver {
     fn take(&mut self, mut finished: Finished) -> Result<()> {
         self.warn(&finished);
-        let shown = self.wanted.strip == Some(finished.inputs.number);
+        let is = |frame: Option<u64>| frame == Some(finished.inputs.number);
+        let (in_strip, in_report) = (is(self.wanted.strip), is(self.wanted.report));
         let filtered = finished.outputs.as_mut().map(|o| std::mem::take(&mut o.radiance));
         let radiance = match (finished.step.action, filtered) {
             (Action::Write, Some(mut radiance)) => {
@@ -117,14 +124,17 @@ impl Sink for Saver {
                 radiance
             }
             // Scored and shown as it was written, which is the same as filtered anew, but for the warm-up.
-            _ if self.wanted.score || shown => exr_write::read_back(&finished.step.output, &self.wanted.channels)?,
+            _ if self.wanted.score || in_strip || in_report => exr_write::read_back(&finished.step.output, &self.wanted.channels)?,
             _ => Vec::new(),
         };
         let score = if self.wanted.score { self.book.add(&finished.inputs, &radiance)? } else { None };
-        if shown {
+        if in_strip {
             let Wanted { folder, existing, preset, exposure, .. } = &self.wanted;
             let strip = pictures::strip(preset, &finished.inputs, &radiance, score.as_ref(), *exposure);
-            pictures::save(&results::strip(folder), *existing, strip)?;
+            pictures::save(&results::strip(folder), *existing, strip?)?;
+        }
+        if in_report {
+            self.shown = Some(report::comparison(&finished.inputs, &radiance, self.wanted.exposure)?);
         }
         self.taken += 1;
         self.progress.inc(1);

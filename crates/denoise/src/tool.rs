@@ -11,6 +11,7 @@ use crate::pictures;
 use crate::pipeline;
 use crate::plan::{self, Action, Step};
 use crate::record::Record;
+use crate::report;
 use crate::results::{self, Expected, Extras};
 use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
@@ -38,7 +39,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     }
     let wanted = wanted(cli, &setup, &frames)?;
     let steps = plan(cli, &setup, frames, &wanted)?;
-    fits(&setup, &first, &demands(cli, &steps))?;
+    fits(&setup, &first, &demands(cli, &steps, wanted.score))?;
     exr_write::prepare_folder(cli.output())?;
     if steps.is_empty() {
         eprintln!("all frames are finished");
@@ -60,6 +61,11 @@ pub fn run(cli: &Cli) -> Result<()> {
     if cli.score {
         scores(cli, setup.config.preset.title(), existing, &saver.book, &device)?;
     }
+    if let Some(shown) = saver.shown.take() {
+        let [w, h] = setup.config.allocated_extent;
+        let conditions = format!("{}, {w}x{h} pixels, on {device}.", setup.config.preset.title());
+        report::write(&results::report(cli.output()), existing, &conditions, shown, &saver.book)?;
+    }
     Ok(())
 }
 
@@ -74,10 +80,17 @@ fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
         return Err(ToolError::Usage(format!("--exposure is {}; it must be above 0", cli.exposure)));
     }
     let [first, last] = [frames.first(), frames.last()].map(|f| f.map_or(0, |f| f.number));
-    let strip = cli.strip.map(|frame| frame.unwrap_or(last));
-    if let Some(absent) = strip.filter(|strip| frames.iter().all(|f| f.number != *strip)) {
-        return Err(ToolError::Usage(format!("--strip {absent}: there is no such frame; the frames are {first} to {last}")));
-    }
+    let shown = |option: &str, frame: Option<Option<u64>>| {
+        let frame = frame.map(|frame| frame.unwrap_or(last));
+        match frame.filter(|frame| frames.iter().all(|f| f.number != *frame)) {
+            None => Ok(frame),
+            Some(absent) => {
+                let problem = format!("{option} {absent}: there is no such frame; the frames are {first} to {last}");
+                Err(ToolError::Usage(problem))
+            }
+        }
+    };
+    let (strip, report) = (shown("--strip", cli.strip)?, shown("--report", cli.report)?);
     Ok(Wanted {
         folder: cli.output().to_owned(),
         existing: if cli.force || cli.resume { Existing::Replaced } else { Existing::Kept },
@@ -85,27 +98,37 @@ fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
         channels: output_channels(&setup.mapping, !cli.float),
         png: cli.png,
         strip,
-        score: cli.score,
+        report,
+        // Curves are of all frames.
+        score: cli.score || (report.is_some() && setup.mapping.has(Role::Reference)),
         exposure: cli.exposure,
         preset: setup.config.preset.title().into(),
     })
 }
 
 fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> Result<Vec<Step>> {
-    let extras = Extras { png: cli.png, views: cli.views, strip: cli.strip.is_some(), score: cli.score };
-    let existing = plan::Existing { force: cli.force, resume: cli.resume, warm_up: cli.warm_up, extras, shown: wanted.strip };
+    let Cli { png, views, score, strip, report, .. } = *cli;
+    let extras = Extras { png, views, strip: strip.is_some(), report: report.is_some(), score };
+    let existing = plan::Existing {
+        force: cli.force,
+        resume: cli.resume,
+        warm_up: cli.warm_up,
+        extras,
+        scored: wanted.score,
+        shown: [wanted.strip, wanted.report],
+    };
     let expected =
         Expected { extent: setup.config.allocated_extent, channels: wanted.channels.clone(), record: wanted.record.clone() };
     plan::plan(frames, cli.output(), &expected, existing)
 }
 
-fn demands(cli: &Cli, steps: &[Step]) -> Demands {
+fn demands(cli: &Cli, steps: &[Step], scored: bool) -> Demands {
     Demands {
         frames: steps.len(),
         filtered: steps.iter().any(|step| step.action != Action::Read),
         reference: cli.device.as_deref() == Some("reference"),
-        score: cli.score,
-        pictures: cli.png || cli.strip.is_some(),
+        score: scored,
+        pictures: cli.png || cli.strip.is_some() || cli.report.is_some(),
         views: cli.views,
     }
 }

@@ -45,7 +45,7 @@ fn a_run_takes_what_it_is_said_to_take() {
     let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     for (frames, guides, more) in [
         (1, false, &["--preset", "eaw", "--levels", "1"][..]),
-        (1, true, &["--preset", "svgf", "--levels", "2", "--score", "--png", "--strip"]),
+        (1, true, &["--preset", "svgf", "--levels", "2", "--score", "--png", "--strip", "--report"]),
         (9, true, &["--preset", "fast", "--levels", "1", "--score"]),
         (2, false, &["--preset", "svgf", "--levels", "1", "--views"]),
     ] {

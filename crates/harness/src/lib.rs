@@ -4,6 +4,9 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "browser")]
+pub mod browser;
+
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::fmt::Display;
 use std::panic::{catch_unwind, AssertUnwindSafe};

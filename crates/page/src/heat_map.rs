@@ -34,6 +34,11 @@ impl HeatMap {
         let picture = Picture::from_pixels(width, height, values.iter().map(colour).collect())?;
         Ok(Self { picture, range: [low, high] })
     }
+
+    /// The colours.
+    pub fn picture(&self) -> &Picture {
+        &self.picture
+    }
 }
 
 /// The colour bar as a CSS image.

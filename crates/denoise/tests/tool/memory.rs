@@ -72,6 +72,7 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
         channels,
         png: false,
         strip: None,
+        report: None,
         score: true,
         exposure: 1.0,
         preset: "copy".into(),

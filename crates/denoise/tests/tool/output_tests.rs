@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Small and quick, with every kind of file.
-const QUICK: [&str; 5] = ["--preset", "eaw", "--png", "--score", "--strip"];
+const QUICK: [&str; 6] = ["--preset", "eaw", "--png", "--score", "--strip", "--report"];
 /// And for the program itself.
 const ALONE: [&str; 3] = ["--quiet", "--device", "reference"];
 
@@ -51,7 +51,7 @@ fn planted_links_are_not_followed() {
     let (input, output, elsewhere) = (sequence(1), folder(), folder());
     let victim = elsewhere.path().join("victim");
     std::fs::write(&victim, "kept").expect("a file");
-    let names = ["frame_0000.exr", "frame_0000.png", "strip.png", "scores.json", "scores.png"];
+    let names = ["frame_0000.exr", "frame_0000.png", "strip.png", "report.html", "scores.json", "scores.png"];
     for name in names {
         for planted in [name.to_owned(), format!(".{name}.part")] {
             std::os::unix::fs::symlink(&victim, output.path().join(planted)).expect("a link");
@@ -71,6 +71,7 @@ fn pictures_and_scores_are_not_overwritten_unasked() {
     for (name, option) in [
         ("frame_0001.png", "--png"),
         ("strip.png", "--strip"),
+        ("report.html", "--report"),
         ("scores.json", "--score"),
         ("scores.png", "--score"),
         ("views/frame_0001_variance.png", "--views"),
@@ -89,14 +90,16 @@ fn pictures_and_scores_are_not_overwritten_unasked() {
 }
 
 #[test]
-fn a_strip_is_of_a_frame_that_there_is() {
-    let (input, output) = (sequence(2), folder());
-    let message = denoise(input.path(), output.path(), &["--strip", "999"]).expect_err("no such frame").to_string();
-    assert!(message.contains("--strip 999") && message.contains("0 to 1"), "{message}");
-    // Finished ones are shown, too.
-    denoise(input.path(), output.path(), &[]).expect("a run");
-    denoise(input.path(), output.path(), &["--resume", "--strip", "0"]).expect("a strip");
-    assert!(output.path().join("strip.png").is_file());
+fn strips_and_reports_are_of_a_frame_that_there_is() {
+    for (option, file) in [("--strip", "strip.png"), ("--report", "report.html")] {
+        let (input, output) = (sequence(2), folder());
+        let message = denoise(input.path(), output.path(), &[option, "999"]).expect_err("no such frame").to_string();
+        assert!(message.contains(&format!("{option} 999")) && message.contains("0 to 1"), "{message}");
+        // Finished ones are shown, too.
+        denoise(input.path(), output.path(), &[]).expect("a run");
+        denoise(input.path(), output.path(), &["--resume", option, "0"]).expect("a picture");
+        assert!(output.path().join(file).is_file());
+    }
 }
 
 /// A limit for the size of a file stands in for a full disk.

@@ -1,12 +1,15 @@
-//! A browser without a window.
+//! A browser without a window, for tests of pages.
 
+use crate::Need;
 use serde_json::Value;
 use std::fs::File;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 use wait_timeout::ChildExt;
 
+/// A browser.
+pub const BROWSER: Need = Need { tests: "browser tests", required_by: "ATROUS_REQUIRE_BROWSER" };
 /// Names that Chromium has on this system or another.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 /// A page takes a second. A machine under load takes long; a browser that hangs is found out.
@@ -23,18 +26,20 @@ addEventListener('securitypolicyviolation', (e) => problems.push(e.violatedDirec
 /// A browser that runs pages.
 pub struct Chromium {
     program: &'static str,
+    folder: PathBuf,
 }
 
 impl Chromium {
-    /// The first one that shows a page.
+    /// The first one that shows a page. `folder`: one for its files, that it may read wherever it comes from: `CARGO_TARGET_TMPDIR`.
     ///
     /// # Errors
     /// Says what is missing. On Ubuntu a program may be there that only tells to install a snap.
-    pub fn find() -> Result<Self, String> {
+    pub fn find(folder: &Path) -> Result<Self, String> {
         let mut problems = Vec::new();
         for program in NAMES {
-            match (Self { program }).dump("<p>It works.</p>") {
-                Ok(dom) if dom.contains("<p>It works.</p>") => return Ok(Self { program }),
+            let browser = Self { program, folder: folder.to_owned() };
+            match browser.dump("<p>It works.</p>") {
+                Ok(dom) if dom.contains("<p>It works.</p>") => return Ok(browser),
                 Ok(dom) => problems.push(format!("{program} gives {dom:?}")),
                 Err(problem) => problems.push(problem),
             }
@@ -77,7 +82,7 @@ impl Chromium {
     fn dump(&self, html: &str) -> Result<String, String> {
         let program = self.program;
         let io = |e: std::io::Error| format!("{program}: {e}");
-        let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).map_err(io)?;
+        let folder = tempfile::tempdir_in(&self.folder).map_err(io)?;
         let at = |name: &str| folder.path().join(name);
         std::fs::write(at("page.html"), html).map_err(io)?;
         // Into a file: a pipe that nobody empties would stop the browser.

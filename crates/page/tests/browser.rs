@@ -1,16 +1,14 @@
 //! The page in a browser: what the reader does, and what the page then shows. Ignored where there is no browser;
 //! `ATROUS_REQUIRE_BROWSER=1` makes that a failure.
 
-mod chromium;
-#[path = "../support/mod.rs"]
 mod support;
 
-use atrous_harness::{DeviceTest, Group, Need};
-use chromium::Chromium;
+use atrous_harness::browser::{Chromium, BROWSER};
+use atrous_harness::{DeviceTest, Group};
 use serde_json::{json, Value};
+use std::path::Path;
 use std::sync::OnceLock;
 
-const BROWSER: Need = Need { tests: "browser tests", required_by: "ATROUS_REQUIRE_BROWSER" };
 const DESKTOP: [u32; 2] = [1200, 900];
 const EXTENT: [u32; 2] = [320, 180];
 
@@ -28,7 +26,7 @@ const TESTS: &[DeviceTest] = &[
 static FOUND: OnceLock<Result<Chromium, String>> = OnceLock::new();
 
 fn main() {
-    let found = FOUND.get_or_init(Chromium::find);
+    let found = FOUND.get_or_init(|| Chromium::find(Path::new(env!("CARGO_TARGET_TMPDIR"))));
     atrous_harness::run_with(&BROWSER, &[Group { name: "", tests: TESTS, needs_device: true }], found);
 }
 

@@ -1,0 +1,88 @@
+//! The report of a run as one HTML file: pictures of a frame to compare, errors, every metric over the frames.
+
+use crate::error::{Result, ToolError};
+use crate::frame::FrameInputs;
+use crate::score::{FrameScore, Metrics, ScoreBook};
+use atrous_files::Existing;
+use atrous_page::{Comparison, Curves, HeatMap, Page, PageError};
+use atrous_picture::Picture;
+use atrous_quality::{flip_map, Rgb};
+use std::path::Path;
+
+/// FLIP that heat maps end at: what is above is a plain fault, and below it differences stay visible.
+const LARGEST_FLIP: f32 = 0.5;
+
+/// FLIP of a picture, with the same colours everywhere.
+///
+/// # Errors
+/// Pictures with values that are not finite.
+pub fn heat_map([width, height]: [u32; 2], radiance: &[[f32; 3]], reference: &[[f32; 3]]) -> Result<HeatMap> {
+    let rgb = |pixels| Rgb::new(width, height, pixels);
+    let errors = rgb(radiance).and_then(|image| flip_map(image, rgb(reference)?));
+    let errors = errors.map_err(|e| ToolError::Usage(format!("the frame cannot be scored: {e}")))?;
+    Ok(HeatMap::new(width, height, &errors, 0.0..=LARGEST_FLIP)?)
+}
+
+/// The pictures of a frame: noisy, denoised, and where there is a reference that and the errors against it.
+///
+/// # Errors
+/// Pictures with values that are not finite.
+pub fn comparison(frame: &FrameInputs, radiance: &[[f32; 3]], exposure: f32) -> Result<Comparison> {
+    let extent = frame.params.render_extent;
+    let picture = |pixels: &[[f32; 3]]| Picture::from_linear(extent[0], extent[1], pixels, exposure).map_err(PageError::from);
+    let mut comparison = Comparison::new(format!("Frame {}", frame.number));
+    comparison.picture("noisy", &picture(&frame.noisy)?)?;
+    comparison.picture("denoised", &picture(radiance)?)?;
+    if let Some(reference) = &frame.reference {
+        comparison.picture("reference", &picture(reference)?)?;
+        comparison.heat_map("FLIP of noisy", &heat_map(extent, &frame.noisy, reference)?)?;
+        comparison.heat_map("FLIP of denoised", &heat_map(extent, radiance, reference)?)?;
+    }
+    comparison.start("noisy", "denoised")?;
+    Ok(comparison)
+}
+
+/// Writes the page. `conditions`: how the pictures came about, in a sentence.
+///
+/// # Errors
+/// A file that is there or cannot be written.
+pub fn write(path: &Path, existing: Existing, conditions: &str, comparison: Comparison, book: &ScoreBook) -> Result<()> {
+    let mut page = Page::new("Denoised frames");
+    page.introduction(conditions);
+    page.section("Pictures").comparison(comparison)?;
+    if !book.frames.is_empty() {
+        let section = page.section("Scores");
+        for (index, (name, _)) in Metrics::COLUMNS.iter().enumerate() {
+            match section.curves(curves(name, index, &book.frames)) {
+                // A single frame has no temporal error.
+                Ok(()) | Err(PageError::NothingToPlot(_)) => {}
+                Err(other) => return Err(other.into()),
+            }
+        }
+        let table = book.table().map_err(PageError::from)?;
+        section.table(&table);
+    }
+    let written = match existing {
+        Existing::Kept => page.write_new(path),
+        Existing::Replaced => page.write(path),
+    };
+    written.map_err(|e| match e {
+        PageError::File { source, .. } => ToolError::publish(path)(source),
+        other => other.into(),
+    })
+}
+
+fn curves(name: &str, metric: usize, frames: &[FrameScore]) -> Curves {
+    let first = frames.first().map_or(0, |score| score.frame);
+    let of = |metrics: fn(&FrameScore) -> &Metrics| {
+        let mut values = Vec::new();
+        for score in frames {
+            // Frames without a reference are gaps.
+            values.resize((score.frame - first) as usize, f64::NAN);
+            values.push(metrics(score).values()[metric]);
+        }
+        values
+    };
+    let curves = Curves::new(name).first_frame(first as u32);
+    curves.series("denoised", of(|score| &score.denoised)).series("noisy", of(|score| &score.noisy))
+}
