@@ -152,6 +152,14 @@ pub enum Error {
         /// Frames rendered.
         frames: u32,
     },
+    /// A Markdown file whose tables cannot be renewed.
+    #[error("{}: {problem}. Give a file with both lines to --markdown", path.display())]
+    Markdown {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// Figures that are worse than what is claimed.
     #[error("{failed} of {claims} claims do not hold, as listed above; everything was written")]
     Claims {

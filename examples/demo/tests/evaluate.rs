@@ -60,7 +60,9 @@ fn a_run_leaves_a_page_tables_and_pictures_and_keeps_its_results() {
     }
     let renewed = fs::read_to_string(&markdown).expect("a file");
     assert!(renewed.starts_with("before\n<!-- evaluate -->") && renewed.ends_with("<!-- /evaluate -->\nafter\n"), "{renewed}");
-    assert!(renewed.contains(&table) && !renewed.contains("old"), "{renewed}");
+    let tables = table.rsplit_once("![").expect("a picture below the tables").0;
+    assert!(renewed.contains(tables) && renewed.contains("(images/quality.png)") && !renewed.contains("old"), "{renewed}");
+    assert!(out.join("images/quality.png").is_file());
     let page = fs::read_to_string(out.join("quality.html")).expect("a page");
     assert!(page.matches("data:image/png").count() > 2 * 11, "no pictures in the page");
     assert!(out.join("quality.png").is_file());
@@ -92,16 +94,30 @@ fn references_are_kept_and_a_broken_one_is_rendered_again() {
 }
 
 #[test]
-fn what_cannot_be_evaluated_is_said() {
+fn what_cannot_be_evaluated_is_said_before_anything_is_rendered() {
     let out = empty("evaluate_refused");
-    let message = refused(evaluate(&out, &["--scene", "cornel"]));
+    let message = refused(evaluate(&out, &["--scene", "cornell", "--scene", "cornel"]));
     assert!(message.contains("\"cornel\"") && message.contains("lamps, tiles, door"), "{message}");
-    let message = refused(measuring(5, &out, &[]));
-    assert!(message.contains("5 frames") && message.contains("--measured 4"), "{message}");
-    let Some(_gpu) = Validated::new() else { return };
     let markdown = out.join("plain.md");
     fs::write(&markdown, "no lines\n").expect("a file");
     let message = refused(evaluate(&out, &["--scene", "cornell", "--markdown", markdown.to_str().expect("a path")]));
-    assert!(message.contains("<!-- evaluate -->"), "{message}");
+    assert!(message.contains("<!-- evaluate -->") && message.contains("--markdown"), "{message}");
     assert_eq!(fs::read_to_string(&markdown).expect("a file"), "no lines\n");
+    let Some(_gpu) = Validated::new() else { return };
+    let message = refused(measuring(5, &out, &[]));
+    assert!(message.contains("5 frames") && message.contains("--measured 4"), "{message}");
+    assert!(!out.join("references").exists(), "something was rendered");
+}
+
+/// The figures are those of a device, so that what was measured on software Vulkan is asked of software Vulkan alone.
+#[test]
+fn what_is_claimed_of_the_quick_scenes_holds() {
+    let Some(gpu) = Validated::new() else { return };
+    if !gpu.info().to_string().contains("software") {
+        return;
+    }
+    let out = empty("evaluate_quick");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
+    let stdout = succeeded(command.args(["evaluate", "--quick", "--out"]).arg(&out).output().expect("the demo starts"));
+    assert!(stdout.contains("RMSE of A-SVGF to that of SVGF where light changes"), "{stdout}");
 }

@@ -102,27 +102,37 @@ pub fn text(results: &[SceneResult], claims: &[Claim]) -> Result<String> {
     Ok(text)
 }
 
+/// A link to the sheet of details.
+pub fn picture_of_details(path: &str) -> String {
+    format!("![Details of the last frame of each scene]({path})\n")
+}
+
 /// Puts a text between the lines of a Markdown file that are meant for it.
 ///
 /// # Errors
 /// A file without these lines, or one that cannot be written.
 pub fn renew(path: &Path, text: &str) -> Result<()> {
-    let problem = |problem: String| Error::Folder { path: path.to_owned(), problem };
-    let old = fs::read_to_string(path).map_err(|e| problem(e.to_string()))?;
-    let (Some(begin), Some(end)) = (old.find(BEGIN), old.find(END)) else {
-        return Err(problem(format!("it has no lines {BEGIN} and {END}")));
-    };
-    if end < begin {
-        return Err(problem(format!("{END} stands before {BEGIN}")));
-    }
-    write(path, &format!("{}{BEGIN}\n\n{text}\n{}", &old[..begin], &old[end..]))
+    let (before, behind) = around(path)?;
+    write(path, &format!("{before}{BEGIN}\n\n{text}\n{END}{behind}"))
+}
+
+/// What stands before and behind the part that is renewed.
+///
+/// # Errors
+/// A file that cannot be read, or has not these lines in this order.
+pub fn around(path: &Path) -> Result<(String, String)> {
+    let problem = |problem: String| Error::Markdown { path: path.to_owned(), problem };
+    let text = fs::read_to_string(path).map_err(|e| problem(e.to_string()))?;
+    let parts = text.split_once(BEGIN).and_then(|(before, rest)| Some((before, rest.split_once(END)?.1)));
+    let (before, behind) = parts.ok_or_else(|| problem(format!("it has no line {BEGIN} with a line {END} behind it")))?;
+    Ok((before.to_owned(), behind.to_owned()))
 }
 
 /// Details of every scene: noisy, three filters, reference.
 ///
 /// # Errors
-/// A picture that cannot be read or written.
-pub fn write_sheet(path: &Path, results: &[SceneResult], out: &Path) -> Result<()> {
+/// A picture that cannot be read.
+pub fn sheet(results: &[SceneResult], out: &Path) -> Result<Picture> {
     let shown: Vec<_> = SHOWN.into_iter().filter(|name| *name == REFERENCE || names(results).contains(name)).collect();
     let mut sheet = Strip::new("last frame of each scene, the middle of it").columns(shown.len() as u32);
     for result in results {
@@ -133,5 +143,5 @@ pub fn write_sheet(path: &Path, results: &[SceneResult], out: &Path) -> Result<(
             sheet = sheet.panel(format!("{}\n{name}", result.scene), whole.crop(region)?);
         }
     }
-    Ok(sheet.render()?.write_png(path)?)
+    Ok(sheet.render()?)
 }

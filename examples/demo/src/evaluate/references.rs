@@ -47,7 +47,7 @@ impl References {
 
 /// A hash of what a picture depends on: the scene at a frame, and the code of the path tracer. Noise has no part in it: the seed of a reference is
 /// as good as any other.
-fn content(scene: &Scene, frame: u32) -> u64 {
+pub fn content(scene: &Scene, frame: u32) -> u64 {
     struct Text(DefaultHasher);
     impl Write for Text {
         fn write_str(&mut self, text: &str) -> fmt::Result {

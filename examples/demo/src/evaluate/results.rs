@@ -17,6 +17,8 @@ pub struct SceneResult {
     pub settings: Settings,
     /// Name of the scene.
     pub scene: String,
+    /// Hash of the scene: a file may change.
+    pub content: u64,
     /// The noisy picture, then each filter.
     pub rows: Vec<Row>,
 }
@@ -49,10 +51,10 @@ impl SceneResult {
         self.rows.iter().find(|row| row.name == name)
     }
 
-    /// What a folder holds, if it is of these settings. A file that cannot be read counts as none: it is of another version.
-    pub fn read(folder: &Path, settings: &Settings) -> Option<Self> {
+    /// What a folder holds, if it is of these settings and this scene. A file that cannot be read counts as none: it is of another version.
+    pub fn read(folder: &Path, settings: &Settings, content: u64) -> Option<Self> {
         let text = fs::read_to_string(file(folder)).ok()?;
-        serde_json::from_str::<Self>(&text).ok().filter(|result| result.settings == *settings)
+        serde_json::from_str::<Self>(&text).ok().filter(|result| result.settings == *settings && result.content == content)
     }
 
     /// Writes it, behind the pictures that belong to it: what is there is complete.

@@ -11,7 +11,7 @@ use indicatif::ProgressBar;
 
 use super::contenders::{self, NOISY};
 use super::references::References;
-use super::results::{Row, SceneResult};
+use super::results::Row;
 use super::settings::Settings;
 use crate::times::Times;
 
@@ -45,7 +45,7 @@ pub fn measure(
     references: &References,
     folder: &Path,
     bar: &ProgressBar,
-) -> Result<SceneResult> {
+) -> Result<Vec<Row>> {
     let (width, height) = settings.size;
     let options = TracerOptions { seed: settings.seed, ..TracerOptions::default() };
     let mut tracer = PathTracer::new(gpu, scene, ash::vk::Extent2D { width, height }, options)?;
@@ -69,8 +69,7 @@ pub fn measure(
             bytes_per_pixel: filter.map(|f| bytes_per_pixel(&f.denoiser)),
         }
     };
-    let rows = names.iter().enumerate().map(row).collect();
-    Ok(SceneResult { settings: settings.clone(), scene: scene.name.clone(), rows })
+    Ok(names.iter().enumerate().map(row).collect())
 }
 
 /// Names of the pictures in the order of [`Frame::pictures`].

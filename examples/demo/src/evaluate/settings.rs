@@ -45,7 +45,7 @@ pub struct EvaluateOptions {
     /// Folder for references, results, and the page
     #[arg(long, default_value = "out/evaluate")]
     pub out: PathBuf,
-    /// Markdown file whose part between the lines `<!-- evaluate -->` and `<!-- /evaluate -->` is renewed, too
+    /// Markdown file whose part between the lines `<!-- evaluate -->` and `<!-- /evaluate -->` is renewed, with a picture in its folder `images`
     #[arg(long)]
     pub markdown: Option<PathBuf>,
     /// Index or a part of the name of the device
@@ -60,7 +60,7 @@ pub struct EvaluateOptions {
 }
 
 /// What the results of a scene depend on.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Settings {
     /// Width and height in pixels.
     pub size: (u32, u32),
