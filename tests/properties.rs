@@ -26,7 +26,7 @@ pub const TESTS: &[DeviceTest] = &[
 fn an_output_that_lends_its_image_has_the_same_bits() {
     let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
     let base = Config::new(scene.extent);
-    let mut configs: Vec<_> = (1..=4).map(|levels| Config { levels, ..base }).collect();
+    let mut configs: Vec<_> = (1..=4).map(|levels| Config { levels: Some(levels), ..base }).collect();
     configs.push(Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..base });
     configs.push(Config { preset: Preset::Eaw, ..base });
     configs.push(Config { preset: Preset::Percentile, ..base });
@@ -239,7 +239,8 @@ fn every_structural_variant_runs() {
         for (surface_id, object_normal) in [(false, false), (false, true), (true, true)] {
             for levels in [1, 2, 10] {
                 let post_process = PostProcess::ToneMap;
-                let config = Config { signals, surface_id, object_normal, levels, post_process, ..Config::new(scene.extent) };
+                let config =
+                    Config { signals, surface_id, object_normal, levels: Some(levels), post_process, ..Config::new(scene.extent) };
                 let mut s = session_with(&config, SessionOptions { poison: true, timestamps: true, ..Default::default() });
                 for i in 0..3 {
                     frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());

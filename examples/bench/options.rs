@@ -24,9 +24,9 @@ pub struct Options {
     /// Signals: together or apart
     #[arg(long, default_value_t)]
     pub signals: Signals,
-    /// À-trous levels
-    #[arg(long, default_value_t = 5)]
-    pub levels: u32,
+    /// À-trous levels; default: the preset's
+    #[arg(long)]
+    pub levels: Option<u32>,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     pub post_process: bool,

@@ -16,7 +16,7 @@ pub enum Subject {
 #[derive(Clone, Copy)]
 pub struct Choices {
     pub signals: Signals,
-    pub levels: u32,
+    pub levels: Option<u32>,
     pub post_process: PostProcess,
 }
 
@@ -36,8 +36,8 @@ impl Subject {
         if choices.signals != Signals::default() {
             label += &format!(" {}", choices.signals);
         }
-        if choices.levels != Config::new([1, 1]).levels {
-            label += &format!(" {} levels", choices.levels);
+        if let Some(levels) = choices.levels {
+            label += &format!(" {levels} levels");
         }
         if choices.post_process != PostProcess::None {
             label += " post-process";

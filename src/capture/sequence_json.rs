@@ -84,7 +84,8 @@ impl Head {
     /// `config`: that of a preset; a graph of a host has none, and a replay chooses a preset.
     pub fn new(config: Option<&Config>, conventions: &Conventions, tuning: &Tuning) -> Result<Self, Error> {
         let mut fields: Map<String, Value> = match config {
-            Some(config) => serde_json::from_value(serde_json::to_value(config)?)?,
+            // Defaults may change, and a replay must not.
+            Some(config) => serde_json::from_value(serde_json::to_value(Config { levels: Some(config.levels()), ..*config })?)?,
             None => Map::new(),
         };
         fields.retain(|name, _| OF_CONFIG.contains(&name.as_str()));

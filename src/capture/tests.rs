@@ -154,7 +154,7 @@ fn written_before(folder: &Path) -> String {
     };
     let config = Config {
         preset: Preset::Percentile,
-        levels: 3,
+        levels: Some(3),
         stratum_size: 4,
         gradient_source: GradientSource::Reshaded,
         firefly_filter: true,

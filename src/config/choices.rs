@@ -123,6 +123,15 @@ impl Preset {
         matches!(self, Self::Asvgf | Self::Stabilize | Self::Best)
     }
 
+    /// À-trous levels where a configuration asks for no number: 4 for [`Self::Best`], whose history is not filtered and which loses detail to
+    /// a wider filter, else 5.
+    pub const fn levels(self) -> u32 {
+        match self {
+            Self::Best => 4,
+            _ => 5,
+        }
+    }
+
     /// Name for people: in tables, menus and pictures.
     pub const fn title(self) -> &'static str {
         match self {

@@ -35,8 +35,8 @@ pub struct Config {
     pub preset: Preset,
     /// Signals. Default: [`Signals::Together`].
     pub signals: Signals,
-    /// À-trous levels, 1 to 10. Default: 5, a footprint of 65×65 pixels with the 5×5 kernel.
-    pub levels: u32,
+    /// À-trous levels, 1 to 10. Default: the preset's, [`Preset::levels`].
+    pub levels: Option<u32>,
     /// Whether the host has a volume (fog, smoke), whose radiance is filtered apart, with motion of its own \[PSVGF\]: an input
     /// `noisy_volume`, an output `denoised_volume`. It is what the medium itself scatters towards the camera; the surfaces'
     /// radiance is what reaches the camera through it. The two add up to the picture, and the post-process has their sum. Costs 40
@@ -99,7 +99,7 @@ impl Config {
             frames_in_flight: 2,
             preset: Preset::default(),
             signals: Signals::default(),
-            levels: 5,
+            levels: None,
             volume: false,
             visibility: false,
             firefly_filter: false,
@@ -132,7 +132,7 @@ impl Config {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
         let ranges = [
             ("frames_in_flight", self.frames_in_flight, 1, 8),
-            ("levels", self.levels, 1, 10),
+            ("levels", self.levels(), 1, 10),
             ("stratum_size", self.stratum_size, 2, 4),
         ];
         for (name, given, min, max) in ranges {
@@ -141,6 +141,11 @@ impl Config {
             }
         }
         self.conventions.validate()
+    }
+
+    /// À-trous levels: those that were asked for, or the preset's.
+    pub fn levels(&self) -> u32 {
+        self.levels.unwrap_or(self.preset.levels())
     }
 
     /// Whether a volume is filtered.
@@ -154,4 +159,24 @@ pub(crate) fn check_extent(what: &'static str, given: [u32; 2]) -> Result<(), Er
         return Err(Error::Extent { what, given, max: Config::MAX_SIDE });
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_those_of_the_preset_unless_a_number_is_asked_for() {
+        let levels = |preset: Preset, levels: Option<u32>| {
+            let declaration = Config { preset, levels, ..Config::new([64, 36]) }.declare().expect("a graph");
+            let is_level = |name: &str| name.strip_prefix("atrous_").is_some_and(|level| level.parse::<u32>().is_ok());
+            declaration.passes().iter().filter(|pass| is_level(&pass.name)).count()
+        };
+        assert_eq!((levels(Preset::Svgf, None), levels(Preset::Best, None)), (5, 4));
+        assert_eq!((levels(Preset::Svgf, Some(4)), levels(Preset::Best, Some(5))), (4, 5));
+        for given in [0, 11] {
+            let error = Config { levels: Some(given), ..Config::new([64, 36]) }.declare().expect_err("out of range");
+            assert!(matches!(error, Error::Config { name: "levels", given: g, min: 1, max: 10 } if g == given), "{error}");
+        }
+    }
 }

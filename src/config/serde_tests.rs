@@ -16,7 +16,7 @@ fn config() -> Config {
         frames_in_flight: 3,
         preset: Preset::Eaw,
         signals: Signals::Apart,
-        levels: 4,
+        levels: Some(4),
         volume: true,
         visibility: true,
         firefly_filter: true,

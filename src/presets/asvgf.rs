@@ -24,7 +24,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
+    let atrous = Atrous { levels: config.levels(), kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) = modulated(
         g,

@@ -36,7 +36,7 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let spatial = Atrous { levels: config.levels, kernel: Kernel::Box, shared_deviation: true, ..Atrous::default() };
+    let spatial = Atrous { levels: config.levels(), kernel: Kernel::Box, shared_deviation: true, ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, spatial);
     let specular = Specular { variance, shared_deviation: true, confidence: Some(confidence), ..Specular::default() };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);

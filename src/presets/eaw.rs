@@ -10,7 +10,8 @@ use crate::nodes::{Albedo, Demodulate, Eaw, Known, Modulate};
 ///
 /// It reads `signals`, `levels`, `eaw_weights`, `sampling`, `firefly_filter` and `block_sort` of the configuration.
 pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
-    let &Config { levels, eaw_weights: weights, sampling, .. } = config;
+    let &Config { eaw_weights: weights, sampling, .. } = config;
+    let levels = config.levels();
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);

@@ -20,7 +20,7 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let atrous = Atrous { levels: config.levels, kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };
+    let atrous = Atrous { levels: config.levels(), kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) = modulated(
         g,

@@ -27,7 +27,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let atrous = Atrous { levels: config.levels, kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
+    let atrous = Atrous { levels: config.levels(), kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) = modulated(
         g,

@@ -42,7 +42,7 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let found = g.specular_accumulation(guides, &irradiance, parameters);
     let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(found.history);
-    let shape = Atrous { levels: config.levels, kernel, shared_deviation, ..Atrous::default() };
+    let shape = Atrous { levels: config.levels(), kernel, shared_deviation, ..Atrous::default() };
     let atrous = Atrous { feedback, reflection: Some(found.reflection), ..shape };
     (g.atrous(guides, &estimate, atrous).into(), found.reflection)
 }

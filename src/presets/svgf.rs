@@ -16,7 +16,7 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels, feedback: Some(history), ..Atrous::default() });
+    let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() });
     let (radiance, reflection) = modulated(
         g,
         guides,

@@ -21,7 +21,7 @@ pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = g.history(&radiance, Feedback::Filtered);
     let accumulated = g.volume_accumulation(guides, &radiance, &history, &motion);
     let estimate = g.volume_variance(guides, &accumulated, &history);
-    let atrous = VolumeAtrous { levels: config.levels.max(2), feedback: Some(history) };
+    let atrous = VolumeAtrous { levels: config.levels().max(2), feedback: Some(history) };
     let filtered = g.volume_atrous(guides, &estimate, atrous);
     let known = Known { albedo: false, history: Some(history), deviation: true, percentiles, ..Known::new(&volume.noisy()) };
     Denoised { radiance: filtered.into(), known }

@@ -29,14 +29,15 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
     for (surface_id, object_normal) in [(false, false), (true, false), (false, true), (true, true)] {
         for post_process in [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa] {
             for levels in [1, 2, 5, 10] {
-                let config = Config { surface_id, object_normal, post_process, levels, ..base };
+                let config = Config { surface_id, object_normal, post_process, levels: Some(levels), ..base };
                 all.push(declare(&config));
             }
             let config = Config { surface_id, object_normal, post_process, ..base };
             all.push(declare(&Config { preset: Preset::Eaw, object_normal: false, ..config }));
             for (preset, levels) in [(Preset::Volume, 1), (Preset::Volume, 10), (Preset::Svgf, 5), (Preset::Eaw, 5)] {
                 for firefly_filter in [false, true] {
-                    let config = Config { preset, levels, firefly_filter, volume: true, object_normal: false, ..config };
+                    let config =
+                        Config { preset, levels: Some(levels), firefly_filter, volume: true, object_normal: false, ..config };
                     all.push(declare(&config));
                 }
             }

@@ -131,7 +131,7 @@ fn beside_specular(
     }
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let parameters = Specular { feedback, kernel: dice.one_of(&Kernel::ALL), confidence, ..Specular::default() };
-    let config = Config { levels: levels(dice), ..Config::new([8, 8]) };
+    let config = Config { levels: Some(levels(dice)), ..Config::new([8, 8]) };
     let specular = specular(g, guides, &config, parameters).0;
     (g.pair(&filtered, &specular), true)
 }

@@ -8,7 +8,7 @@ use atrous::reference::InstanceTransform;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 
 fn config(extent: [u32; 2]) -> Config {
-    Config { preset: Preset::Asvgf, levels: 2, ..Config::new(extent) }
+    Config { preset: Preset::Asvgf, levels: Some(2), ..Config::new(extent) }
 }
 
 /// Frames with a camera that moves and a light that jumps; `inputs` uploads what else the configuration has.

@@ -5,7 +5,7 @@ use atrous::config::{Preset, Signals};
 use atrous::Config;
 
 fn config(extent: [u32; 2]) -> Config {
-    Config { preset: Preset::Best, levels: 2, ..Config::new(extent) }
+    Config { preset: Preset::Best, levels: Some(2), ..Config::new(extent) }
 }
 
 pub fn forward_projected() {

@@ -45,21 +45,25 @@ pub const TESTS: &[DeviceTest] = &[
     ("fast", || sequence(&Config { preset: Preset::Fast, ..Config::new([61, 35]) })),
     ("fast_two_signals", || sequence(&Config { preset: Preset::Fast, signals: Signals::Apart, ..Config::new([40, 23]) })),
     ("eaw", || sequence(&Config { preset: Preset::Eaw, ..Config::new([61, 35]) })),
-    ("eaw_two_signals", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Apart, levels: 10, ..Config::new([40, 23]) })),
+    ("eaw_two_signals", || {
+        sequence(&Config { preset: Preset::Eaw, signals: Signals::Apart, levels: Some(10), ..Config::new([40, 23]) })
+    }),
     ("eaw_one_of_2x2", || sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf2x2, ..Config::new([61, 35]) })),
     ("eaw_one_of_4x4", || {
         sequence(&Config { preset: Preset::Eaw, sampling: Sampling::OneOf4x4, signals: Signals::Apart, ..Config::new([40, 23]) })
     }),
-    ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: 2, ..Config::new([64, 40]) }, [37, 21])),
+    ("eaw_in_a_larger_image", || sequence_of(&Config { preset: Preset::Eaw, levels: Some(2), ..Config::new([64, 40]) }, [37, 21])),
     ("volume", || sequence(&Config { preset: Preset::Volume, ..Config::new([61, 35]) })),
-    ("volume_of_one_pixel", || sequence(&Config { preset: Preset::Volume, levels: 1, ..Config::new([1, 1]) })),
-    ("volume_in_a_larger_image", || sequence_of(&Config { preset: Preset::Volume, levels: 2, ..Config::new([64, 40]) }, [37, 21])),
+    ("volume_of_one_pixel", || sequence(&Config { preset: Preset::Volume, levels: Some(1), ..Config::new([1, 1]) })),
+    ("volume_in_a_larger_image", || {
+        sequence_of(&Config { preset: Preset::Volume, levels: Some(2), ..Config::new([64, 40]) }, [37, 21])
+    }),
     ("volume_beside_svgf", || {
-        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: 3, ..Config::new([61, 35]) })
+        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: Some(3), ..Config::new([61, 35]) })
     }),
     ("volume_beside_eaw", || sequence(&Config { volume: true, preset: Preset::Eaw, ..Config::new([40, 23]) })),
     ("visibility", || sequence(&Config { visibility: true, ..Config::new([61, 35]) })),
-    ("visibility_of_one_pixel", || sequence(&Config { visibility: true, levels: 1, ..Config::new([1, 1]) })),
+    ("visibility_of_one_pixel", || sequence(&Config { visibility: true, levels: Some(1), ..Config::new([1, 1]) })),
     ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: true, ..Config::new([64, 40]) }, [37, 21])),
     ("visibility_beside_best_and_volume", || {
         sequence(&Config { visibility: true, volume: true, preset: Preset::Best, ..Config::new([40, 23]) })

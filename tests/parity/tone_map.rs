@@ -10,7 +10,7 @@ use atrous::{Config, ToneCurve, Tuning};
 pub fn curves() {
     let scene = Scene { noise: 0.0, ..Scene::new([64, 4]) };
     for tone_curve in [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear] {
-        let config = Config { post_process: PostProcess::ToneMap, levels: 1, ..Config::new(scene.extent) };
+        let config = Config { post_process: PostProcess::ToneMap, levels: Some(1), ..Config::new(scene.extent) };
         let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
         let mut g = scene.frame(0, 0);
         let ramp = |i: usize| 2f32.powf((i % 64) as f32 / 3.0 - 8.0) * if i.is_multiple_of(64) { 0.0 } else { 1.0 };

@@ -9,7 +9,7 @@ use atrous::{Config, FrameParams, Tuning, UseFrame};
 /// The pixels of the previous frame are carried, be they more or fewer than those of this one.
 pub fn other_resolutions() {
     let allocated = [64, 40];
-    let config = Config { preset: Preset::Volume, levels: 2, ..Config::new(allocated) };
+    let config = Config { preset: Preset::Volume, levels: Some(2), ..Config::new(allocated) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     for (i, extent) in (0..).zip([[64, 40], [33, 19], [50, 40], [1, 1], [64, 40]]) {
         let scene = Scene { speed: 0.1, allocated, ..Scene::new(extent) };
@@ -22,7 +22,7 @@ pub fn other_resolutions() {
 
 /// Nothing bound: a volume moves as the surfaces behind it.
 pub fn without_depths() {
-    let config = Config { preset: Preset::Volume, levels: 2, ..Config::new([40, 23]) };
+    let config = Config { preset: Preset::Volume, levels: Some(2), ..Config::new([40, 23]) };
     let scene = Scene { speed: 0.1, ..Scene::new(config.allocated_extent) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     for i in 0..3 {

@@ -21,6 +21,8 @@ fn a_panic_is_a_status() {
 fn defaults_are_those_of_the_crate() {
     let config = AtrousConfig::default_for([64, 36]).to_config().expect("valid");
     assert_eq!(config, Config::new([64, 36]));
+    let three = AtrousConfig { levels: 3, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
+    assert_eq!(three.levels, Some(3));
     let params = AtrousFrameParams::default_for([64, 36]).to_params().expect("valid");
     assert_eq!(params, atrous::FrameParams::new([64, 36]));
 }

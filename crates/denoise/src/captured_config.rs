@@ -26,7 +26,7 @@ impl CapturedConfig {
         fn set<T: Copy>(field: &mut T, value: Option<T>) {
             *field = value.unwrap_or(*field);
         }
-        set(&mut config.levels, self.levels);
+        config.levels = self.levels.or(config.levels);
         set(&mut config.stratum_size, self.stratum_size);
         set(&mut config.gradient_source, self.gradient_source);
         set(&mut config.firefly_filter, self.firefly_filter);

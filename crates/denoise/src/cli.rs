@@ -86,7 +86,7 @@ pub struct Cli {
     #[arg(long, value_parser = signals())]
     pub signals: Option<Signals>,
 
-    /// À-trous levels, 1 to 10
+    /// À-trous levels, 1 to 10; default: 4 for best, 5 for the others
     #[arg(long, value_name = "N")]
     pub levels: Option<u32>,
 

@@ -85,7 +85,7 @@ impl Setup {
             file.config.apply(&mut config);
         }
         let captured = sequence.as_ref().and_then(|(_, file)| file.config.preset);
-        config.levels = options.levels.unwrap_or(config.levels);
+        config.levels = options.levels.or(config.levels);
         config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
         config.preset = options.preset.or(captured).unwrap_or(Preset::Best);
         config.forward_motion = mapping.has(Role::ForwardMotion);

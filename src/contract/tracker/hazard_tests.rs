@@ -179,8 +179,14 @@ fn configs() -> Vec<Config> {
     let apart = Config { signals: Signals::Apart, object_normal: true, ..taa };
     let presets = Preset::ALL.into_iter().map(|preset| Config { preset, debug_view: true, ..taa });
     let with_volume = Config { preset: Preset::Asvgf, volume: true, firefly_filter: true, ..apart };
-    let mut configs =
-        vec![base, taa, apart, Config { levels: 1, ..base }, Config { levels: 2, ..apart }, Config { levels: 10, ..taa }];
+    let mut configs = vec![
+        base,
+        taa,
+        apart,
+        Config { levels: Some(1), ..base },
+        Config { levels: Some(2), ..apart },
+        Config { levels: Some(10), ..taa },
+    ];
     configs.extend(presets);
     configs.push(with_volume);
     configs

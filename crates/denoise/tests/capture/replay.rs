@@ -150,7 +150,7 @@ fn a_part_of_larger_images_is_captured_alone() {
 fn conventions_tunables_and_resets_are_replayed() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
-    let mut config = Config { levels: 3, ..Config::new(EXTENT) };
+    let mut config = Config { levels: Some(3), ..Config::new(EXTENT) };
     let c = &mut config.conventions;
     (c.motion_unit, c.motion_y_up, c.motion_jittered, c.motion_depth) = (MotionUnit::Ndc, true, true, MotionDepth::Absolute);
     c.motion_direction = atrous::config::MotionDirection::CurrentMinusPrevious;
@@ -166,7 +166,7 @@ fn conventions_tunables_and_resets_are_replayed() {
     });
     assert_replays(folder.path(), &pictures);
     let (setup, frames) = load(folder.path());
-    assert_eq!((setup.config.conventions, setup.config.levels), (config.conventions, 3));
+    assert_eq!((setup.config.conventions, setup.config.levels), (config.conventions, Some(3)));
     assert_eq!(setup.tuning(0).expect("tunables"), tuning);
     let resets: Vec<_> = frames.iter().map(|f| f.params.reset).collect();
     assert_eq!(resets, [Some(ResetReason::Created), None, Some(ResetReason::ExposureJump), None]);
@@ -209,7 +209,7 @@ fn replay_of(config: Config, change: impl Fn(u32, &mut Inputs)) -> Setup {
 }
 
 fn every_preset_is_replayed() {
-    let base = Config { firefly_filter: true, levels: 3, ..Config::new(EXTENT) };
+    let base = Config { firefly_filter: true, levels: Some(3), ..Config::new(EXTENT) };
     for signals in Signals::ALL {
         replay_of(Config { signals, ..base }, |_, _| {});
         replay_of(Config { signals, preset: Preset::Asvgf, stratum_size: 4, ..base }, |i, inputs| inputs.params.reshaded = i != 3);

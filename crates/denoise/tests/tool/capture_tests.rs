@@ -35,7 +35,7 @@ fn the_description_of_an_old_capture_is_read() {
         roughness: RoughnessEncoding::Alpha,
     };
     let expected = Config {
-        levels: 3,
+        levels: Some(3),
         stratum_size: 4,
         gradient_source: GradientSource::Reshaded,
         firefly_filter: true,

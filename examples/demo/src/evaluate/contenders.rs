@@ -57,7 +57,7 @@ fn eaw_accumulated(config: &Config) -> Result<Declaration, atrous::Error> {
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
-    let spatial = Eaw { levels: config.levels, weights: config.eaw_weights, feedback: Some(history), ..Eaw::default() };
+    let spatial = Eaw { levels: config.levels(), weights: config.eaw_weights, feedback: Some(history), ..Eaw::default() };
     let filtered = g.eaw(&guides, &Irradiance::of(estimate.image()), spatial);
     let denoised = g.modulate(&guides, &filtered, Modulate::default());
     g.output("denoised_radiance", &denoised);

@@ -94,7 +94,7 @@ fn no_bad_value_of_any_input_reaches_an_output() {
 
 #[test]
 fn what_is_between_the_stages_and_behind_them_can_be_read() {
-    let config = Config { levels: 3, ..config(EXTENT) };
+    let config = Config { levels: Some(3), ..config(EXTENT) };
     let mut host = Host::new(&config);
     host.upload(EXTENT, &noise(EXTENT, 1));
     let mut levels = Vec::new();
