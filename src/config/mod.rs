@@ -35,7 +35,7 @@ pub struct Config {
     pub preset: Preset,
     /// Signals. Default: [`Signals::Together`].
     pub signals: Signals,
-    /// À-trous levels, 1 to 10. Default: the preset's, [`Preset::levels`].
+    /// À-trous levels, 1 to 10. Default: none, which is the preset's number, [`Preset::levels`].
     pub levels: Option<u32>,
     /// Whether the host has a volume (fog, smoke), whose radiance is filtered apart, with motion of its own \[PSVGF\]: an input
     /// `noisy_volume`, an output `denoised_volume`. It is what the medium itself scatters towards the camera; the surfaces'
