@@ -85,8 +85,8 @@ fn a_field_of_a_configuration_names_its_default() {
             let expected = match field.as_str() {
                 "allocated_extent" => "No default".to_owned(),
                 "eaw_weights" => "Default: all three".to_owned(),
+                "levels" => "Default: none".to_owned(),
                 "conventions" => "Default: those of [`Conventions::default`]".to_owned(),
-                _ if value == "None" => "Default: none".to_owned(),
                 _ if value == "inf" => "Default: infinity".to_owned(),
                 _ if value.starts_with(char::is_uppercase) => format!("::{value}`]"),
                 _ => format!("Default: {value}"),
