@@ -203,7 +203,8 @@ fn replay_of(config: Config, change: impl Fn(u32, &mut Inputs)) -> Setup {
     assert_replays(folder.path(), &pictures);
     let (setup, _) = load(folder.path());
     // What cannot be seen in a file is not asked for.
-    let seen = Config { allocated_extent: EXTENT, frames_in_flight: setup.config.frames_in_flight, ..config };
+    let (levels, frames_in_flight) = (Some(config.levels()), setup.config.frames_in_flight);
+    let seen = Config { allocated_extent: EXTENT, frames_in_flight, levels, ..config };
     assert_eq!(setup.config, seen);
     setup
 }

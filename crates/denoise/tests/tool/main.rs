@@ -6,7 +6,6 @@ mod check_tests;
 mod fuzz;
 mod json_fuzz;
 mod layout_tests;
-mod memory;
 mod name_tests;
 #[cfg(unix)]
 mod odd_files;

@@ -1,6 +1,9 @@
-//! Memory does not grow with the number of frames.
+//! Memory does not grow with the number of frames. A program of its own: what other tests allocate would count.
 
-use crate::samples;
+#[path = "tool/samples.rs"]
+#[allow(dead_code)] // the tests of the tool use the rest
+mod samples;
+
 use atrous_denoise::backend::{Backend, FrameOutputs};
 use atrous_denoise::error::Result;
 use atrous_denoise::frame::FrameInputs;
@@ -81,7 +84,7 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
     let mut sink = Watched { saver, resident: Vec::new() };
     pipeline::run(&steps, &setup, &mut Copy, false, &mut sink).expect("a run");
     assert_eq!((sink.saver.written, sink.saver.book.frames.len()), (1000, 1000));
-    // Other tests of this program run beside it and allocate, too: the smallest value of each hundred frames is taken.
+    // What a metric computes with comes and goes: the smallest value of each hundred frames is taken.
     let least: Vec<u64> = sink.resident.chunks(100).map(|c| c.iter().copied().min().unwrap_or_default()).collect();
     let grown = least[9].saturating_sub(least[1]);
     // A frame is 0.7 MiB in memory; 800 leaked ones would be 560 MiB.
