@@ -2,7 +2,6 @@
 
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
-use crate::report;
 use crate::score::{FrameScore, ScoreBook};
 use atrous_files::Existing;
 use atrous_page::HeatMap;
@@ -28,16 +27,11 @@ pub fn save(path: &Path, existing: Existing, drawn: Drawn) -> Result<()> {
 }
 
 /// Noisy, denoised and, where there is one, reference and the error against it, side by side with a detail of each.
-pub fn strip(title: &str, frame: &FrameInputs, radiance: &[[f32; 3]], score: Option<&FrameScore>, exposure: f32) -> Result<Drawn> {
-    let error = frame.reference.as_ref().map(|reference| report::heat_map(frame.params.render_extent, radiance, reference));
-    Ok(drawn_strip(title, frame, radiance, error.transpose()?.as_ref(), score, exposure))
-}
-
-fn drawn_strip(
+pub fn strip(
     title: &str,
     frame: &FrameInputs,
     radiance: &[[f32; 3]],
-    error: Option<&HeatMap>,
+    errors: Option<&HeatMap>,
     score: Option<&FrameScore>,
     exposure: f32,
 ) -> Drawn {
@@ -47,9 +41,9 @@ fn drawn_strip(
     let mut strip = Strip::new(format!("{title}, frame {}", frame.number))
         .panel(label("noisy", score.map(|s| s.noisy.rmse)), picture(&frame.noisy)?)
         .panel(label("denoised", score.map(|s| s.denoised.rmse)), picture(radiance)?);
-    if let (Some(reference), Some(error)) = (&frame.reference, error) {
+    if let (Some(reference), Some(errors)) = (&frame.reference, errors) {
         strip = strip.panel("reference", picture(reference)?);
-        strip = strip.panel("FLIP of denoised\nblack 0, light yellow 0.5", error.picture().clone());
+        strip = strip.panel(format!("FLIP of denoised\nblack 0, light yellow {}", HeatMap::LARGEST_FLIP), errors.picture().clone());
     }
     let (w, h) = ((width / 5).max(1), (height / 5).max(1));
     strip.inset(Region { x: (width - w) / 2, y: (height - h) / 2, width: w, height: h }).render()

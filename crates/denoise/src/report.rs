@@ -9,34 +9,36 @@ use atrous_picture::Picture;
 use atrous_quality::{flip_map, Rgb};
 use std::path::Path;
 
-/// FLIP that heat maps end at: what is above is a plain fault, and below it differences stay visible.
-const LARGEST_FLIP: f32 = 0.5;
-
-/// FLIP of a picture, with the same colours everywhere.
+/// FLIP of the denoised picture of a frame, where it has a reference.
 ///
 /// # Errors
 /// Pictures with values that are not finite.
-pub fn heat_map([width, height]: [u32; 2], radiance: &[[f32; 3]], reference: &[[f32; 3]]) -> Result<HeatMap> {
+pub fn errors(frame: &FrameInputs, radiance: &[[f32; 3]]) -> Result<Option<HeatMap>> {
+    frame.reference.as_ref().map(|reference| heat_map(frame.params.render_extent, radiance, reference)).transpose()
+}
+
+fn heat_map([width, height]: [u32; 2], radiance: &[[f32; 3]], reference: &[[f32; 3]]) -> Result<HeatMap> {
     let rgb = |pixels| Rgb::new(width, height, pixels);
     let errors = rgb(radiance).and_then(|image| flip_map(image, rgb(reference)?));
     let errors = errors.map_err(|e| ToolError::Usage(format!("the frame cannot be scored: {e}")))?;
-    Ok(HeatMap::new(width, height, &errors, 0.0..=LARGEST_FLIP)?)
+    Ok(HeatMap::of_flip(width, height, &errors)?)
 }
 
-/// The pictures of a frame: noisy, denoised, and where there is a reference that and the errors against it.
+/// The pictures of a frame: noisy, denoised, and where there is a reference that and the errors against it, of which `errors` are those of the
+/// denoised one.
 ///
 /// # Errors
 /// Pictures with values that are not finite.
-pub fn comparison(frame: &FrameInputs, radiance: &[[f32; 3]], exposure: f32) -> Result<Comparison> {
+pub fn comparison(frame: &FrameInputs, radiance: &[[f32; 3]], errors: Option<&HeatMap>, exposure: f32) -> Result<Comparison> {
     let extent = frame.params.render_extent;
     let picture = |pixels: &[[f32; 3]]| Picture::from_linear(extent[0], extent[1], pixels, exposure).map_err(PageError::from);
     let mut comparison = Comparison::new(format!("Frame {}", frame.number));
     comparison.picture("noisy", &picture(&frame.noisy)?)?;
     comparison.picture("denoised", &picture(radiance)?)?;
-    if let Some(reference) = &frame.reference {
+    if let (Some(reference), Some(errors)) = (&frame.reference, errors) {
         comparison.picture("reference", &picture(reference)?)?;
         comparison.heat_map("FLIP of noisy", &heat_map(extent, &frame.noisy, reference)?)?;
-        comparison.heat_map("FLIP of denoised", &heat_map(extent, radiance, reference)?)?;
+        comparison.heat_map("FLIP of denoised", errors)?;
     }
     comparison.start("noisy", "denoised")?;
     Ok(comparison)

@@ -11,7 +11,7 @@ use crate::record::Record;
 use crate::report;
 use crate::results;
 use crate::roles::Role;
-use crate::score::ScoreBook;
+use crate::score::{FrameScore, ScoreBook};
 use atrous_files::Existing;
 use atrous_page::Comparison;
 use atrous_picture::Picture;
@@ -104,6 +104,21 @@ impl Saver {
         }
         Ok(())
     }
+
+    /// Draws a frame for the strip, the report, or both.
+    fn show(&mut self, finished: &Finished, radiance: &[[f32; 3]], score: Option<&FrameScore>, shown: [bool; 2]) -> Result<()> {
+        let Wanted { folder, existing, preset, exposure, .. } = &self.wanted;
+        let errors = report::errors(&finished.inputs, radiance)?;
+        let [in_strip, in_report] = shown;
+        if in_strip {
+            let strip = pictures::strip(preset, &finished.inputs, radiance, errors.as_ref(), score, *exposure);
+            pictures::save(&results::strip(folder), *existing, strip)?;
+        }
+        if in_report {
+            self.shown = Some(report::comparison(&finished.inputs, radiance, errors.as_ref(), *exposure)?);
+        }
+        Ok(())
+    }
 }
 
 impl Sink for Saver {
@@ -128,13 +143,8 @@ impl Sink for Saver {
             _ => Vec::new(),
         };
         let score = if self.wanted.score { self.book.add(&finished.inputs, &radiance)? } else { None };
-        if in_strip {
-            let Wanted { folder, existing, preset, exposure, .. } = &self.wanted;
-            let strip = pictures::strip(preset, &finished.inputs, &radiance, score.as_ref(), *exposure);
-            pictures::save(&results::strip(folder), *existing, strip?)?;
-        }
-        if in_report {
-            self.shown = Some(report::comparison(&finished.inputs, &radiance, self.wanted.exposure)?);
+        if in_strip || in_report {
+            self.show(&finished, &radiance, score.as_ref(), [in_strip, in_report])?;
         }
         self.taken += 1;
         self.progress.inc(1);

@@ -14,6 +14,9 @@ pub struct HeatMap {
 }
 
 impl HeatMap {
+    /// FLIP that heat maps end at: what is above is a plain fault, and below it differences stay visible.
+    pub const LARGEST_FLIP: f32 = 0.5;
+
     /// A heat map of `width * height` values, row by row from the top left. What is beyond `range` has the colour of its end;
     /// a value that is not finite is magenta, as in pictures.
     ///
@@ -33,6 +36,14 @@ impl HeatMap {
         let colour = |v: &f32| if v.is_finite() { rgb(place(*v).clamp(0.0, 1.0)) } else { NOT_FINITE };
         let picture = Picture::from_pixels(width, height, values.iter().map(colour).collect())?;
         Ok(Self { picture, range: [low, high] })
+    }
+
+    /// A heat map of FLIP: with the same colours everywhere, from 0 to [`Self::LARGEST_FLIP`].
+    ///
+    /// # Errors
+    /// [`PageError::Picture`] if there is not one value for each pixel.
+    pub fn of_flip(width: u32, height: u32, errors: &[f32]) -> Result<Self, PageError> {
+        Self::new(width, height, errors, 0.0..=Self::LARGEST_FLIP)
     }
 
     /// The colours.

@@ -2,9 +2,11 @@
 
 mod capture;
 mod evaluate;
+mod files;
 mod options;
 mod progress;
 mod run;
+mod running;
 mod times;
 
 use std::process::ExitCode;

@@ -1,25 +1,18 @@
 //! One scene from the first frame to the tables.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use atrous::config::Preset;
 use atrous_demo::measure::{Frame, Scores};
-use atrous_demo::{report, volume, DenoiserOptions, Error, FrameDenoiser, Gpu, PathTracer, Result, Scene};
+use atrous_demo::{report, volume, DenoiserOptions, FrameDenoiser, Gpu, PathTracer, Result, Scene};
 
 use crate::capture;
+use crate::files;
 use crate::options::Options;
 use crate::progress;
-use crate::times::Times;
-
-/// A denoiser with its name and the time that it took.
-struct Contender {
-    name: &'static str,
-    denoiser: FrameDenoiser,
-    times: Times,
-}
+use crate::running::{self, Running};
 
 /// Renders, denoises and measures one scene, and writes what came out.
 pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
@@ -28,13 +21,10 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let extent = ash::vk::Extent2D { width, height };
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
     let memory = memory(options, gpu, &tracer)?;
-    let contender = |preset: Preset| {
-        let denoiser = FrameDenoiser::new(gpu, &tracer, &options.denoiser(preset)?)?;
-        Ok(Contender { name: preset.title(), denoiser, times: Times::default() })
-    };
+    let contender = |preset: Preset| Running::new(gpu, &tracer, preset.title(), &options.denoiser(preset)?);
     let mut contenders = options.presets().into_iter().map(contender).collect::<Result<Vec<_>>>()?;
     let folder = options.out.join(&scene.name);
-    make(&folder.join("sequence"))?;
+    files::make(&folder.join("sequence"))?;
     let captured = |name: &str| folder.join(format!("capture_{name}"));
     if options.capture {
         for c in &mut contenders {
@@ -50,8 +40,7 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     }
     let text = tables(options, &scene.name, &measured, &contenders, &folder)? + &memory;
     println!("\n{}\n\n{text}", scene.name);
-    let path = folder.join("table.md");
-    fs::write(&path, text).map_err(|e| Error::Folder { path, problem: e.to_string() })
+    files::write(&folder.join("table.md"), text.as_bytes())
 }
 
 /// The memory of a single filter, as an engine has it: without the views of the strips, which cost some.
@@ -67,23 +56,15 @@ fn sequence(
     gpu: &Gpu,
     name: &str,
     tracer: &mut PathTracer,
-    contenders: &mut [Contender],
+    contenders: &mut [Running],
     folder: &Path,
 ) -> Result<Vec<Frame>> {
     let bar = progress::bar(u64::from(options.frames), &format!("{name}: frames"));
     let kept = options.reference_frames();
     let mut measured = Vec::new();
     for index in 0..options.frames {
-        tracer.begin_frame(index)?;
-        gpu.submit(|cmd| {
-            tracer.record_gbuffer(cmd);
-            contenders.iter_mut().try_for_each(|c| c.denoiser.record(cmd, tracer))
-        })?;
-        // The first frames of a device compile shaders.
-        if index >= 2 {
-            contenders.iter_mut().for_each(|c| c.times.add(&c.denoiser));
-        }
-        let frame = Frame::read(gpu, tracer, contenders.iter_mut().map(|c| &mut c.denoiser))?;
+        running::render(gpu, tracer, contenders, index)?;
+        let frame = running::read(gpu, tracer, contenders)?;
         report::write_row(&folder.join("sequence").join(format!("{index:04}.png")), &frame)?;
         if kept.contains(&index) || (kept.is_empty() && index + 1 == options.frames) {
             measured.push(frame);
@@ -111,7 +92,7 @@ fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: 
 }
 
 /// Writes the strips, and gives the text of all tables.
-fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Contender], folder: &Path) -> Result<String> {
+fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Running], folder: &Path) -> Result<String> {
     let names: Vec<_> = contenders.iter().map(|c| c.name).collect();
     let by_index: BTreeMap<u32, &Frame> = measured.iter().map(|f| (f.index, f)).collect();
     let mut scored: Vec<(u32, Vec<Scores>)> = Vec::new();
@@ -151,7 +132,7 @@ fn volumes(scene: &str, measured: &[Frame], names: &[&str], folder: &Path) -> Re
     Ok(format!("{}\n\n", volume::error_table(&names, &errors)?))
 }
 
-fn score_tables(options: &Options, scene: &str, scored: &[(u32, Vec<Scores>)], contenders: &[Contender]) -> Result<String> {
+fn score_tables(options: &Options, scene: &str, scored: &[(u32, Vec<Scores>)], contenders: &[Running]) -> Result<String> {
     let of = |i: usize| report::mean(&scored.iter().map(|(_, scores)| scores[i]).collect::<Vec<_>>());
     let mut names = vec!["noisy"];
     let mut rows = vec![(format!("{scene}, noisy"), of(0), f64::NAN)];
@@ -167,8 +148,4 @@ fn score_tables(options: &Options, scene: &str, scored: &[(u32, Vec<Scores>)], c
         options.reference_spp,
         report::frame_table(&names, scored)?
     ))
-}
-
-fn make(folder: &PathBuf) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|e| Error::Folder { path: folder.clone(), problem: e.to_string() })
 }

@@ -5,12 +5,14 @@ use std::path::Path;
 
 use atrous_demo::measure::Scores;
 use atrous_demo::{Error, Result};
+use atrous_page::Best;
 use atrous_picture::{Column, Picture, Region, Strip, TextTable};
 
 use super::claims::{self, Claim};
 use super::contenders::{ASVGF, BEST, NOISY, SVGF};
-use super::results::{write, SceneResult};
+use super::results::SceneResult;
 use super::scene::{picture, REFERENCE};
+use crate::files::write;
 
 const BEGIN: &str = "<!-- evaluate -->";
 const END: &str = "<!-- /evaluate -->";
@@ -27,6 +29,16 @@ pub struct Metric {
     pub of: fn(&Scores) -> f64,
     /// Whether more is better.
     pub more_is_better: bool,
+}
+
+impl Metric {
+    /// The end of a column at which its best value is.
+    pub fn best(&self) -> Best {
+        match self.more_is_better {
+            true => Best::Highest,
+            false => Best::Lowest,
+        }
+    }
 }
 
 /// The metrics in the order of tables.
@@ -65,6 +77,20 @@ pub fn metric_table(results: &[SceneResult], metric: &Metric) -> Result<TextTabl
         let values: Vec<_> =
             results.iter().map(|result| result.row(name).map_or(f64::NAN, |row| (metric.of)(&row.mean()))).collect();
         table.row(name, &values)?;
+    }
+    Ok(table)
+}
+
+/// A table of one scene: a row for each filter, a column for each metric.
+///
+/// # Errors
+/// None in practice.
+pub fn mean_table(result: &SceneResult) -> Result<TextTable> {
+    let columns = METRICS.iter().map(|metric| Column::new(metric.name, metric.decimals));
+    let mut table = TextTable::new("mean of the measured frames", columns);
+    for row in &result.rows {
+        let mean = row.mean();
+        table.row(row.name.as_str(), &METRICS.each_ref().map(|metric| (metric.of)(&mean)))?;
     }
     Ok(table)
 }
@@ -113,7 +139,7 @@ pub fn picture_of_details(path: &str) -> String {
 /// A file without these lines, or one that cannot be written.
 pub fn renew(path: &Path, text: &str) -> Result<()> {
     let (before, behind) = around(path)?;
-    write(path, &format!("{before}{BEGIN}\n\n{text}\n{END}{behind}"))
+    write(path, format!("{before}{BEGIN}\n\n{text}\n{END}{behind}").as_bytes())
 }
 
 /// What stands before and behind the part that is renewed.

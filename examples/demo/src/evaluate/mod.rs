@@ -13,7 +13,7 @@ pub use settings::EvaluateOptions;
 
 use std::sync::Arc;
 
-use crate::progress;
+use crate::{files, progress};
 use atrous_demo::{Error, Gpu, GpuOptions, Result, Scene, SceneOptions};
 use claims::Claim;
 use references::References;
@@ -33,14 +33,14 @@ pub fn run(options: &EvaluateOptions) -> Result<usize> {
     let settings = options.settings(&gpu.info().to_string())?;
     let out = &options.out;
     let references = out.join("references");
-    scene::make(&references)?;
+    files::make(&references)?;
     let references = References::new(references, &settings);
     let bar = progress::bar(scene::steps(&settings) * scenes.len() as u64, "");
     let mut results = Vec::new();
     for (number, scene) in (1..).zip(&scenes) {
         bar.set_message(scene.name.clone());
         let folder = out.join(&scene.name);
-        scene::make(&folder)?;
+        files::make(&folder)?;
         let content = references::content(scene, 0);
         let result = match SceneResult::read(&folder, &settings, content) {
             Some(kept) => kept,
@@ -69,13 +69,14 @@ fn report(options: &EvaluateOptions, results: &[SceneResult], claims: &[Claim]) 
     let text = markdown::text(results, claims)?;
     println!("\n{text}");
     let (out, sheet) = (&options.out, markdown::sheet(results, &options.out)?);
-    results::write(&out.join("quality.md"), &format!("{text}\n{}", markdown::picture_of_details("quality.png")))?;
+    let linked = |picture: &str| format!("{text}\n{}", markdown::picture_of_details(picture));
+    files::write(&out.join("quality.md"), linked("quality.png").as_bytes())?;
     sheet.write_png(out.join("quality.png"))?;
     page::write(&out.join("quality.html"), results, claims, out)?;
     if let Some(file) = &options.markdown {
-        markdown::renew(file, &format!("{text}\n{}", markdown::picture_of_details("images/quality.png")))?;
+        markdown::renew(file, &linked("images/quality.png"))?;
         let images = file.with_file_name("images");
-        scene::make(&images)?;
+        files::make(&images)?;
         sheet.write_png(images.join("quality.png"))?;
     }
     println!("page, table and pictures: quality.html, quality.md and quality.png in {}", options.out.display());

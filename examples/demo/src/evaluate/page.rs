@@ -3,17 +3,14 @@
 use std::path::Path;
 
 use atrous_demo::Result;
-use atrous_page::{Best, Cell, Comparison, Curves, HeatMap, Page, Section, Table};
+use atrous_page::{Cell, Comparison, Curves, HeatMap, Page, Section, Table};
 use atrous_picture::Picture;
 
 use super::claims::Claim;
 use super::contenders::{BEST, NOISY};
-use super::markdown::{conditions, cost_table, names, Metric, METRICS};
+use super::markdown::{conditions, cost_table, mean_table, metric_table, Metric, METRICS};
 use super::results::SceneResult;
 use super::scene::{picture, read_error, REFERENCE};
-
-/// FLIP that heat maps end at: what is above is a plain fault, and below it differences stay visible.
-const LARGEST_FLIP: f32 = 0.5;
 
 /// Writes the page.
 ///
@@ -25,7 +22,7 @@ pub fn write(path: &Path, results: &[SceneResult], claims: &[Claim], out: &Path)
     let summary = page.section("All scenes");
     summary.text("Means over the measured frames. RMSE and relMSE of linear radiance, SSIM and temporal error of tone-mapped values, HDR-FLIP.");
     for metric in &METRICS {
-        summary.table(metric_table(results, metric)?);
+        summary.table(table_of(results, metric)?);
     }
     summary.table(&cost_table(results)?);
     page.section("What is claimed").table(claim_table(claims)?);
@@ -35,18 +32,10 @@ pub fn write(path: &Path, results: &[SceneResult], claims: &[Claim], out: &Path)
     Ok(page.write(path)?)
 }
 
-fn metric_table(results: &[SceneResult], metric: &Metric) -> Result<Table> {
-    let mut table = Table::new(metric.name, results.iter().map(|result| result.scene.as_str()));
-    for name in names(results) {
-        let cell = |result: &SceneResult| {
-            let value = result.row(name).map_or(f64::NAN, |row| (metric.of)(&row.mean()));
-            Cell::number(value, format!("{value:.*}", metric.decimals))
-        };
-        table.row(name, results.iter().map(cell))?;
-    }
-    for result in results {
-        table.best(&result.scene, if metric.more_is_better { Best::Highest } else { Best::Lowest })?;
-    }
+/// The table of a metric, with the best of each scene.
+fn table_of(results: &[SceneResult], metric: &Metric) -> Result<Table> {
+    let mut table = Table::from(&metric_table(results, metric)?);
+    results.iter().try_for_each(|result| table.best(&result.scene, metric.best()))?;
     Ok(table)
 }
 
@@ -73,21 +62,14 @@ fn of_scene(section: &mut Section, result: &SceneResult, folder: &Path) -> Resul
     comparison.picture(REFERENCE, &Picture::read_png(picture(folder, REFERENCE))?)?;
     let (width, height) = result.settings.size;
     for row in &result.rows {
-        let map = HeatMap::new(width, height, &read_error(folder, &row.name)?, 0.0..=LARGEST_FLIP)?;
+        let map = HeatMap::of_flip(width, height, &read_error(folder, &row.name)?)?;
         comparison.heat_map(format!("FLIP of {}", row.name), &map)?;
     }
     let right = if result.row(BEST).is_some() { BEST } else { REFERENCE };
     comparison.start(NOISY, right)?;
     section.comparison(comparison)?;
-    let mut table = Table::new("mean of the measured frames", METRICS.iter().map(|metric| metric.name));
-    for row in &result.rows {
-        let mean = row.mean();
-        let cell = |metric: &Metric| Cell::number((metric.of)(&mean), format!("{:.*}", metric.decimals, (metric.of)(&mean)));
-        table.row(row.name.as_str(), METRICS.iter().map(cell))?;
-    }
-    for metric in &METRICS {
-        table.best(metric.name, if metric.more_is_better { Best::Highest } else { Best::Lowest })?;
-    }
+    let mut table = Table::from(&mean_table(result)?);
+    METRICS.iter().try_for_each(|metric| table.best(metric.name, metric.best()))?;
     section.table(table);
     for metric in &METRICS {
         // The noisy picture would make one line of all others.

@@ -3,12 +3,14 @@
 use std::collections::hash_map::DefaultHasher;
 use std::fmt::{self, Write};
 use std::hash::{Hash, Hasher};
+use std::io::Cursor;
 use std::path::PathBuf;
 
 use atrous_demo::{Error, PathTracer, Result, Scene};
-use exr::prelude::{read_first_rgba_layer_from_file, write_rgb_file};
+use exr::prelude::{read_first_rgba_layer_from_file, Image, SpecificChannels, Vec2, WritableImage};
 
 use super::settings::Settings;
+use crate::files::write;
 
 /// References in a folder, which exists.
 pub struct References {
@@ -36,11 +38,11 @@ impl References {
         }
         tracer.begin_frame(frame)?;
         let reference = tracer.render_reference(self.samples, |_, _| ())?.radiance();
-        let part = path.with_extension("part");
-        let pixel = |x: usize, y: usize| <(f32, f32, f32)>::from(reference[y * width + x]);
-        let problem = |path: &PathBuf, problem: String| Error::Folder { path: path.clone(), problem };
-        write_rgb_file(&part, width, height, pixel).map_err(|e| problem(&part, e.to_string()))?;
-        std::fs::rename(&part, &path).map_err(|e| problem(&path, e.to_string()))?;
+        let pixel = |at: Vec2<usize>| <(f32, f32, f32)>::from(reference[at.y() * width + at.x()]);
+        let mut bytes = Cursor::new(Vec::new());
+        let written = Image::from_channels((width, height), SpecificChannels::rgb(pixel)).write().to_buffered(&mut bytes);
+        written.map_err(|e| Error::Folder { path: path.clone(), problem: e.to_string() })?;
+        write(&path, bytes.get_ref())?;
         Ok(reference)
     }
 }

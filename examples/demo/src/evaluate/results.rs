@@ -9,6 +9,7 @@ use atrous_demo::{Error, Result};
 use serde::{Deserialize, Serialize};
 
 use super::settings::Settings;
+use crate::files::write;
 
 /// Everything that was measured on a scene.
 #[derive(Serialize, Deserialize)]
@@ -64,20 +65,10 @@ impl SceneResult {
     pub fn write(&self, folder: &Path) -> Result<()> {
         let problem = |problem: String| Error::Folder { path: file(folder), problem };
         let text = serde_json::to_string_pretty(self).map_err(|e| problem(e.to_string()))?;
-        write(&file(folder), &text)
+        write(&file(folder), text.as_bytes())
     }
 }
 
 fn file(folder: &Path) -> PathBuf {
     folder.join("result.json")
-}
-
-/// Writes a text as a whole, or not at all.
-///
-/// # Errors
-/// A folder that cannot be written.
-pub fn write(path: &Path, text: &str) -> Result<()> {
-    use std::io::Write;
-    atrous_files::publish(path, atrous_files::Existing::Replaced, |file| file.write_all(text.as_bytes()))
-        .map_err(|e| Error::Folder { path: path.to_owned(), problem: e.to_string() })
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use atrous_demo::measure::{Frame, Scores};
-use atrous_demo::{Error, FrameDenoiser, Gpu, PathTracer, Result, Scene, TracerOptions};
+use atrous_demo::{FrameDenoiser, Gpu, PathTracer, Result, Scene, TracerOptions};
 use atrous_picture::{Picture, PictureError};
 use atrous_quality::{flip_map, Rgb};
 use indicatif::ProgressBar;
@@ -13,16 +13,10 @@ use super::contenders::{self, NOISY};
 use super::references::References;
 use super::results::Row;
 use super::settings::Settings;
-use crate::times::Times;
+use crate::running::{self, Running};
 
 /// Name of the reference among pictures.
 pub const REFERENCE: &str = "reference";
-
-/// A filter that runs.
-struct Running {
-    denoiser: FrameDenoiser,
-    times: Times,
-}
 
 /// What is summed up over the frames.
 #[derive(Default)]
@@ -49,13 +43,9 @@ pub fn measure(
     let (width, height) = settings.size;
     let options = TracerOptions { seed: settings.seed, ..TracerOptions::default() };
     let mut tracer = PathTracer::new(gpu, scene, ash::vk::Extent2D { width, height }, options)?;
-    let start =
-        |c: contenders::Contender| Ok(Running { denoiser: FrameDenoiser::new(gpu, &tracer, &c.options)?, times: Times::default() });
-    let mut filters = contenders::all()
-        .into_iter()
-        .filter(|c| settings.filters.iter().any(|name| name == c.name))
-        .map(start)
-        .collect::<Result<Vec<_>>>()?;
+    let wanted = contenders::all().into_iter().filter(|c| settings.filters.iter().any(|name| name == c.name));
+    let start = |c: contenders::Contender| Running::new(gpu, &tracer, c.name, &c.options);
+    let mut filters = wanted.map(start).collect::<Result<Vec<_>>>()?;
     let frames = sequence(gpu, settings, &mut tracer, &mut filters, bar)?;
     let names = names(settings);
     let measured = score(frames, scene, &mut tracer, references, &names, folder, bar)?;
@@ -87,17 +77,9 @@ fn sequence(
 ) -> Result<Vec<Frame>> {
     let mut measured = Vec::new();
     for index in 0..settings.frames {
-        tracer.begin_frame(index)?;
-        gpu.submit(|cmd| {
-            tracer.record_gbuffer(cmd);
-            filters.iter_mut().try_for_each(|f| f.denoiser.record(cmd, tracer))
-        })?;
-        // The first frames of a device compile shaders.
-        if index >= 2 {
-            filters.iter_mut().for_each(|f| f.times.add(&f.denoiser));
-        }
+        running::render(gpu, tracer, filters, index)?;
         if settings.measured_frames().contains(&index) {
-            measured.push(Frame::read(gpu, tracer, filters.iter_mut().map(|f| &mut f.denoiser))?);
+            measured.push(running::read(gpu, tracer, filters)?);
         }
         bar.inc(1);
     }
@@ -173,12 +155,4 @@ fn error_picture(folder: &Path, name: &str) -> std::path::PathBuf {
 pub fn read_error(folder: &Path, name: &str) -> std::result::Result<Vec<f32>, PictureError> {
     let grey = Picture::read_png(error_picture(folder, name))?;
     Ok(grey.pixels().iter().map(|[value, ..]| f32::from(*value) / 255.0).collect())
-}
-
-/// Makes a folder.
-///
-/// # Errors
-/// A folder that cannot be made.
-pub fn make(folder: &Path) -> Result<()> {
-    std::fs::create_dir_all(folder).map_err(|e| Error::Folder { path: folder.to_owned(), problem: e.to_string() })
 }

@@ -169,17 +169,26 @@ impl Scene {
 
     /// Factor of all lights and emitters (not of the environment) at a frame.
     pub fn light_scale(&self, frame: u32) -> f32 {
-        (self.light_scale)(if self.options.static_light { 0 } else { frame })
+        (self.light_scale)(self.lit_frame(frame))
     }
 
     /// Emission of each material at a frame, with the factor of all lights in it.
     pub fn emissions(&self, frame: u32) -> Vec<Vec3> {
-        let (all, held) = (self.light_scale(frame), if self.options.static_light { 0 } else { frame });
+        let (all, lit) = (self.light_scale(frame), self.lit_frame(frame));
         let mut emissions: Vec<_> = self.materials.iter().map(|material| material.emission * all).collect();
         for own in &self.emission_scales {
-            emissions[own.material] *= (own.scale)(held);
+            emissions[own.material] *= (own.scale)(lit);
         }
         emissions
+    }
+
+    /// Frame that lights are of.
+    fn lit_frame(&self, frame: u32) -> u32 {
+        if self.options.static_light {
+            0
+        } else {
+            frame
+        }
     }
 
     /// The world at a frame.
