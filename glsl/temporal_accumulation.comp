@@ -4,6 +4,7 @@
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame; object normals in the
 //      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
 // In place: filter_ping, noisy irradiance to accumulated irradiance with the history length in alpha, own pixel only. Out: new_moments.
+// Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
 // Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio.
@@ -36,20 +37,21 @@ layout(push_constant) uniform Push {
 #include "luminance.glsl"
 #include "history_blend.glsl"
 #include "packed_image.glsl"
+#include "statistics.glsl"
 #include "strata.glsl"
 #include "surface_test.glsl"
 #include "volume.glsl"
 
-const uint SURFACE_MOTION = 3u;
-const uint DEPTH_GRADIENT = 4u;
-const uint VOLUME_MOTION = 5u;
-const uint OBJECT_NORMAL = 6u;
-const uint PREVIOUS_OBJECT_NORMAL = 7u;
-const uint HISTORY_CONFIDENCE = 8u;
-const uint LIGHT_RATIO = 17u;
+const uint SURFACE_MOTION = 4u;
+const uint DEPTH_GRADIENT = 5u;
+const uint VOLUME_MOTION = 6u;
+const uint OBJECT_NORMAL = 7u;
+const uint PREVIOUS_OBJECT_NORMAL = 8u;
+const uint HISTORY_CONFIDENCE = 9u;
+const uint LIGHT_RATIO = 18u;
 
-layout(set = 0, binding = 1) uniform utexture2D guide;
-PACKED_IMAGE(2, previous_guide);
+layout(set = 0, binding = 2) uniform utexture2D guide;
+PACKED_IMAGE(3, previous_guide);
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
 layout(set = 0, binding = DEPTH_GRADIENT) uniform utexture2D depth_gradient;
 layout(set = 0, binding = VOLUME_MOTION) uniform utexture2D volume_motion;
@@ -57,15 +59,15 @@ layout(set = 0, binding = OBJECT_NORMAL) uniform utexture2D object_normal;
 layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_object_normal;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
-layout(set = 0, binding = 9) uniform texture2D history_0;
-PACKED_IMAGE(10, previous_moments_0);
-layout(set = 0, binding = 11, rgba16f) uniform image2D irradiance_0;
-layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_moments_0;
+layout(set = 0, binding = 10) uniform texture2D history_0;
+PACKED_IMAGE(11, previous_moments_0);
+layout(set = 0, binding = 12, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D new_moments_0;
 #if SIGNALS == 2
-layout(set = 0, binding = 13) uniform texture2D history_1;
-PACKED_IMAGE(14, previous_moments_1);
-layout(set = 0, binding = 15, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = 16, r32ui) uniform writeonly uimage2D new_moments_1;
+layout(set = 0, binding = 14) uniform texture2D history_1;
+PACKED_IMAGE(15, previous_moments_1);
+layout(set = 0, binding = 16, rgba16f) uniform image2D irradiance_1;
+layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_moments_1;
 #endif
 
 struct Gathered {
@@ -242,11 +244,14 @@ void main() {
         Expected expected = expectation(p, packed, motion);
         vec2 position = previous_position(p, motion, frame.render_extent, frame.previous_render_extent) - 0.5;
         sum = gather(position, expected);
+        // Of what is repaired, too: neighbours stand in for a history that is lost.
+        uint loss = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected, 0.0);
+        if (!VOLUME) count_history(loss);
         if (REPAIR && sum.weight == 0.0) {
             vec2 start = previous_position(p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
             sum = repair(start, position, expected);
         }
-        reason = sum.weight > 0.0 ? REASON_NONE : refusal(ivec2(floor(position + 0.5)), expected, 0.0);
+        reason = sum.weight > 0.0 ? REASON_NONE : loss;
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, push.max_history_length) : 1.0;

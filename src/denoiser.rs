@@ -239,7 +239,7 @@ impl Denoiser {
         else {
             return;
         };
-        let bytes = crate::contract::STATISTICS_COUNT * 4;
+        let bytes = crate::contract::STATISTICS_BYTES;
         // SAFETY: `cmd` is recording outside a render pass; both buffers are live and have the declared sizes.
         unsafe {
             self.device.cmd_update_buffer(cmd, constants, constants_offset, bytemuck::bytes_of(&frame.constants));

@@ -4,7 +4,7 @@ use super::support::{self, assert_valid, frame, gpu, scene::Guides, scene::Scene
 use atrous::config::{Conventions, Signals};
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Validation};
 use atrous::graph::Graph;
-use atrous::{Binding, Config, Denoiser, Error, FrameParams, Tuning};
+use atrous::{Binding, Config, Counter, Denoiser, Error, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -171,7 +171,7 @@ fn values_that_are_not_finite_are_counted_and_stop_here() {
     frame(&mut s, &bad, &scene.params(1), &Tuning::default());
     let counts: Vec<u32> = s.download("statistics").expect("statistics").iter().map(|c| c[0] as u32).collect();
     assert_eq!(counts[..6], [1, 3, 3, 3, 3, 0], "depth, normal, motion, radiance, albedo, emission");
-    assert!(counts[6..].iter().all(|count| *count == 0), "{counts:?}");
+    assert!(counts[6..=Counter::OccluderDistance as usize].iter().all(|count| *count == 0), "{counts:?}");
     for i in 2..6 {
         frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());
     }

@@ -19,6 +19,7 @@ mod frame_life;
 mod gradients;
 mod graphs;
 mod hazards;
+mod history_loss;
 mod host_header;
 mod hosts;
 #[cfg(feature = "hot-reload")]
@@ -72,6 +73,7 @@ fn main() {
         Group { name: "firefly", tests: firefly::TESTS, needs_device: true },
         Group { name: "input_sets", tests: input_sets::TESTS, needs_device: true },
         Group { name: "frame_life", tests: frame_life::TESTS, needs_device: true },
+        Group { name: "history_loss", tests: history_loss::TESTS, needs_device: true },
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },

@@ -3,7 +3,7 @@
 use super::support::{assert_finite, assert_valid, frame, scene::Guides, scene::Scene, session, session_with, upload};
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
-use atrous::reference::Counter;
+use atrous::Counter;
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_harness::DeviceTest;
 

@@ -1,4 +1,5 @@
-// Counters of values that were replaced because they were not finite, or out of range. A host may read them back.
+// Counters of values that were replaced because they were not finite, or out of range, and of surfaces that kept or lost their history. A
+// host may read them back. Twin: src/contract/statistics.rs.
 #ifndef STATISTICS_GLSL
 #define STATISTICS_GLSL
 #include "finite.glsl"
@@ -15,9 +16,17 @@ const uint BAD_ROUGHNESS = 8u;
 const uint BAD_HIT_DISTANCE = 9u;
 const uint BAD_VISIBILITY = 10u;
 const uint BAD_OCCLUDER_DISTANCE = 11u;
+// The first of five: one for each reason of moments.glsl from REASON_NONE, history was kept, to REASON_NORMAL.
+const uint HISTORY_KEPT = 12u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[12]; } statistics;
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[17]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
+
+// One add for each reason, since compilers merge those whose place is the same for all.
+void count_history(uint reason) {
+    for (uint i = 0u; i < 5u; ++i)
+        if (reason == i) atomicAdd(statistics.counts[HISTORY_KEPT + i], 1u);
+}
 
 #endif

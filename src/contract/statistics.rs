@@ -1,4 +1,111 @@
-//! The counters of bad input.
+//! The counters of a frame: values that are not finite, and surfaces that kept or lost their history.
 
-/// Number of counters in `statistics`; see `glsl/include/statistics.glsl`.
-pub(crate) const STATISTICS_COUNT: u64 = 12;
+use crate::choice::choices;
+use crate::error::Error;
+use std::ops::{Index, IndexMut};
+
+choices! {
+    /// What the buffer `statistics` counts, in pixels of the render extent: 32-bit words in the order of the numbers, which are those of
+    /// `glsl/include/statistics.glsl`.
+    ///
+    /// The last five are counted by `temporal_accumulation`, once for each accumulation of a graph, and nowhere in a frame with a reset and
+    /// in the background.
+    #[non_exhaustive]
+    pub enum Counter {
+        /// A depth that is NaN.
+        Depth = 0 => "depth",
+        /// A normal that is not finite, on a surface.
+        Normal = 1 => "normal",
+        /// A motion that is not finite.
+        Motion = 2 => "motion",
+        /// A radiance that is not finite; once for every signal.
+        Radiance = 3 => "radiance",
+        /// An albedo that is not finite, on a surface.
+        Albedo = 4 => "albedo",
+        /// An emission that is not finite.
+        Emission = 5 => "emission",
+        /// A forward motion that is not finite; once for every candidate that needs it.
+        ForwardMotion = 6 => "forward_motion",
+        /// A scattering depth that is NaN.
+        ScatteringDepth = 7 => "scattering_depth",
+        /// A roughness that is not finite or not from 0 to 1, on a surface.
+        Roughness = 8 => "roughness",
+        /// A hit distance that is NaN or negative, on a surface.
+        HitDistance = 9 => "hit_distance",
+        /// A visibility that is not finite, or outside of 0 to 1, on a surface.
+        Visibility = 10 => "visibility",
+        /// A distance of an occluder that is NaN or negative, on a surface.
+        OccluderDistance = 11 => "occluder_distance",
+        /// A surface that found its history.
+        HistoryKept = 12 => "history_kept",
+        /// A surface without history: its motion leads out of the picture.
+        LostOffScreen = 13 => "lost_off_screen",
+        /// A surface without history: another `surface_id`, or the background, is where its motion leads.
+        LostSurfaceId = 14 => "lost_surface_id",
+        /// A surface without history: the depth is another where its motion leads.
+        LostDepth = 15 => "lost_depth",
+        /// A surface without history: the normal is another where its motion leads.
+        LostNormal = 16 => "lost_normal",
+    }
+}
+
+impl Counter {
+    /// The reasons for which a surface has no history.
+    pub const LOSSES: [Self; 4] = [Self::LostOffScreen, Self::LostSurfaceId, Self::LostDepth, Self::LostNormal];
+}
+
+/// Size of the buffer `statistics`.
+pub(crate) const STATISTICS_BYTES: u64 = size_of::<Statistics>() as u64;
+
+/// The counters of a frame, by [`Counter`]: the content of the buffer `statistics`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(transparent)]
+pub struct Statistics([u32; Counter::ALL.len()]);
+
+impl Statistics {
+    /// Reads a copy of the buffer `statistics`.
+    ///
+    /// # Errors
+    /// [`Error::Size`] where it has another size.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
+        bytemuck::try_pod_read_unaligned(bytes).map_err(|_| Error::Size {
+            resource: "a copy of `statistics`".into(),
+            given: format!("{} bytes", bytes.len()),
+            needed: format!("{STATISTICS_BYTES} bytes"),
+        })
+    }
+
+    /// The bytes of the buffer.
+    pub fn as_bytes(&self) -> &[u8] {
+        bytemuck::bytes_of(self)
+    }
+
+    /// Surfaces that looked for their history: 0 in a frame with a reset.
+    pub fn history_sought(&self) -> u64 {
+        u64::from(self[Counter::HistoryKept]) + self.history_lost()
+    }
+
+    /// Surfaces that did not find their history.
+    pub fn history_lost(&self) -> u64 {
+        Counter::LOSSES.iter().map(|&reason| u64::from(self[reason])).sum()
+    }
+
+    /// The sum of both, counter by counter.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i].wrapping_add(other.0[i])))
+    }
+}
+
+impl Index<Counter> for Statistics {
+    type Output = u32;
+
+    fn index(&self, counter: Counter) -> &u32 {
+        &self.0[counter as usize]
+    }
+}
+
+impl IndexMut<Counter> for Statistics {
+    fn index_mut(&mut self, counter: Counter) -> &mut u32 {
+        &mut self.0[counter as usize]
+    }
+}

@@ -7,6 +7,7 @@ mod barriers;
 mod bound;
 #[cfg(feature = "capture")]
 mod capture;
+mod counters;
 mod headless;
 mod input_set;
 mod memory;
@@ -81,6 +82,7 @@ pub struct Executor {
     labels: Option<ash::ext::debug_utils::Device>,
     options: ExecutorOptions,
     bindings: Vec<Binding>,
+    counters: counters::Counters,
     #[cfg(feature = "capture")]
     capture: capture::Capturing,
 }
@@ -110,6 +112,7 @@ impl Executor {
             } else {
                 None
             };
+            let counters = counters::Counters::new(host, denoiser.declaration().setup().frames_in_flight)?;
             let labels = options.debug_labels.then(|| ash::ext::debug_utils::Device::new(host.instance, host.device));
             Ok(Self {
                 denoiser,
@@ -120,6 +123,7 @@ impl Executor {
                 labels,
                 options,
                 bindings: Vec::new(),
+                counters,
                 #[cfg(feature = "capture")]
                 capture: capture::Capturing::new(host),
             })
@@ -277,6 +281,7 @@ impl Executor {
         // barriers bring them to the declared states, and the slot's earlier work is complete.
         unsafe {
             if pass == 0 {
+                self.copy_counters(cmd, frame)?;
                 if let Some(profiler) = &mut self.profiler {
                     profiler.start(cmd, frame.slot);
                 }

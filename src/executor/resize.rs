@@ -21,6 +21,7 @@ impl Executor {
         // SAFETY: no GPU work uses the memory that is replaced, and the device has the formats and is large enough for the extent.
         unsafe { self.memory.reallocate(&declaration, &self.options)? };
         self.denoiser.adopt(declaration);
+        self.counters.resize();
         #[cfg(feature = "capture")]
         // SAFETY: all GPU work is complete, so that nothing writes to the buffers of the capture.
         unsafe {

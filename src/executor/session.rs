@@ -5,7 +5,7 @@ use super::headless::HeadlessDevice;
 use super::session_objects::{Commands, OwnedImage};
 use super::transfer::Staging;
 use super::{Executor, ExecutorOptions, PassTime, Readback};
-use crate::contract::{DebugView, Declaration, FrameContext, FrameParams, Tuning, UseFrame};
+use crate::contract::{DebugView, Declaration, FrameContext, FrameParams, Statistics, Tuning, UseFrame};
 use crate::error::Error;
 use ash::vk;
 use std::collections::BTreeMap;
@@ -155,6 +155,14 @@ impl Session {
     /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame or where nothing is bound.
     pub fn download(&mut self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
         self.download_copy(name, UseFrame::Current).map(|(copy, bytes)| copy.to_floats(&bytes))
+    }
+
+    /// Counters of the last frame.
+    ///
+    /// # Errors
+    /// [`Error::NotBound`] before the first frame.
+    pub fn statistics(&mut self) -> Result<Statistics, Error> {
+        Statistics::from_bytes(&self.download_bytes("statistics", UseFrame::Current)?)
     }
 
     /// Raw texels of an output, a history or a transient, of either copy of a history: the bytes that [`Self::download`] makes

@@ -18,9 +18,9 @@ impl Graph {
 
     /// The first pass of every graph. By `vkCmdUpdateBuffer`, so that no host-visible memory and no copy per slot is needed.
     pub(super) fn start_frame(&mut self) {
-        use crate::contract::STATISTICS_COUNT;
+        use crate::contract::STATISTICS_BYTES;
         let constants = self.buffer("frame_constants", size_of::<crate::FrameConstants>() as u64, Lifetime::Transient);
-        let statistics = self.buffer("statistics", STATISTICS_COUNT * 4, Lifetime::Output);
+        let statistics = self.buffer("statistics", STATISTICS_BYTES, Lifetime::Output);
         let uses = [constants, statistics].map(|resource| Use { resource, frame: UseFrame::Current, access: Access::Clear });
         self.push_pass(
             "start_frame",

@@ -1,9 +1,8 @@
 //! The bindings of a pass on the CPU: the frame, its parameters, and texels by the names that the shader has.
 
-use super::statistics::Statistics;
 use super::texels::{Texels, BYTES, COLOUR, PACKED, SCALAR, UINT};
 use super::{Image, InstanceTransform};
-use crate::{Error, FrameConstants, Tuning};
+use crate::{Error, FrameConstants, Statistics, Tuning};
 
 /// The CPU twin of a stage: reads what the pass reads, and writes what it writes.
 pub type Twin = fn(&mut Bindings) -> Result<(), Error>;
@@ -113,25 +112,21 @@ impl<'a> Bindings<'a> {
         Ok(())
     }
 
-    /// Adds to the counters of bad input.
+    /// Adds to the counters of the frame.
     ///
     /// # Errors
     /// Errors of [`Self::bytes`] of `statistics`.
     pub fn count(&mut self, statistics: &Statistics) -> Result<(), Error> {
-        let before = self.statistics()?;
-        let sum: Statistics = std::array::from_fn(|i| before[i].wrapping_add(statistics[i]));
-        self.write("statistics", Texels::Bytes(bytemuck::cast_slice(&sum).to_vec()))
+        let sum = self.statistics()?.plus(statistics);
+        self.write("statistics", Texels::Bytes(sum.as_bytes().to_vec()))
     }
 
-    /// The counters of bad input.
+    /// The counters of the frame.
     ///
     /// # Errors
     /// Errors of [`Self::bytes`] of `statistics`.
     pub fn statistics(&self) -> Result<Statistics, Error> {
-        let mut statistics = Statistics::default();
-        let counts = self.bytes("statistics")?.chunks_exact(4).map(bytemuck::pod_read_unaligned);
-        statistics.iter_mut().zip(counts).for_each(|(kept, count)| *kept = count);
-        Ok(statistics)
+        Statistics::from_bytes(self.bytes("statistics")?)
     }
 
     /// The transforms of the host's instances, where they are bound.

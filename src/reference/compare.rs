@@ -29,6 +29,8 @@ pub struct Tolerance {
 pub enum Values {
     /// The values as they are: floats, or packed bits 16 at a time.
     Plain,
+    /// Words of a buffer, 32 bits each.
+    Counts,
     /// A 32-bit texel as two halves.
     Halves,
     /// Depth, normal, roughness and id.
@@ -164,6 +166,11 @@ impl Values {
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),
             Texels::Uint(image) => self.of_uint(image.at(p)),
+            Texels::Bytes(bytes) if self == Self::Counts => {
+                // Once a word: at its first byte.
+                let word = bytes.get(p.x as usize..p.x as usize + 4).filter(|_| p.x % 4 == 0);
+                padded([word.map_or(0.0, |word| bytemuck::pod_read_unaligned::<u32>(word) as f32)])
+            }
             Texels::Bytes(bytes) => padded([bytes.get(p.x as usize).copied().map_or(0.0, f32::from)]),
         }
     }

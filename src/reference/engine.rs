@@ -3,8 +3,8 @@
 use super::texels::Texels;
 use super::Image;
 use crate::contract::{
-    Access, DebugView, Declaration, FrameContext, FrameParams, FrameState, ImageFormat, Lifetime, ResourceId, Shape, Tuning, Use,
-    UseFrame, Work,
+    Access, DebugView, Declaration, FrameContext, FrameParams, FrameState, ImageFormat, Lifetime, ResourceId, Shape, Statistics,
+    Tuning, Use, UseFrame, Work,
 };
 use crate::error::Error;
 use ash::vk;
@@ -157,6 +157,15 @@ impl Engine {
     /// input.
     pub fn download(&self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
         self.texels(name, UseFrame::Current).map(Texels::to_floats)
+    }
+
+    /// Counters of the last frame.
+    ///
+    /// # Errors
+    /// [`Error::NotBound`] before the first frame.
+    pub fn statistics(&self) -> Result<Statistics, Error> {
+        let texels = self.texels("statistics", UseFrame::Current)?;
+        Statistics::from_bytes(if let Texels::Bytes(bytes) = texels { bytes } else { &[] })
     }
 
     /// Texels of either copy of a resource in the last frame.

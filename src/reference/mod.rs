@@ -113,7 +113,6 @@ pub use projection::Projections;
 pub use reflection::{pack_reflection, unpack_reflection, SeenReflection, FARTHEST_HIT};
 pub use reprojection::{motion_in_pixels, InstanceTransform};
 pub use stage::Stage;
-pub use statistics::{Counter, Statistics};
 pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};
 pub use surface_motion::{
     pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,

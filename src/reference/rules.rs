@@ -92,7 +92,11 @@ pub(crate) const BLOCK_DIFFERENCE: &[Rule] =
 /// A deviation near 0 is the root of a difference that rounding decides.
 pub(crate) const ACCUMULATED_MOMENTS: Tolerance = Tolerance { absolute: 2e-3, ..TESTED };
 
+/// A pixel whose test falls the other way moves from one counter to another.
+pub(crate) const HISTORY_COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, outliers: 0.0 };
+
 pub(crate) const TEMPORAL_ACCUMULATION: &[Rule] = &[
+    rule("statistics", Per::Buffer, Values::Counts, HISTORY_COUNTS),
     pixels("irradiance_0", TESTED),
     pixels("irradiance_1", TESTED),
     rule("new_moments_0", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),

@@ -1,7 +1,7 @@
 //! Scenes that the tests of the twins have in common.
 
 use super::*;
-use crate::{Config, Flags, FrameConstants, FrameParams, FrameState, Tuning};
+use crate::{Config, Counter, Flags, FrameConstants, FrameParams, FrameState, Statistics, Tuning};
 use glam::{Mat4, Vec3};
 
 /// A frame with history behind it, default tuning and conventions, identity matrices.
@@ -94,7 +94,7 @@ pub(crate) fn crop<T: Clone>(image: &Image<T>, extent: [u32; 2]) -> Image<T> {
 /// Counters of which a few counted something.
 pub(crate) fn counted(counts: &[(Counter, u32)]) -> Statistics {
     let mut statistics = Statistics::default();
-    counts.iter().for_each(|(counter, count)| statistics[*counter as usize] = *count);
+    counts.iter().for_each(|(counter, count)| statistics[*counter] = *count);
     statistics
 }
 

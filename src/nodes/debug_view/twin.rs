@@ -10,8 +10,8 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
 use crate::reference::reflection::{lobe_width, nearness, unpack_reflection, SeenReflection};
 use crate::reference::surface_motion::unpack_surface_motion;
-use crate::reference::{Image, Moments, Statistics, LARGEST_HALF};
-use crate::{DebugView, FrameConstants, Tuning};
+use crate::reference::{Image, Moments, LARGEST_HALF};
+use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2};
 
 mod adapter;
@@ -55,7 +55,7 @@ pub struct DebugViewInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
     pub surface_motion: &'a Image<[u16; 4]>,
-    /// Counters of bad input.
+    /// Counters of the frame.
     pub statistics: &'a Statistics,
     /// `moments*` of every signal.
     pub moments: &'a [&'a Image<[u16; 4]>],
@@ -193,7 +193,7 @@ impl DebugViewInputs<'_> {
 fn bad_values(frame: &FrameConstants, statistics: &Statistics, p: IVec2) -> ([f32; 3], f32) {
     let [width, height] = frame.render_extent;
     let kind = (p.y as u32 * BAD_KINDS / height).min(BAD_KINDS - 1);
-    let count = statistics[kind as usize] as f32;
+    let count = statistics[Counter::ALL[kind as usize]] as f32;
     let length = (1.0 + count).log2() / (1.0 + width as f32 * height as f32).log2();
     if (p.x as f32 + 0.5) / (width as f32) < length {
         (from_srgb(REASON_COLOURS[5].map(f32::from)), count)

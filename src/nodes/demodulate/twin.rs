@@ -7,8 +7,9 @@ use crate::reference::kept_radiance::{kept_radiance, pack_halves};
 use crate::reference::luminance::luminance;
 use crate::reference::reflection::FARTHEST_HIT;
 use crate::reference::specular_albedo::specular_albedo_from;
-use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::statistics::count;
 use crate::reference::{Image, HOLE};
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 use glam::IVec2;
 
@@ -92,8 +93,8 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
         })
     });
     let mut statistics = Statistics::default();
-    statistics[Counter::Albedo as usize] = count(divisors.texels().iter().map(|d| d.1));
-    statistics[Counter::HitDistance as usize] = distances.as_ref().map_or(0, |d| count(d.texels().iter().map(|d| d.1)));
+    statistics[Counter::Albedo] = count(divisors.texels().iter().map(|d| d.1));
+    statistics[Counter::HitDistance] = distances.as_ref().map_or(0, |d| count(d.texels().iter().map(|d| d.1)));
     let mut irradiance = Vec::with_capacity(inputs.noisy.len());
     for noisy in inputs.noisy {
         let texels = Image::compute(extent, frame.render_extent, |p| {
@@ -104,7 +105,7 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
                 ([0.0, 0.0, 0.0, if inputs.has_holes { HOLE } else { 0.0 }], !inputs.has_holes)
             }
         });
-        statistics[Counter::Radiance as usize] += count(texels.texels().iter().map(|t| t.1));
+        statistics[Counter::Radiance] += count(texels.texels().iter().map(|t| t.1));
         irradiance.push(match &distances {
             Some(distances) if irradiance.is_empty() => Image::compute(extent, frame.render_extent, |p| {
                 let ([r, g, b, _], _) = texels.at(p);

@@ -9,10 +9,10 @@ use crate::reference::forward_projection::{
 };
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::reprojection::InstanceTransform;
-use crate::reference::statistics::{Counter, Statistics};
 use crate::reference::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, UVec2, Vec4};
 
@@ -78,7 +78,7 @@ pub fn forward_project_claim(
                     *claim = key_of(frame, index, count).max(*claim);
                 }
             }
-            Err(Lost::BadMotion) => statistics[Counter::ForwardMotion as usize] += 1,
+            Err(Lost::BadMotion) => statistics[Counter::ForwardMotion] += 1,
             Err(Lost::Gone) => {}
         }
     }

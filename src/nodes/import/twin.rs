@@ -9,9 +9,10 @@ use crate::reference::octahedral::{from_square, octahedral10};
 use crate::reference::projection::Projections;
 use crate::reference::reflection::{is_roughness, roughness_of};
 use crate::reference::reprojection::{previous_normal, reproject, HostMotion, InstanceTransform};
-use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::statistics::count;
 use crate::reference::surface_motion::{pack_depth_gradient, pack_surface_motion};
 use crate::reference::{render_rect::RenderRect, Image};
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 use glam::{IVec2, Vec2, Vec3};
 
@@ -95,10 +96,10 @@ pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
     });
     let texels = Image::compute(extent, render_extent, |p| texel(frame, inputs, &projections, &depths, p));
     let mut statistics = Statistics::default();
-    statistics[Counter::Depth as usize] = count(depths.texels().iter().map(|d| d.1));
-    statistics[Counter::Normal as usize] = count(texels.texels().iter().map(|t| t.is_normal_bad));
-    statistics[Counter::Roughness as usize] = count(texels.texels().iter().map(|t| t.is_roughness_bad));
-    statistics[Counter::Motion as usize] = count(texels.texels().iter().map(|t| t.is_motion_bad));
+    statistics[Counter::Depth] = count(depths.texels().iter().map(|d| d.1));
+    statistics[Counter::Normal] = count(texels.texels().iter().map(|t| t.is_normal_bad));
+    statistics[Counter::Roughness] = count(texels.texels().iter().map(|t| t.is_roughness_bad));
+    statistics[Counter::Motion] = count(texels.texels().iter().map(|t| t.is_motion_bad));
     ImportOutputs {
         guide: texels.map(|t| t.guide),
         surface_motion: texels.map(|t| t.surface_motion),

@@ -4,8 +4,9 @@ use crate::nodes::demodulate::twin::{albedo_at, divisor};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::guide::unpack_guide;
-use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::statistics::count;
 use crate::reference::Image;
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
 #[cfg(test)]
@@ -60,7 +61,7 @@ pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutp
         ([radiance[0], radiance[1], radiance[2], 1.0], is_bad)
     });
     let mut statistics = Statistics::default();
-    statistics[Counter::Emission as usize] = count(texels.texels().iter().map(|t| t.1));
+    statistics[Counter::Emission] = count(texels.texels().iter().map(|t| t.1));
     ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
 }
 

@@ -2,8 +2,9 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
-use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::statistics::count;
 use crate::reference::Image;
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
 /// `radiance + unshadowed_direct · visibility`, half precision, with the counter of light that is not finite.
@@ -22,7 +23,7 @@ pub fn shadowed_light(
         ([store(before[0] + light[0]), store(before[1] + light[1]), store(before[2] + light[2]), 1.0], false)
     });
     let mut statistics = Statistics::default();
-    statistics[Counter::Radiance as usize] = count(texels.texels().iter().map(|t| t.1));
+    statistics[Counter::Radiance] = count(texels.texels().iter().map(|t| t.1));
     (texels.map(|t| t.0), statistics)
 }
 
@@ -48,6 +49,6 @@ mod tests {
         let radiance = Image::new([4, 1], [1.0, 1.0, 1.0, 1.0]);
         let (sum, statistics) = shadowed_light(&frame([4, 1]), &radiance, &light, &Image::new([4, 1], 0.5));
         assert_eq!(sum.texels(), [[2.0, 3.0, 5.0, 1.0], [1.0; 4], [1.0; 4], [1.0, 32752.0, 1.5, 1.0]]);
-        assert_eq!(statistics[Counter::Radiance as usize], 2);
+        assert_eq!(statistics[Counter::Radiance], 2);
     }
 }

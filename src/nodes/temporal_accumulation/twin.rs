@@ -7,7 +7,7 @@ use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{FrameConstants, Tuning};
+use crate::{Counter, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 mod adapter;
@@ -93,6 +93,8 @@ pub struct TemporalAccumulationOutputs {
     pub irradiance: Vec<Image<[f32; 4]>>,
     /// See [`unpack_moments`].
     pub moments: Vec<Image<[u16; 4]>>,
+    /// Surfaces with a history of their own, and those without by reason.
+    pub statistics: Statistics,
 }
 
 /// The history of a pixel, shared by all signals.
@@ -105,8 +107,25 @@ enum History {
     Taps([(IVec2, f32); 9]),
     /// Such pixels for the moments, and for the irradiance 4×4 with the weights of a cubic.
     Sharp([(IVec2, f32); 9], [(IVec2, f32); 16]),
-    /// Pixels that may show the same surface, with such weights \[PSVGF\].
-    Repaired([(IVec2, f32); 9]),
+    /// Pixels that may show the same surface, with such weights, and why there is no history of its own \[PSVGF\].
+    Repaired([(IVec2, f32); 9], Reason),
+}
+
+impl History {
+    /// The counter of a surface with this history; none in the background and in a reset frame.
+    fn counter(&self) -> Option<Counter> {
+        match self {
+            Self::Taps(_) | Self::Sharp(..) => Some(Counter::HistoryKept),
+            Self::Disoccluded(reason) | Self::Repaired(_, reason) => match reason {
+                Reason::OffScreen => Some(Counter::LostOffScreen),
+                Reason::Id => Some(Counter::LostSurfaceId),
+                Reason::Depth => Some(Counter::LostDepth),
+                Reason::Normal => Some(Counter::LostNormal),
+                Reason::None | Reason::Reset => None,
+            },
+            Self::Background => None,
+        }
+    }
 }
 
 /// Frames that the history of a neighbour is worth: it soon gives way to what the pixel sees itself.
@@ -134,7 +153,9 @@ pub fn temporal_accumulation(
             None => History::Disoccluded(Reason::Reset),
         }
     });
-    let mut outputs = TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new() };
+    let mut outputs =
+        TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new(), statistics: Statistics::default() };
+    histories.texels().iter().filter_map(History::counter).for_each(|counter| outputs.statistics[counter] += 1);
     for (i, irradiance) in inputs.irradiance.iter().enumerate() {
         let signal = previous.and_then(|previous| previous.signals.get(i));
         let texels = Image::compute(extent, frame.render_extent, |p| {
@@ -249,13 +270,16 @@ impl Reprojected {
         let slack = 2.0 * self.depth_gradient.abs().element_sum();
         taps::find(self.s, |q| self.refusal(surfaces, q))
             .map(|found| if sharp { taps::sharpened(self.s, found, |q| self.refusal_aside(surfaces, q, slack)) } else { found })
-            .or_else(|| if repair { self.repaired(surfaces) } else { None })
-            .unwrap_or_else(|| History::Disoccluded(self.refusal(surfaces, taps::nearest(self.s))))
+            .unwrap_or_else(|| {
+                let reason = self.refusal(surfaces, taps::nearest(self.s));
+                let repaired = if repair { self.repaired(surfaces, reason) } else { None };
+                repaired.unwrap_or(History::Disoccluded(reason))
+            })
     }
 
     /// Disocclusion repair \[PSVGF\]: around the end of the motion 3×3 pixels, then rings of eight, 2 and 4 pixels away, until one
     /// has a pixel that may be the same surface.
-    fn repaired(&self, surfaces: &Image<Surface>) -> Option<History> {
+    fn repaired(&self, surfaces: &Image<Surface>, reason: Reason) -> Option<History> {
         let nearest = (self.cut_at_border() + 0.5).floor().as_ivec2();
         [1, 2, 4].into_iter().find_map(|ring| {
             let mut taps = [(IVec2::ZERO, 0.0); 9];
@@ -266,7 +290,7 @@ impl Reprojected {
             }
             let sum: f32 = taps.iter().map(|tap| tap.1).sum();
             taps.iter_mut().for_each(|tap| tap.1 /= sum);
-            (sum > 0.0).then_some(History::Repaired(taps))
+            (sum > 0.0).then_some(History::Repaired(taps, reason))
         })
     }
 
@@ -298,7 +322,7 @@ fn accumulate(
         (History::Disoccluded(reason), _) => return fresh(c, reason),
         (_, None) => return fresh(c, Reason::Reset),
         (History::Taps(taps) | History::Sharp(taps, _), Some(signal)) => (taps, f32::INFINITY, signal),
-        (History::Repaired(taps), Some(signal)) => (taps, REPAIRED_HISTORY_LENGTH, signal),
+        (History::Repaired(taps, _), Some(signal)) => (taps, REPAIRED_HISTORY_LENGTH, signal),
     };
     let (mut irradiance, before) = weighted_history(&taps, signal);
     if let History::Sharp(_, cubic) = history {

@@ -3,8 +3,9 @@
 use crate::reference::binary16::{half_bits, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::guide::unpack_guide;
-use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::statistics::count;
 use crate::reference::Image;
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
 /// The visibility of a pixel that has no sample.
@@ -28,8 +29,8 @@ pub fn visibility_samples(
         (packed(visibility, distance), !(0.0..=1.0).contains(&v), d.is_nan() || d < 0.0)
     });
     let mut statistics = Statistics::default();
-    statistics[Counter::Visibility as usize] = count(texels.texels().iter().map(|t| t.1));
-    statistics[Counter::OccluderDistance as usize] = count(texels.texels().iter().map(|t| t.2));
+    statistics[Counter::Visibility] = count(texels.texels().iter().map(|t| t.1));
+    statistics[Counter::OccluderDistance] = count(texels.texels().iter().map(|t| t.2));
     (texels.map(|t| t.0), statistics)
 }
 
@@ -61,7 +62,7 @@ mod tests {
         let halves = |shift: u32| samples.texels().iter().map(|t| from_half_bits((t >> shift) as u16)).collect::<Vec<_>>();
         assert_eq!(halves(0), [0.0, 1.0, 0.5, 0.0, 1.0, NO_SAMPLE, NO_SAMPLE, NO_SAMPLE, 1.0]);
         assert_eq!(halves(16), [0.0, 2.0, 0.0, 0.0, 0.0, 65504.0, 0.0, 0.0, 0.0]);
-        let counted = [Counter::Visibility, Counter::OccluderDistance].map(|c| statistics[c as usize]);
+        let counted = [Counter::Visibility, Counter::OccluderDistance].map(|c| statistics[c]);
         assert_eq!(counted, [5, 3]);
     }
 }

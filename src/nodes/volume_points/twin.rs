@@ -3,8 +3,9 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
-use crate::reference::statistics::{count, Counter, Statistics};
+use crate::reference::statistics::count;
 use crate::reference::Image;
+use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
 /// A pixel of `volume_points`.
@@ -61,8 +62,8 @@ pub fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> Vol
         (([r, g, b, 0.0], pack_volume_point(&point)), (bad_radiance, depth.is_nan()))
     });
     let mut statistics = Statistics::default();
-    statistics[Counter::Radiance as usize] = count(texels.texels().iter().map(|t| t.1 .0));
-    statistics[Counter::ScatteringDepth as usize] = count(texels.texels().iter().map(|t| t.1 .1));
+    statistics[Counter::Radiance] = count(texels.texels().iter().map(|t| t.1 .0));
+    statistics[Counter::ScatteringDepth] = count(texels.texels().iter().map(|t| t.1 .1));
     VolumePointsOutputs { radiance: texels.map(|t| t.0 .0), volume_points: texels.map(|t| t.0 .1), statistics }
 }
 
@@ -98,7 +99,7 @@ mod tests {
         let outputs = taken_in(&Image::new([6, 1], [1.0; 4]), Some(&depth));
         let depths: Vec<f32> = outputs.volume_points.texels().iter().map(|t| unpack_volume_point(*t).linear_depth).collect();
         assert_eq!(depths, [0.0, 0.0, 0.0, 0.0, 0.0, 2.5]);
-        assert_eq!(outputs.statistics[Counter::ScatteringDepth as usize], 1);
+        assert_eq!(outputs.statistics[Counter::ScatteringDepth], 1);
         let without = taken_in(&Image::new([6, 1], [1.0; 4]), None);
         assert!(without.volume_points.texels().iter().all(|t| unpack_volume_point(*t).linear_depth == 0.0));
     }
@@ -109,7 +110,7 @@ mod tests {
             paint([3, 1], |x, _| [[f32::NAN, 1.0, 1.0, 0.0], [1.0, f32::INFINITY, 0.0, 0.0], [1e9, -1.0, 0.25, 0.0]][x as usize]);
         let outputs = taken_in(&noisy, None);
         assert_eq!(outputs.radiance.texels(), [[0.0; 4], [0.0; 4], [65504.0, 0.0, 0.25, 0.0]]);
-        assert_eq!(outputs.statistics[Counter::Radiance as usize], 2);
+        assert_eq!(outputs.statistics[Counter::Radiance], 2);
     }
 
     #[test]

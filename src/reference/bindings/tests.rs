@@ -4,6 +4,7 @@ use super::super::test_scene::*;
 use super::super::*;
 use super::*;
 use crate::kernel::Kernel;
+use crate::Counter;
 
 const EXTENT: [u32; 2] = [12, 9];
 
@@ -57,7 +58,7 @@ fn the_second_signal_is_there_or_not() {
 #[test]
 fn counts_are_added_to_those_before() {
     let (frame, tuning) = (frame([2, 1]), Tuning::default());
-    let counts = |counts: &[(Counter, u32)]| Texels::Bytes(bytemuck::cast_slice(&counted(counts)).to_vec());
+    let counts = |counts: &[(Counter, u32)]| Texels::Bytes(counted(counts).as_bytes().to_vec());
     let before = counts(&[(Counter::Depth, 1), (Counter::Radiance, 7)]);
     let guide = Texels::Packed(Image::new([2, 1], pack_guide(&surface(2.0))));
     let noisy = Texels::Colour(paint([2, 1], |x, _| [if x == 0 { f32::NAN } else { 1.0 }; 4]));

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_moments, Counter, Reason};
+use crate::reference::{pack_moments, Reason};
 
 const EXTENT: [u32; 2] = [16, 14];
 

@@ -115,7 +115,7 @@ fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
     let output = demodulate(&frame(extent), &inputs);
     let stored: Vec<f32> = output.irradiance[0].texels().iter().map(|texel| texel[3]).collect();
     assert_eq!(stored, [FARTHEST_HIT, 2.5, 0.0, 0.0, FARTHEST_HIT, 0.0]);
-    assert_eq!(output.statistics[Counter::HitDistance as usize], 2, "the background has no hit");
+    assert_eq!(output.statistics[Counter::HitDistance], 2, "the background has no hit");
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn specular_light_comes_back_through_either_albedo() {
         };
         let frame = frame(EXTENT);
         let divided = demodulate(&frame, &inputs);
-        assert_eq!(divided.statistics[Counter::Albedo as usize], EXTENT[1]);
+        assert_eq!(divided.statistics[Counter::Albedo], EXTENT[1]);
         assert_ne!(divided.irradiance[0].at(IVec2::X), noisy.at(IVec2::X));
         let inputs = ModulateInputs {
             guide: &guides.guide,

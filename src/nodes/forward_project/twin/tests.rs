@@ -129,7 +129,7 @@ fn forward_motion_leads_and_bad_values_are_counted() {
         let motion = Image::new(EXTENT, texel);
         let (_, outputs, statistics) =
             wall.second_with_statistics(ForwardProjectInputs { forward_motion: Some(&motion), ..wall.inputs() });
-        (wall.samples(&outputs), statistics[Counter::ForwardMotion as usize])
+        (wall.samples(&outputs), statistics[Counter::ForwardMotion])
     };
     let (samples, bad) = with([3.0 / 24.0, -2.0 / 16.0, 4.0, 0.0]);
     assert!(!samples.is_empty() && bad == 0);

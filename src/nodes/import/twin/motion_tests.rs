@@ -218,6 +218,6 @@ fn bad_motion_is_counted_and_replaced_by_the_matrices() {
     for bad in [[f32::NAN, 0.0, 0.0, 0.0], [0.0, f32::NEG_INFINITY, 0.0, 0.0]] {
         let with = Scene { motion: Some(bad), ..Scene::new(before, now) }.import();
         assert_eq!(with.0, without.0);
-        assert_eq!(with.1[Counter::Motion as usize], 48);
+        assert_eq!(with.1[Counter::Motion], 48);
     }
 }

@@ -144,7 +144,7 @@ fn a_normal_without_direction_faces_the_camera() {
         for texel in imported.guide.texels() {
             assert!(Vec3::from(unpack_guide(*texel).normal).distance(expected) < 1e-3, "{:?}", unpack_guide(*texel));
         }
-        assert_eq!(imported.statistics[Counter::Normal as usize], 3);
+        assert_eq!(imported.statistics[Counter::Normal], 3);
     }
 }
 
@@ -229,8 +229,8 @@ fn no_bad_value_reaches_an_output() {
             }
             assert!(imported.depth_gradient.texels().iter().all(|g| unpack_depth_gradient(*g).iter().all(|d| d.is_finite())));
             let has_motion = inputs.motion.is_some();
-            assert_eq!(imported.statistics[Counter::Motion as usize] > 0, has_motion);
-            assert!(imported.statistics[Counter::Depth as usize] > 0 && imported.statistics[Counter::Normal as usize] > 0);
+            assert_eq!(imported.statistics[Counter::Motion] > 0, has_motion);
+            assert!(imported.statistics[Counter::Depth] > 0 && imported.statistics[Counter::Normal] > 0);
         }
     }
 }

@@ -15,6 +15,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         true => volume(b, guide, &irradiance, &signals)?,
         false => surfaces(b, &irradiance, PreviousFrame { guide, signals: &signals })?,
     };
+    b.count(&outputs.statistics)?;
     let split = |(irradiance, moments)| split_moments(irradiance, moments);
     let (irradiance, new_moments): (Vec<_>, Vec<_>) = outputs.irradiance.iter().zip(&outputs.moments).map(split).unzip();
     b.write_signals("irradiance", irradiance)?;
@@ -46,7 +47,8 @@ fn volume(
     radiance: &[&Image<[f32; 4]>],
     signals: &[SignalHistory],
 ) -> Result<TemporalAccumulationOutputs, Error> {
-    let mut outputs = TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new() };
+    let mut outputs =
+        TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new(), statistics: Statistics::default() };
     for (radiance, signal) in radiance.iter().zip(signals.chunks(1)) {
         let inputs = VolumeAccumulationInputs {
             guide: b.packed("guide")?,

@@ -81,6 +81,7 @@ fn alpha_bounds_the_weight_of_a_new_sample() {
     let previous = TemporalAccumulationOutputs {
         irradiance: vec![grey(EXTENT, 1.0)],
         moments: vec![Image::new(EXTENT, pack_moments(&moments))],
+        statistics: Statistics::default(),
     };
     let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.25, alpha_moments: 0.5, ..Tuning::default() });
     let output = tuned(&frame, &tuning, &guides, &grey(EXTENT, 3.0), Some(&previous));
@@ -120,6 +121,7 @@ fn exposure_scales_the_history() {
             let m = unpack_moments(*m);
             pack_moments(&Moments { mean: 2.0 * m.mean, deviation: 2.0 * m.deviation, ..m })
         })],
+        statistics: Statistics::default(),
     };
     let expected = step(&frame(EXTENT), &guides, &bright, Some(&doubled));
     assert_eq!(next, expected);
@@ -135,6 +137,7 @@ fn a_reset_frame_is_a_first_frame_and_reads_nothing() {
     let poison = TemporalAccumulationOutputs {
         irradiance: vec![Image::new(EXTENT, [f32::NAN; 4])],
         moments: vec![Image::new(EXTENT, [0x7e00; 4])],
+        statistics: Statistics::default(),
     };
     let first = step(&frame(EXTENT), &guides, &c, None);
     assert_eq!(step(&reset(frame(EXTENT)), &guides, &c, Some(&poison)), first);

@@ -1,9 +1,10 @@
 //! One frame: bad values, sky, what is between the stages.
 
 use super::super::super::test_scene::*;
-use super::super::super::{round_image_to_half, round_to_half, tone_map, Counter, Reason, Statistics};
+use super::super::super::{round_image_to_half, round_to_half, tone_map, Reason};
 use super::*;
 use crate::config::{PostProcess, Signals};
+use crate::{Counter, Statistics};
 use glam::Vec3;
 
 const EXTENT: [u32; 2] = [13, 9];
@@ -84,11 +85,11 @@ fn no_bad_value_of_any_input_reaches_an_output() {
             assert!(engine.download(name).expect(name).iter().flatten().all(|x| x.is_finite()), "{name}");
         }
         let Ok(Texels::Bytes(bytes)) = engine.texels("statistics", UseFrame::Current) else { panic!("a buffer") };
-        let counts: Statistics = bytemuck::pod_read_unaligned(bytes);
-        assert!(counts[..=Counter::Emission as usize].iter().all(|n| *n > 0), "{counts:?}");
-        assert!(counts[Counter::Roughness as usize] > 0, "{counts:?}");
-        let [motion, scattering] = [Counter::ForwardMotion, Counter::ScatteringDepth].map(|of| counts[of as usize]);
-        assert_eq!((motion, scattering, counts[Counter::HitDistance as usize]), (0, 0, 0));
+        let counts = Statistics::from_bytes(bytes).expect("counters");
+        assert!(Counter::ALL[..=Counter::Emission as usize].iter().all(|of| counts[*of] > 0), "{counts:?}");
+        assert!(counts[Counter::Roughness] > 0, "{counts:?}");
+        let [motion, scattering] = [Counter::ForwardMotion, Counter::ScatteringDepth].map(|of| counts[of]);
+        assert_eq!((motion, scattering, counts[Counter::HitDistance]), (0, 0, 0));
     }
 }
 

@@ -1,0 +1,84 @@
+//! The counters of frames, read when a frame slot comes round again, so that nothing waits; with a warning where history is lost.
+
+use super::transfer::Staging;
+use super::Executor;
+use crate::contract::{FrameContext, HistoryWatch, Statistics, UseFrame, STATISTICS_BYTES};
+use crate::device::Device;
+use crate::error::Error;
+use ash::vk;
+
+/// Name of the buffer.
+const STATISTICS: &str = "statistics";
+
+/// Copies of the counters, by frame slot.
+pub(super) struct Counters {
+    slots: Vec<Slot>,
+    /// Whether the buffer holds counters of a frame.
+    is_filled: bool,
+    newest: Option<Statistics>,
+    watch: HistoryWatch,
+}
+
+struct Slot {
+    staging: Staging,
+    is_recorded: bool,
+}
+
+impl Counters {
+    /// # Safety
+    /// Obligations of `Executor::new`.
+    pub unsafe fn new(host: Device<'_>, slots: u32) -> Result<Self, Error> {
+        // SAFETY: instance, physical device and device are live, belong together and outlive the executor.
+        let slot = |_| unsafe { Staging::new(host, STATISTICS_BYTES) }.map(|staging| Slot { staging, is_recorded: false });
+        Ok(Self {
+            slots: (0..slots).map(slot).collect::<Result<_, Error>>()?,
+            is_filled: false,
+            newest: None,
+            watch: HistoryWatch::default(),
+        })
+    }
+
+    /// Forgets the content of the buffer, which is another one now.
+    pub fn resize(&mut self) {
+        self.is_filled = false;
+    }
+
+    /// Reads what was copied with this slot before.
+    fn collect(&mut self, slot: u32) {
+        let slot = &mut self.slots[slot as usize];
+        if !std::mem::take(&mut slot.is_recorded) {
+            return;
+        }
+        let Ok(statistics) = Statistics::from_bytes(slot.staging.bytes()) else { return };
+        self.newest = Some(statistics);
+        if let Some(loss) = self.watch.look(&statistics) {
+            log::warn!("atrous: {loss}");
+        }
+    }
+}
+
+impl Executor {
+    /// Counters of the newest frame that was read: of the one before the last with this frame's slot, or `None` until then, and where
+    /// the host bound the buffer `statistics` itself.
+    pub fn statistics(&self) -> Option<Statistics> {
+        self.counters.newest
+    }
+
+    /// Copies the counters of the frame before, which the first pass clears.
+    ///
+    /// # Safety
+    /// Obligations of [`Self::record`].
+    pub(super) unsafe fn copy_counters(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) -> Result<(), Error> {
+        self.counters.collect(frame.slot);
+        let is_lent = self.memory.storages.is_lent(self.denoiser.declaration().named(STATISTICS)?);
+        if !std::mem::replace(&mut self.counters.is_filled, true) || is_lent {
+            return Ok(());
+        }
+        let slot = &mut self.counters.slots[frame.slot as usize];
+        slot.is_recorded = true;
+        let buffer = slot.staging.buffer;
+        // SAFETY: `cmd` is recording outside a render pass; both buffers are ours and have the size of the counters, and the slot's
+        // earlier work is complete.
+        unsafe { self.record_copy(cmd, frame, STATISTICS, UseFrame::Current, buffer) }
+    }
+}
