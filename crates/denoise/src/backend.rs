@@ -4,7 +4,7 @@ use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::reference::Engine;
-use atrous::{Config, DebugView, Declaration, Error, FrameParams, Lifetime, Shape, Tuning};
+use atrous::{Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, Lifetime, Shape, Statistics, Tuning};
 use atrous_picture::Picture;
 use std::sync::Arc;
 
@@ -15,6 +15,8 @@ pub struct FrameOutputs {
     pub radiance: Vec<[f32; 3]>,
     /// Debug views of the preset, where they were asked for.
     pub views: Vec<(DebugView, Picture)>,
+    /// A report that nearly every surface loses its history, once in a run.
+    pub loss: Option<HistoryLoss>,
 }
 
 /// Filters frames in order.
@@ -38,6 +40,7 @@ trait Runner {
     fn restart_at(&mut self, index: u64);
     fn run(&mut self, params: &FrameParams, tuning: &Tuning) -> Outcome<()>;
     fn download(&mut self, name: &str) -> Outcome<Vec<[f32; 4]>>;
+    fn statistics(&mut self) -> Outcome<Statistics>;
     fn debug_view(&mut self, view: DebugView) -> Outcome<Vec<[f32; 4]>>;
 }
 
@@ -69,6 +72,9 @@ macro_rules! runner {
             fn download(&mut self, name: &str) -> Outcome<Vec<[f32; 4]>> {
                 <$type>::download(self, name)
             }
+            fn statistics(&mut self) -> Outcome<Statistics> {
+                <$type>::statistics(self)
+            }
             fn debug_view(&mut self, view: DebugView) -> Outcome<Vec<[f32; 4]>> {
                 <$type>::debug_view(self, view)
             }
@@ -85,6 +91,7 @@ pub struct Passes {
     name: String,
     /// What the next frame counts as, unless it says otherwise.
     next: Option<u64>,
+    watch: HistoryWatch,
 }
 
 const TRANSFORMS: &str = "instance_transforms";
@@ -95,7 +102,7 @@ impl Passes {
         let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?);
         let name = gpu.name().to_owned();
         let session = Session::new(gpu, config.declare()?, SessionOptions::default())?;
-        Ok(Self { runner: Box::new(session), name, next: None })
+        Ok(Self { runner: Box::new(session), name, next: None, watch: HistoryWatch::default() })
     }
 
     /// The passes on the CPU: slow, and the measure of what a GPU should give.
@@ -103,7 +110,7 @@ impl Passes {
         let engine = Engine::new(config.declare()?)?;
         // Views are drawn behind the frame, from what would be freed by then.
         let engine = if config.debug_view { engine.keep_transients() } else { engine };
-        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into(), next: None })
+        Ok(Self { runner: Box::new(engine), name: "the CPU reference".into(), next: None, watch: HistoryWatch::default() })
     }
 
     fn upload(&mut self, frame: &FrameInputs) -> Result<()> {
@@ -142,7 +149,8 @@ impl Backend for Passes {
                 add(&mut radiance, &self.runner.download(name)?);
             }
         }
-        let mut outputs = FrameOutputs { radiance, views: Vec::new() };
+        let loss = self.watch.look(&self.runner.statistics()?);
+        let mut outputs = FrameOutputs { radiance, views: Vec::new(), loss };
         if views {
             let extent = self.runner.declaration().allocated_extent();
             for view in self.runner.declaration().debug_views() {

@@ -16,8 +16,8 @@ pub enum ToolError {
     #[error("{}: the header claims {claim}; the limit is {limit}. The file is corrupt, or crop the frames first", path.display())]
     TooLarge { path: PathBuf, claim: String, limit: String },
     /// A run that does not fit into memory.
-    #[error("{}: {}x{} pixels need about {needed} MiB ({parts}), and {available} MiB can be had ({limit}). Crop the frames, leave channels out with --channel ROLE=none, or free memory; where the picture is not as large as that, its header is corrupt", path.display(), extent[0], extent[1])]
-    Memory { path: PathBuf, extent: [u32; 2], needed: u64, parts: String, available: u64, limit: &'static str },
+    #[error("{}: {}x{} pixels need at least {needed} MiB ({parts}), and {available} MiB can be had ({limit}). {remedies}", path.display(), extent[0], extent[1])]
+    Memory { path: PathBuf, extent: [u32; 2], needed: u64, parts: String, available: u64, limit: &'static str, remedies: String },
     /// A frame with another size than the first.
     #[error("{}: {}x{} pixels, but the first frame has {}x{}; all frames of a sequence must have one size", path.display(), given[0], given[1], expected[0], expected[1])]
     FrameSize { path: PathBuf, given: [u32; 2], expected: [u32; 2] },

@@ -3,15 +3,16 @@
 //! `tests/memory.rs` holds the sums against what is really allocated.
 
 use crate::error::{Result, ToolError};
+use crate::pipeline::QUEUE;
 use crate::roles::Role;
 use crate::setup::Setup;
-use atrous::config::Signals;
+use atrous::config::{Preset, Signals};
 use atrous::Config;
 use std::path::Path;
 use sysinfo::System;
 
-/// Frames in memory at once: read, waiting twice two, filtered, written.
-const FRAMES: u64 = 7;
+/// Frames in memory at once that do not wait: read, filtered, written.
+const AT_WORK: u64 = 3;
 /// Bytes of a texel as the tool has it: four floats.
 const TEXEL: u64 = 16;
 /// Bytes of a colour.
@@ -31,6 +32,8 @@ pub fn reading_limit(setup: &Setup) -> u64 {
 pub struct Demands {
     /// Frames of the run.
     pub frames: usize,
+    /// Frames that may wait between two threads of [`crate::pipeline`].
+    pub queue: usize,
     /// Filtered on the CPU; on a device otherwise, whose memory may be that of the program.
     pub reference: bool,
     /// Filtered at all.
@@ -69,8 +72,9 @@ impl Need {
         // What roles are made of, one after the other.
         let pieces = 4 * (TEXEL + 1);
         let outputs = if demands.filtered { COLOUR } else { 0 };
+        let at_once = (AT_WORK + 2 * demands.queue as u64).min(demands.frames as u64);
         Ok(Self {
-            frames: (frame + outputs) * pixels * FRAMES.min(demands.frames as u64),
+            frames: (frame + outputs) * pixels * at_once,
             reading: (planes + pieces) * pixels + 2 * setup.reading,
             filter: if demands.filtered { filter(setup, demands)? } else { 0 },
             writing: if demands.filtered { writing(demands) * pixels } else { 0 },
@@ -81,23 +85,71 @@ impl Need {
     pub fn total(&self) -> u64 {
         [self.frames, self.reading, self.filter, self.writing].into_iter().fold(PROGRAM, u64::saturating_add)
     }
+}
 
-    /// Refuses a run that does not fit.
-    ///
-    /// # Errors
-    /// [`ToolError::Memory`] names the file whose size it is.
-    pub fn check(&self, path: &Path, extent: [u32; 2], free: Option<Free>) -> Result<()> {
-        let Some(free) = free.filter(|free| free.bytes < self.total()) else { return Ok(()) };
-        let mib = |bytes: u64| bytes >> 20;
-        let Self { frames, reading, filter, writing } = self.map(mib);
-        let parts = format!("frames {frames}, reading {reading}, filter {filter}, writing {writing}");
-        let (needed, available) = (mib(self.total()), mib(free.bytes));
-        Err(ToolError::Memory { path: path.to_owned(), extent, needed, parts, available, limit: free.limit })
+/// Frames that may wait between two threads: as many as fit, 2 to 0.
+///
+/// # Errors
+/// [`ToolError::Memory`] where none fits: it names the file whose size it is, and what would fit. Errors of [`Need::new`].
+pub fn fitting_queue(path: &Path, setup: &Setup, demands: &Demands, free: Option<Free>) -> Result<usize> {
+    let Some(free) = free else { return Ok(QUEUE) };
+    for queue in (0..=QUEUE).rev() {
+        if Need::new(setup, &Demands { queue, ..*demands })?.total() <= free.bytes {
+            return Ok(queue);
+        }
     }
+    let demands = Demands { queue: 0, ..*demands };
+    let need = Need::new(setup, &demands)?;
+    let Need { frames, reading, filter, writing } = need;
+    let parts = format!("frames {}, reading {}, filter {}, writing {}", mib(frames), mib(reading), mib(filter), mib(writing));
+    Err(ToolError::Memory {
+        path: path.to_owned(),
+        extent: setup.config.allocated_extent,
+        needed: mib(need.total()),
+        parts,
+        available: mib(free.bytes),
+        limit: free.limit,
+        remedies: remedies(setup, &demands, &need, free.bytes),
+    })
+}
 
-    fn map(&self, of: impl Fn(u64) -> u64) -> Self {
-        Self { frames: of(self.frames), reading: of(self.reading), filter: of(self.filter), writing: of(self.writing) }
+fn mib(bytes: u64) -> u64 {
+    bytes >> 20
+}
+
+/// What would need less, with its figures.
+fn remedies(setup: &Setup, demands: &Demands, need: &Need, free: u64) -> String {
+    let mut remedies = Vec::new();
+    let plain = Demands { score: false, pictures: false, views: false, ..*demands };
+    let mut offer = |what: &str, other: Result<Need>| {
+        if let Some(total) = other.ok().map(|other| other.total()).filter(|total| *total < need.total()) {
+            remedies.push(format!("{what} it is {} MiB{}", mib(total), if total <= free { ", which fit" } else { "" }));
+        }
+    };
+    offer("Without --score, --report, --strip, --png and --views", Need::new(setup, &plain));
+    for preset in [Preset::Fast, Preset::Eaw] {
+        let mut lean = setup.clone();
+        lean.config.preset = preset;
+        offer(&format!("With --preset {preset}"), Need::new(&lean, demands));
     }
+    // All but what the program itself takes grows with the pixels.
+    let share = free.saturating_sub(PROGRAM) as f64 / (need.total() - PROGRAM).max(1) as f64;
+    let [width, height] = setup.config.allocated_extent.map(|side| (f64::from(side) * share.sqrt()) as u32);
+    if width > 0 && height > 0 {
+        let reach = filter_reach(&setup.config);
+        remedies.push(format!(
+            "Frames of {width}x{height} pixels fit: make them smaller, or crop them into parts that overlap by {reach} pixels, as far as the filter looks"
+        ));
+    }
+    remedies.push(
+        "Or leave channels out with --channel ROLE=none, or free memory; where the picture is not as large as that, its header is corrupt".into(),
+    );
+    remedies.join(". ")
+}
+
+/// Pixels that an à-trous filter of 5×5 taps sees to each side.
+fn filter_reach(config: &Config) -> u32 {
+    2 * ((1 << config.levels()) - 1)
 }
 
 /// Images that a frame is made of: see [`crate::frame::load`].

@@ -8,8 +8,8 @@ use crate::plan::{Action, Step};
 use crate::setup::Setup;
 use std::sync::mpsc::{sync_channel, Receiver, SyncSender};
 
-/// Frames that wait between two threads.
-const QUEUE: usize = 2;
+/// Frames that wait between two threads, where there is memory for them.
+pub const QUEUE: usize = 2;
 
 /// A frame that was filtered, or that is finished already (`None`).
 pub struct Finished {
@@ -27,11 +27,12 @@ pub trait Sink: Send {
     fn take(&mut self, finished: Finished) -> Result<()>;
 }
 
-/// Runs all steps. The first error ends the run after what was filtered before it is saved.
-pub fn run(steps: &[Step], setup: &Setup, backend: &mut dyn Backend, views: bool, sink: &mut dyn Sink) -> Result<()> {
+/// Runs all steps, with at most `queue` frames waiting between two threads. The first error ends the run after what was filtered
+/// before it is saved.
+pub fn run(steps: &[Step], setup: &Setup, backend: &mut dyn Backend, views: bool, queue: usize, sink: &mut dyn Sink) -> Result<()> {
     std::thread::scope(|scope| {
-        let (loaded_in, loaded) = sync_channel(QUEUE);
-        let (finished_in, finished) = sync_channel(QUEUE);
+        let (loaded_in, loaded) = sync_channel(queue);
+        let (finished_in, finished) = sync_channel(queue);
         let loader = scope.spawn(move || load(steps, setup, &loaded_in));
         let saver = scope.spawn(move || save(finished, sink));
         let filtered = filter(loaded, backend, views, finished_in);

@@ -78,11 +78,14 @@ impl Saver {
     }
 
     fn warn(&mut self, finished: &Finished) {
+        let path = finished.step.files.colour.display();
+        if let Some(loss) = finished.outputs.as_ref().and_then(|outputs| outputs.loss) {
+            self.progress.suspend(|| eprintln!("warning: {path}: {loss}: the option --check here"));
+        }
         for (role, count) in &finished.inputs.replaced {
             *self.replaced.entry(*role).or_default() += count;
             self.warned += 1;
             if self.warned <= NAMED {
-                let path = finished.step.files.colour.display();
                 self.progress
                     .suspend(|| eprintln!("warning: {path}: {count} pixels of {} are not finite and became 0", role.name()));
             }

@@ -102,6 +102,9 @@ impl Setup {
         apply(&mut config, &options.conventions, ToolError::Usage)?;
         without(&mut config, &mapping, sequence.is_some(), &mut report);
         config.validate()?;
+        if frames.len() == 1 && config.preset != Preset::Stabilize {
+            report.push(still_note(config.preset));
+        }
         if header.windows_differ {
             report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
         }
@@ -180,6 +183,12 @@ fn signals(mapping: &Mapping, preset: Preset, asked: Option<Signals>) -> Result<
         (None, true) => Ok(Signals::Apart),
         (None, false) => Ok(Signals::Together),
     }
+}
+
+/// A hint for a frame by itself: docs/denoise.md has the figures behind it.
+fn still_note(preset: Preset) -> String {
+    let better = if preset == Preset::Best { "" } else { "; --preset best leaves the least error there" };
+    format!("  note: a single frame is filtered in space alone, without history{better}")
 }
 
 fn apply(config: &mut Config, changes: &[(String, String)], error: impl Fn(String) -> ToolError) -> Result<()> {

@@ -6,7 +6,7 @@ use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_write;
 use crate::frame_files::{self, FrameFiles};
-use crate::memory::{self, Demands, Need};
+use crate::memory::{self, fitting_queue, Demands};
 use crate::pictures;
 use crate::pipeline;
 use crate::plan::{self, Action, Step};
@@ -20,7 +20,6 @@ use crate::setup::Setup;
 use atrous::Config;
 use atrous_files::Existing;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::path::Path;
 use std::time::Instant;
 
 /// Runs the tool with its options.
@@ -34,12 +33,12 @@ pub fn run(cli: &Cli) -> Result<()> {
     }
     let first = frames[0].colour.clone();
     if cli.check {
-        fits(&setup, &first, &Demands { frames: 2, ..Demands::default() })?;
+        fitting_queue(&first, &setup, &Demands { frames: 2, ..Demands::default() }, memory::free())?;
         return check::print(&check::run(&frames, &setup)?);
     }
     let wanted = wanted(cli, &setup, &frames)?;
     let steps = plan(cli, &setup, frames, &wanted)?;
-    fits(&setup, &first, &demands(cli, &steps, wanted.score))?;
+    let queue = fitting_queue(&first, &setup, &demands(cli, &steps, wanted.score), memory::free())?;
     exr_write::prepare_folder(cli.output())?;
     if steps.is_empty() {
         eprintln!("all frames are finished");
@@ -53,7 +52,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     let existing = wanted.existing;
     let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
     let start = Instant::now();
-    let result = pipeline::run(&steps, &setup, &mut backend, cli.views, &mut saver);
+    let result = pipeline::run(&steps, &setup, &mut backend, cli.views, queue, &mut saver);
     saver.finish();
     // What is finished is told even where the run failed.
     summary(cli, &saver, start.elapsed().as_secs_f64(), steps.len());
@@ -125,17 +124,13 @@ fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> R
 fn demands(cli: &Cli, steps: &[Step], scored: bool) -> Demands {
     Demands {
         frames: steps.len(),
+        queue: pipeline::QUEUE,
         filtered: steps.iter().any(|step| step.action != Action::Read),
         reference: cli.device.as_deref() == Some("reference"),
         score: scored,
         pictures: cli.png || cli.strip.is_some() || cli.report.is_some(),
         views: cli.views,
     }
-}
-
-/// Refuses what does not fit into memory, by the name of the file whose size it is.
-fn fits(setup: &Setup, first: &Path, demands: &Demands) -> Result<()> {
-    Need::new(setup, demands)?.check(first, setup.config.allocated_extent, memory::free())
 }
 
 fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {

@@ -2,7 +2,7 @@
 
 use atrous_denoise::cli::Cli;
 use atrous_denoise::error::Result;
-use atrous_denoise::memory::{Demands, Need};
+use atrous_denoise::memory::{fitting_queue, Demands, Free, Need};
 use atrous_denoise::setup::{Options, Setup};
 use atrous_denoise::{frame, frame_files};
 use clap::Parser;
@@ -60,6 +60,7 @@ fn a_run_takes_what_it_is_said_to_take() {
         let has = |option: &str| more.contains(&option);
         let demands = Demands {
             frames,
+            queue: atrous_denoise::pipeline::QUEUE,
             filtered: true,
             reference: true,
             score: has("--score"),
@@ -72,6 +73,30 @@ fn a_run_takes_what_it_is_said_to_take() {
         run.expect("a run");
         assert!(taken <= said, "{more:?}: {taken} bytes were taken, where {said} were said: {need:?}");
         assert!(4 * taken >= said, "{more:?}: {said} bytes were said, where {taken} were taken: {need:?}");
+    }
+}
+
+/// Fewer frames wait where memory is short; where none may, the message has what would fit.
+#[test]
+fn frames_wait_where_there_is_memory_for_them() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("frame_0000.exr");
+    write(&path, true, SIDE);
+    let setup = Setup::new(&frame_files::find(&[folder.path().to_owned()]).expect("frames"), &Options::default()).expect("a setup");
+    let demands = Demands { frames: 100, filtered: true, reference: true, score: true, ..Demands::default() };
+    let total = |queue| Need::new(&setup, &Demands { queue, ..demands }).expect("a need").total();
+    let fitting = |bytes| fitting_queue(&path, &setup, &demands, Some(Free { bytes, limit: "limit of a test" }));
+    assert!(total(0) < total(1) && total(1) < total(2));
+    for queue in 0..3 {
+        assert_eq!(fitting(total(queue)).expect("fits"), queue);
+    }
+    assert_eq!(fitting(total(1) - 1).expect("fits"), 0);
+    assert_eq!(fitting_queue(&path, &setup, &demands, None).expect("fits"), 2, "a system that does not tell");
+
+    let message = fitting(total(0) - 1).expect_err("does not fit").to_string();
+    let fit = format!("{} MiB, which fit", Need::new(&setup, &Demands { score: false, ..demands }).expect("a need").total() >> 20);
+    for word in ["limit of a test", "Without --score", &fit, "191x191 pixels fit", "overlap by 30 pixels"] {
+        assert!(message.contains(word), "{word}: {message}");
     }
 }
 

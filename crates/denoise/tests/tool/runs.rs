@@ -1,6 +1,6 @@
 //! Whole runs on the CPU.
 
-use crate::samples::{denoise, frame_path, sequence, HEIGHT, WIDTH};
+use crate::samples::{denoise, frame_path, program, sequence, HEIGHT, WIDTH};
 use atrous_denoise::error::ToolError;
 use atrous_denoise::exr_read::{read, read_header, Samples};
 use exr::meta::attribute::SampleType;
@@ -37,6 +37,43 @@ fn results_have_the_names_and_metadata_of_the_input() {
     let leftovers =
         std::fs::read_dir(out.path()).expect("a folder").flatten().filter(|e| e.file_name().to_string_lossy().starts_with('.'));
     assert_eq!(leftovers.count(), 0);
+}
+
+/// Lines on stderr of the program on the CPU.
+fn said(frames: u32, more: &[&str]) -> Vec<String> {
+    let (input, out) = (sequence(frames), output());
+    let mut program = program(input.path(), out.path(), &["--device", "reference", "--levels", "1"]);
+    let run = program.args(more).output().expect("a run");
+    assert!(run.status.success());
+    String::from_utf8_lossy(&run.stderr).lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn a_single_still_is_told_what_it_gets() {
+    let notes = |frames, more: &[&str]| -> Vec<String> {
+        said(frames, more).into_iter().filter(|line| line.contains("a single frame is filtered in space alone")).collect()
+    };
+    assert_eq!(notes(2, &["--preset", "eaw"]).len(), 0);
+    let default = notes(1, &[]);
+    assert!(default.len() == 1 && !default[0].contains("--preset"), "{default:?}");
+    let other = notes(1, &["--preset", "eaw"]);
+    assert!(other.len() == 1 && other[0].contains("--preset best"), "{other:?}");
+    assert_eq!(notes(1, &["--quiet"]).len(), 0);
+}
+
+/// Another channel in the place of the depth in the previous frame: no surface is where it is looked for.
+#[test]
+fn history_that_is_lost_everywhere_is_warned_of_once() {
+    let warnings = |more: &[&str]| -> Vec<String> {
+        said(20, &[&["--preset", "svgf", "--quiet"], more].concat()).into_iter().filter(|line| line.contains("history")).collect()
+    };
+    let lost = warnings(&["--channel", "previous_depth=noisy.R"]);
+    assert_eq!(lost.len(), 1, "{lost:?}");
+    // The first frame has no history to lose.
+    for word in ["frame_0008.exr", "100 % of the surfaces", "the depth is another", "--check"] {
+        assert!(lost[0].contains(word), "{word}: {lost:?}");
+    }
+    assert_eq!(warnings(&[]), [] as [String; 0]);
 }
 
 #[test]
