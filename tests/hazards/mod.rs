@@ -11,8 +11,8 @@ use ash::vk::Handle;
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
 use atrous::{
-    Access, Config, Declaration, FrameContext, FrameParams, Lifetime, PassDecl, Phase, ResourceDecl, ResourceId, Shape, Tuning,
-    Use, UseFrame,
+    Access, Config, Declaration, FrameContext, FrameParams, Lifetime, PassDecl, Phase, ResourceDecl, ResourceId, ResourceState,
+    Shape, Tuning, Use, UseFrame,
 };
 use atrous_harness::DeviceTest;
 use recorder::{Barrier, Event, Place, Recorder, Side};
@@ -30,11 +30,20 @@ struct Past {
     what: String,
     handle: u64,
     place: Option<Place>,
-    access: Access,
+    scope: Side,
+    writes: bool,
     /// What barriers have ordered after it so far, and whether they reach other images in the same memory.
     ordered: Vec<(Side, bool)>,
     /// Other images in the same memory that were written after it: what comes after that write comes after this.
     written_over: Vec<u64>,
+}
+
+/// An access that comes next.
+struct Next {
+    what: String,
+    handle: u64,
+    scope: Side,
+    writes: bool,
 }
 
 impl Past {
@@ -42,9 +51,9 @@ impl Past {
         if barrier.handle.is_some_and(|handle| handle != self.handle) {
             return;
         }
-        let own = self.access.scope();
+        let (own_stage, own_mask) = self.scope;
         let (stage, mask) = barrier.from;
-        let directly = stage.contains(own.stage) && (!self.access.writes() || mask.contains(own.access));
+        let directly = stage.contains(own_stage) && (!self.writes || mask.contains(own_mask));
         // An execution dependency chains; the write was made available by the first link.
         if directly || self.ordered.iter().any(|(to, _)| stage.contains(to.0)) {
             self.ordered.push((barrier.to, barrier.handle.is_none()));
@@ -52,13 +61,11 @@ impl Past {
     }
 
     /// Whether a use through this handle comes after it.
-    fn is_before(&self, next: Access, handle: u64, barriers: &[Barrier]) -> bool {
-        let scope = next.scope();
+    fn is_before(&self, next: Side, handle: u64, barriers: &[Barrier]) -> bool {
         let is_alias = handle != self.handle;
-        let reaches =
-            |(to, global): &(Side, bool)| (*global || !is_alias) && to.0.contains(scope.stage) && to.1.contains(scope.access);
+        let reaches = |(to, global): &(Side, bool)| (*global || !is_alias) && to.0.contains(next.0) && to.1.contains(next.1);
         // The transition of an image writes its memory: it too must come after what was done through others.
-        let waits = |b: &Barrier| b.handle == Some(handle) && b.from.0.contains(self.access.scope().stage);
+        let waits = |b: &Barrier| b.handle == Some(handle) && b.from.0.contains(self.scope.0);
         self.ordered.iter().any(reaches) && (!is_alias || barriers.iter().any(waits))
     }
 
@@ -129,6 +136,7 @@ impl Checked {
             // SAFETY: the recorder records nothing, so that the null handle is never used.
             unsafe { self.executor.record(vk::CommandBuffer::null(), &frame, phase) }.expect("recorded");
         }
+        let counters = self.handles[declaration.find("statistics").expect("in every graph").0 as usize][0];
         let mut events = self.recorder.take().into_iter();
         let mut hazards = Vec::new();
         // The views are left out, since the frame has none.
@@ -142,7 +150,13 @@ impl Checked {
                         barriers.extend(more);
                     }
                     Event::Work => work += 1,
-                    Event::Copy(_) => panic!("nobody asked for a copy"),
+                    Event::Copy(handle) => {
+                        assert_eq!((handle, &*pass.name), (counters, "start_frame"), "nobody asked for another copy");
+                        let ResourceState { stage, access, .. } = ResourceState::COPY_SOURCE;
+                        let next = Next { what: "the copy of the counters".into(), handle, scope: (stage, access), writes: false };
+                        hazards.extend(self.missing(&next, &barriers));
+                        self.done(next);
+                    }
                 }
             }
             hazards.extend(self.pass(&declaration, &frame, &pass.name, &pass.uses, &barriers));
@@ -162,23 +176,35 @@ impl Checked {
         barriers: &[Barrier],
     ) -> Vec<String> {
         let handle = |u: &Use| self.handles[u.resource.0 as usize][declaration.copy(u, frame)];
-        let uses: Vec<_> = uses.iter().map(|u| (u, handle(u), self.recorder.place(handle(u)))).collect();
-        let mut hazards = Vec::new();
-        for (u, handle, place) in &uses {
-            let conflicts = self.past.iter().filter(|p| (p.access.writes() || u.access.writes()) && p.is_met(*handle, *place));
-            let missing = conflicts.filter(|p| !p.is_before(u.access, *handle, barriers));
-            hazards.extend(missing.map(|p| format!("{name}: {} after {}", declaration.resource(u.resource).name, p.what)));
-        }
-        for (u, handle, place) in uses {
-            let what = format!("{name} ({:?} of {})", u.access, declaration.resource(u.resource).name);
-            if u.access.writes() {
-                // All that came before through this handle is ordered before the write, and so before whatever is ordered after it.
-                self.past.retain(|p| p.handle != handle);
-                self.past.iter_mut().filter(|p| p.is_met(handle, place)).for_each(|p| p.written_over.push(handle));
-            }
-            self.past.push(Past { what, handle, place, access: u.access, ordered: Vec::new(), written_over: Vec::new() });
-        }
+        let next = |u: &Use| Next {
+            what: format!("{name} ({:?} of {})", u.access, declaration.resource(u.resource).name),
+            handle: handle(u),
+            scope: (u.access.scope().stage, u.access.scope().access),
+            writes: u.access.writes(),
+        };
+        let uses: Vec<_> = uses.iter().map(next).collect();
+        let hazards = uses.iter().flat_map(|next| self.missing(next, barriers)).collect();
+        uses.into_iter().for_each(|next| self.done(next));
         hazards
+    }
+
+    /// What an access conflicts with, and is not ordered after.
+    fn missing(&self, next: &Next, barriers: &[Barrier]) -> Vec<String> {
+        let place = self.recorder.place(next.handle);
+        let conflicts = self.past.iter().filter(|p| (p.writes || next.writes) && p.is_met(next.handle, place));
+        let missing = conflicts.filter(|p| !p.is_before(next.scope, next.handle, barriers));
+        missing.map(|p| format!("{} after {}", next.what, p.what)).collect()
+    }
+
+    /// Makes an access one of the past.
+    fn done(&mut self, Next { what, handle, scope, writes }: Next) {
+        let place = self.recorder.place(handle);
+        if writes {
+            // All that came before through this handle is ordered before the write, and so before whatever is ordered after it.
+            self.past.retain(|p| p.handle != handle);
+            self.past.iter_mut().filter(|p| p.is_met(handle, place)).for_each(|p| p.written_over.push(handle));
+        }
+        self.past.push(Past { what, handle, place, scope, writes, ordered: Vec::new(), written_over: Vec::new() });
     }
 }
 
