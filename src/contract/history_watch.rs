@@ -9,7 +9,7 @@ const FRAMES: u32 = 8;
 /// The share of surfaces without history above which a frame counts, in percent.
 const PERCENT: u64 = 90;
 
-/// A watch over the [`Statistics`] of consecutive frames. [`crate::executor::Executor`] has one, and logs what it says; a host that
+/// A watch over the [`Statistics`] of consecutive frames. `executor::Executor` has one, and logs what it says; a host that
 /// schedules passes itself may read `statistics` back and do the same.
 #[derive(Clone, Debug, Default)]
 pub struct HistoryWatch {
