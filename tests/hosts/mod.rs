@@ -20,6 +20,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_layer_is_listening", the_layer_is_listening),
     ("plain_ash_gives_the_bits_of_the_executor", plain_ash_gives_the_bits_of_the_executor),
     ("vk_graph_gives_the_bits_of_the_executor", vk_graph_gives_the_bits_of_the_executor),
+    ("vulkano_gives_the_bits_of_the_executor", vulkano_gives_the_bits_of_the_executor),
     ("wgpu_gives_the_bits_of_the_executor", wgpu_gives_the_bits_of_the_executor),
     ("a_graph_of_a_host_agrees_with_the_cpu_engine", a_graph_of_a_host_agrees_with_the_cpu_engine),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
@@ -142,6 +143,10 @@ fn plain_ash_gives_the_bits_of_the_executor() {
 
 fn wgpu_gives_the_bits_of_the_executor() {
     assert_eq!(of_example("host_wgpu"), of_executor());
+}
+
+fn vulkano_gives_the_bits_of_the_executor() {
+    assert_eq!(of_example("host_vulkano"), of_executor());
 }
 
 fn vk_graph_gives_the_bits_of_the_executor() {

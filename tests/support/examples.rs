@@ -21,7 +21,11 @@ fn build() -> PathBuf {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
     command.current_dir(env!("CARGO_MANIFEST_DIR")).args(["build", "--quiet", "--workspace", "--features", FEATURES]);
-    command.args(["host_ash", "host_vk_graph", "host_wgpu", "custom_graph", "bench"].iter().flat_map(|name| ["--example", *name]));
+    command.args(
+        ["host_ash", "host_vk_graph", "host_vulkano", "host_wgpu", "custom_graph", "bench"]
+            .iter()
+            .flat_map(|name| ["--example", *name]),
+    );
     command.arg("--profile");
     command.arg(if profile == Path::new("debug") { "dev".as_ref() } else { profile }).arg("--target-dir").arg(target);
     let output = command.output().expect("cargo");

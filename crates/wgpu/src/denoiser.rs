@@ -1,6 +1,6 @@
 //! An executor on a device of wgpu.
 
-use crate::texture::{make_output, Bound};
+use crate::texture::{make_output, Bound, Seen};
 use crate::Error;
 use ash::vk;
 use atrous::executor::{Executor, ExecutorOptions};
@@ -15,6 +15,7 @@ pub struct WgpuDenoiser {
     executor: ManuallyDrop<Executor>,
     device: wgpu::Device,
     bound: BTreeMap<String, Arc<Bound>>,
+    seen: Seen,
     /// What command buffers of each slot hold until they ran or were dropped.
     slots: Vec<Arc<()>>,
     frames: u64,
@@ -38,7 +39,8 @@ impl WgpuDenoiser {
         let slots = (0..declaration.setup().frames_in_flight).map(|_| Arc::new(())).collect();
         // SAFETY: the handles are live and belong together; the device is kept as long as the executor.
         let executor = ManuallyDrop::new(unsafe { Executor::new(host, declaration, options)? });
-        let mut this = Self { executor, device: device.clone(), bound: BTreeMap::new(), slots, frames: 0 };
+        let seen = Seen::new(device);
+        let mut this = Self { executor, device: device.clone(), bound: BTreeMap::new(), seen, slots, frames: 0 };
         this.make_outputs()?;
         Ok(this)
     }
@@ -48,7 +50,7 @@ impl WgpuDenoiser {
         for resource in declaration.resources() {
             if resource.lifetime == Lifetime::Output && matches!(resource.shape, Shape::Image { .. }) {
                 let texture = make_output(&self.device, &declaration, resource)?;
-                self.bind(&resource.name, &texture)?;
+                self.bind(&resource.name, &texture, false)?;
             }
         }
         Ok(())
@@ -59,19 +61,38 @@ impl WgpuDenoiser {
         self.executor.denoiser().declaration()
     }
 
-    /// Takes a texture of the host as an input, until another is given. It needs `TEXTURE_BINDING` usage, one level, layer and
-    /// sample, at least the allocated extent, and content that wgpu knows of: a pass, a copy or `Queue::write_texture` wrote it.
+    /// Takes a texture of the host as an input, until another is given. It needs `TEXTURE_BINDING` usage, two dimensions, one level,
+    /// layer and sample, at least the allocated extent, and content that wgpu knows of: a pass, a copy or `Queue::write_texture`
+    /// wrote it. It is of the device that the denoiser was created on.
     ///
     /// # Errors
     /// [`Error::Texture`] says what does not fit; errors of [`Executor::bind_image`].
     pub fn set_input(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
-        let declaration = self.declaration();
-        let is_input = |id| matches!(declaration.resource(id).lifetime, Lifetime::Input { .. });
-        if declaration.find(name).is_some_and(|id| !is_input(id)) {
-            let problem = "it is no input; outputs are made by the denoiser: take `WgpuDenoiser::output`".to_owned();
+        if self.has_output(name) {
+            let problem = "it is no input but an output; give the texture to `WgpuDenoiser::set_output`".to_owned();
             return Err(Error::Texture { name: name.to_owned(), problem });
         }
-        self.bind(name, texture)
+        self.bind(name, texture, true)
+    }
+
+    /// Takes a texture of the host for an output instead of the denoiser's own, until another is given or [`Self::resize`]. It has
+    /// the format of the declaration, at least the allocated extent, `STORAGE_BINDING`, `TEXTURE_BINDING` and `COPY_SRC` usage, two
+    /// dimensions, one level, layer and sample, and is of the device that the denoiser was created on. What was in it is lost; wgpu
+    /// takes it for written behind the phase, also in the first frame.
+    ///
+    /// # Errors
+    /// [`Error::Texture`] says what does not fit; errors of [`Executor::bind_image`].
+    pub fn set_output(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
+        if self.declaration().find(name).is_some() && !self.has_output(name) {
+            let problem =
+                "it is no output; an input is given to `WgpuDenoiser::set_input`, all else is the denoiser's own".to_owned();
+            return Err(Error::Texture { name: name.to_owned(), problem });
+        }
+        self.bind(name, texture, true)
+    }
+
+    fn has_output(&self, name: &str) -> bool {
+        self.declaration().find(name).is_some_and(|id| self.declaration().resource(id).lifetime == Lifetime::Output)
     }
 
     /// Leaves an optional input out from now on.
@@ -84,24 +105,27 @@ impl WgpuDenoiser {
         Ok(())
     }
 
-    fn bind(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
+    fn bind(&mut self, name: &str, texture: &wgpu::Texture, is_of_host: bool) -> Result<(), Error> {
         let declaration = self.declaration();
         let id = declaration.find(name).ok_or_else(|| atrous::Error::UnknownResource {
             given: name.to_owned(),
             known: declaration.resources().iter().map(|r| r.name.as_str()).collect::<Vec<_>>().join(", "),
         })?;
-        let bound = Bound::new(name, declaration.resource(id), texture)?;
+        let bound = Bound::new(name, declaration.resource(id), texture, is_of_host)?;
+        let is_shared = |other: &Bound| other.texture == *texture && (other.is_output || bound.is_output);
+        if let Some((other, _)) = self.bound.iter().find(|(other, known)| *other != name && is_shared(known)) {
+            let problem = format!("it is bound to `{other}` already; an output needs a texture of its own");
+            return Err(Error::Texture { name: name.to_owned(), problem });
+        }
         self.executor.bind_image(name, bound.image)?;
         self.bound.insert(name.to_owned(), Arc::new(bound));
         Ok(())
     }
 
-    /// The texture of an output, for passes of the host behind the phase that writes it: `TEXTURE_BINDING`, `STORAGE_BINDING`,
-    /// `COPY_SRC`. `None` where there is no such output.
+    /// The texture of an output, for passes of the host behind the phase that writes it: the one that was given, or the denoiser's
+    /// own with `TEXTURE_BINDING`, `STORAGE_BINDING`, `COPY_SRC` and `COPY_DST`. `None` where there is no such output.
     pub fn output(&self, name: &str) -> Option<&wgpu::Texture> {
-        let id = self.declaration().find(name)?;
-        let is_output = self.declaration().resource(id).lifetime == Lifetime::Output;
-        self.bound.get(name).filter(|_| is_output).map(|bound| &bound.texture)
+        self.bound.get(name).filter(|bound| bound.is_output).map(|bound| &bound.texture)
     }
 
     /// Starts a frame. The frame slot is the denoiser's own: where the GPU still works on what used it last, this waits.
@@ -147,6 +171,7 @@ impl WgpuDenoiser {
         let bound: Vec<Arc<Bound>> = names.filter_map(|name| self.bound.get(name).cloned()).collect();
         let describe = |label| wgpu::CommandEncoderDescriptor { label: Some(label) };
         let mut transitions = self.device.create_command_encoder(&describe("atrous: transitions"));
+        bound.iter().filter(|b| b.is_output && b.is_of_host).for_each(|b| self.seen.mark(&mut transitions, &b.texture));
         transitions.transition_resources(
             std::iter::empty(),
             bound.iter().map(|b| wgpu::TextureTransition { texture: &b.texture, selector: None, state: b.state }),
@@ -167,8 +192,8 @@ impl WgpuDenoiser {
         Ok([transitions.finish(), passes])
     }
 
-    /// Runs the same passes for another extent: waits for the GPU, and makes outputs, histories and transients anew. Inputs are
-    /// given again. The first frame drops all history.
+    /// Runs the same passes for another extent: waits for the GPU, and makes outputs, histories and transients anew. Inputs, and
+    /// outputs of the host, are given again. The first frame drops all history.
     ///
     /// # Errors
     /// [`Error::NotSubmitted`]; errors of [`Executor::resize`].

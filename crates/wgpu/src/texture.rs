@@ -18,6 +18,9 @@ pub struct Bound {
     pub image: HostImage,
     /// The state that wgpu brings it to before a phase.
     pub state: TextureUses,
+    pub is_output: bool,
+    /// Made by the host, not by [`make_output`].
+    pub is_of_host: bool,
 }
 
 /// The stages and accesses that wgpu's own barriers have for a texture which shaders read or write.
@@ -27,14 +30,24 @@ const SHADERS: vk::PipelineStageFlags2 = vk::PipelineStageFlags2::from_raw(
         | vk::PipelineStageFlags2::COMPUTE_SHADER.as_raw(),
 );
 
+/// What passes of the denoiser do with an output, and what [`Seen::mark`] does.
+const OUTPUT_USAGES: TextureUsages =
+    TextureUsages::STORAGE_BINDING.union(TextureUsages::TEXTURE_BINDING).union(TextureUsages::COPY_SRC);
+
+/// Bytes: four floats.
+const LARGEST_TEXEL: u64 = 16;
+
 impl Bound {
-    /// A texture of the host.
-    pub fn new(name: &str, resource: &ResourceDecl, texture: &wgpu::Texture) -> Result<Self, Error> {
+    /// A texture for a resource, after it was looked at.
+    pub fn new(name: &str, resource: &ResourceDecl, texture: &wgpu::Texture, is_of_host: bool) -> Result<Self, Error> {
         let refused = |problem: String| Err(Error::Texture { name: name.to_owned(), problem });
-        let is_input = matches!(resource.lifetime, Lifetime::Input { .. });
-        let needed = if is_input { TextureUsages::TEXTURE_BINDING } else { TextureUsages::STORAGE_BINDING };
+        let is_output = resource.lifetime == Lifetime::Output;
+        let needed = if is_output { OUTPUT_USAGES } else { TextureUsages::TEXTURE_BINDING };
         if !texture.usage().contains(needed) {
-            return refused(format!("its usage is {:?}; it needs {needed:?} as well", texture.usage()));
+            return refused(format!("its usage is {:?}; it needs {:?} as well", texture.usage(), needed - texture.usage()));
+        }
+        if texture.dimension() != wgpu::TextureDimension::D2 {
+            return refused(format!("its dimension is {:?}; D2 is allowed", texture.dimension()));
         }
         let (levels, layers, samples) = (texture.mip_level_count(), texture.depth_or_array_layers(), texture.sample_count());
         if (levels, layers, samples) != (1, 1, 1) {
@@ -53,16 +66,37 @@ impl Bound {
         let image = unsafe { texture.as_hal::<Vulkan>().map(|texture| texture.raw_handle()) }.ok_or(Error::NotVulkan)?;
         // SAFETY: as above, with the view.
         let handle = unsafe { view.as_hal::<Vulkan>().map(|view| view.raw_handle()) }.ok_or(Error::NotVulkan)?;
-        let (layout, access, state) = match (is_input, is_depth) {
-            (true, true) => {
+        let (layout, access, state) = match (is_output, is_depth) {
+            (false, true) => {
                 (vk::ImageLayout::DEPTH_STENCIL_READ_ONLY_OPTIMAL, vk::AccessFlags2::SHADER_READ, TextureUses::RESOURCE)
             }
-            (true, false) => (vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL, vk::AccessFlags2::SHADER_READ, TextureUses::RESOURCE),
-            (false, _) => (vk::ImageLayout::GENERAL, vk::AccessFlags2::SHADER_WRITE, TextureUses::STORAGE_WRITE_ONLY),
+            (false, false) => (vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL, vk::AccessFlags2::SHADER_READ, TextureUses::RESOURCE),
+            (true, _) => (vk::ImageLayout::GENERAL, vk::AccessFlags2::SHADER_WRITE, TextureUses::STORAGE_WRITE_ONLY),
         };
         let extent = [texture.width(), texture.height()];
         let image = HostImage { image, view: handle, format: vulkan, extent, layout, stage: SHADERS, access };
-        Ok(Self { texture: texture.clone(), _view: view, image, state })
+        Ok(Self { texture: texture.clone(), _view: view, image, state, is_output, is_of_host })
+    }
+}
+
+/// Marks textures that raw commands write as seen by wgpu, which else clears them when it reads them first.
+pub struct Seen {
+    texel: wgpu::Buffer,
+}
+
+impl Seen {
+    pub fn new(device: &wgpu::Device) -> Self {
+        let (size, usage) = (LARGEST_TEXEL, wgpu::BufferUsages::COPY_DST);
+        let label = Some("atrous: a texel of an output");
+        Self { texel: device.create_buffer(&wgpu::BufferDescriptor { label, size, usage, mapped_at_creation: false }) }
+    }
+
+    /// Reads one texel, so that what wgpu has to clear is cleared now. Before every phase, since command buffers may be dropped, and
+    /// a render pass of the host may discard the texture.
+    pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, texture: &wgpu::Texture) {
+        let one = wgpu::Extent3d { width: 1, height: 1, depth_or_array_layers: 1 };
+        let target = wgpu::TexelCopyBufferInfo { buffer: &self.texel, layout: wgpu::TexelCopyBufferLayout::default() };
+        encoder.copy_texture_to_buffer(texture.as_image_copy(), target, one);
     }
 }
 
@@ -101,7 +135,7 @@ pub fn make_output(device: &wgpu::Device, declaration: &Declaration, resource: &
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
         format,
-        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::STORAGE_BINDING | TextureUsages::COPY_SRC | TextureUsages::COPY_DST,
+        usage: OUTPUT_USAGES | TextureUsages::COPY_DST,
         view_formats: &[],
     };
     // SAFETY: the texture was made by this device from the same description. Nobody reads it before a phase has written it, and the

@@ -1,22 +1,14 @@
-//! Textures that wgpu's own passes write and read, under the validation layer with synchronisation validation.
+//! A device of wgpu under the validation layer, and a lit wall for the denoiser on it.
 
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
-use atrous::{Config, FrameParams, Phase, ResetReason, Tuning, UseFrame};
-use atrous_harness::{DeviceTest, Group};
-use atrous_wgpu::{Error, WgpuDenoiser};
+use atrous::{Config, FrameParams, Phase, Tuning, UseFrame};
+use atrous_wgpu::WgpuDenoiser;
 use std::future::Future;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::task::{Context, Poll, Waker};
 use wgpu::{TextureFormat as Format, TextureUsages as Usage};
 
-const TESTS: &[DeviceTest] = &[
-    ("what_render_passes_wrote_is_denoised", what_render_passes_wrote_is_denoised),
-    ("what_does_not_fit_is_named", what_does_not_fit_is_named),
-    ("a_slot_that_was_not_submitted_is_refused", a_slot_that_was_not_submitted_is_refused),
-    ("another_extent_makes_outputs_anew", another_extent_makes_outputs_anew),
-];
-
-const EXTENT: [u32; 2] = [64, 33];
+pub const EXTENT: [u32; 2] = [64, 33];
 const DEPTH: f32 = 0.75;
 const LIGHT: f64 = 0.625;
 
@@ -27,7 +19,7 @@ static ERRORS: Mutex<Vec<String>> = Mutex::new(Vec::new());
 /// a texture is still going on when its memory goes to another one.
 static KEPT: Mutex<Vec<wgpu::Texture>> = Mutex::new(Vec::new());
 
-fn keep(texture: Option<&wgpu::Texture>) {
+pub fn keep(texture: Option<&wgpu::Texture>) {
     KEPT.lock().unwrap_or_else(PoisonError::into_inner).extend(texture.cloned());
 }
 
@@ -47,13 +39,13 @@ impl log::Log for Listener {
     fn flush(&self) {}
 }
 
-fn main() {
+/// Listens to the validation layer. Before anything of Vulkan is called.
+pub fn listen() {
     let enables = "VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT:VALIDATION_CHECK_ENABLE_SYNCHRONIZATION_VALIDATION_QUEUE_SUBMIT";
     std::env::set_var("VK_LAYER_ENABLES", enables);
     std::env::set_var("VK_LAYER_SYNCVAL_SHADER_ACCESSES_HEURISTIC", "1");
     log::set_logger(&Listener).expect("no other logger");
     log::set_max_level(log::LevelFilter::Error);
-    atrous_harness::run(&[Group { name: "", tests: TESTS, needs_device: true }], &gpu());
 }
 
 fn now<T>(future: impl Future<Output = T>) -> T {
@@ -63,7 +55,7 @@ fn now<T>(future: impl Future<Output = T>) -> T {
     outcome
 }
 
-fn gpu() -> Result<(wgpu::Device, wgpu::Queue), String> {
+pub fn gpu() -> Result<(wgpu::Device, wgpu::Queue), String> {
     let open = || {
         let flags = wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG;
         let backends = wgpu::Backends::VULKAN;
@@ -74,12 +66,12 @@ fn gpu() -> Result<(wgpu::Device, wgpu::Queue), String> {
     GPU.get_or_init(open).clone()
 }
 
-fn assert_valid() {
+pub fn assert_valid() {
     let errors = ERRORS.lock().unwrap_or_else(PoisonError::into_inner);
     assert!(errors.is_empty(), "{} validation messages, the first:\n{}", errors.len(), errors[0]);
 }
 
-fn texture(device: &wgpu::Device, format: Format, usage: Usage) -> wgpu::Texture {
+pub fn texture(device: &wgpu::Device, format: Format, usage: Usage) -> wgpu::Texture {
     let [width, height] = EXTENT;
     device.create_texture(&wgpu::TextureDescriptor {
         label: None,
@@ -94,15 +86,15 @@ fn texture(device: &wgpu::Device, format: Format, usage: Usage) -> wgpu::Texture
 }
 
 /// A lit wall, drawn by render passes.
-struct Host {
-    device: wgpu::Device,
-    queue: wgpu::Queue,
-    denoiser: WgpuDenoiser,
-    inputs: Vec<(&'static str, wgpu::Texture, wgpu::Color)>,
+pub struct Host {
+    pub device: wgpu::Device,
+    pub queue: wgpu::Queue,
+    pub denoiser: WgpuDenoiser,
+    pub inputs: Vec<(&'static str, wgpu::Texture, wgpu::Color)>,
 }
 
 impl Host {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let (device, queue) = gpu().expect("tests that need a device are ignored without one");
         let declaration = Config::new(EXTENT).declare().expect("valid");
         let mut denoiser = WgpuDenoiser::new(&device, declaration).expect("a denoiser");
@@ -124,7 +116,7 @@ impl Host {
         Self { device, queue, denoiser, inputs }
     }
 
-    fn draw(&self, wanted: impl Fn(&str) -> bool) {
+    pub fn draw(&self, wanted: impl Fn(&str) -> bool) {
         let mut encoder = self.device.create_command_encoder(&Default::default());
         for (_, texture, value) in self.inputs.iter().filter(|(name, ..)| wanted(name)) {
             let view = texture.create_view(&Default::default());
@@ -151,7 +143,7 @@ impl Host {
     }
 
     /// A frame without waiting for it.
-    fn frame(&mut self) {
+    pub fn frame(&mut self) {
         let frame = self.denoiser.begin_frame(&FrameParams::new(EXTENT), &Tuning::default()).expect("a frame");
         self.draw(|name| name != "noisy_radiance");
         for phase in Phase::ALL {
@@ -164,17 +156,21 @@ impl Host {
     }
 
     /// The texels of the result, tightly packed.
-    fn result(&self) -> Vec<u8> {
-        let output = self.denoiser.output("denoised_radiance").expect("an output");
+    pub fn result(&self) -> Vec<u8> {
+        self.texels(self.denoiser.output("denoised_radiance").expect("an output"))
+    }
+
+    /// The texels of four half floats.
+    pub fn texels(&self, texture: &wgpu::Texture) -> Vec<u8> {
         let row = (EXTENT[0] * 8).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let (size, usage) = (u64::from(row * EXTENT[1]), wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ);
         let buffer = self.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false });
         let mut encoder = self.device.create_command_encoder(&Default::default());
         let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
         encoder.copy_texture_to_buffer(
-            output.as_image_copy(),
+            texture.as_image_copy(),
             wgpu::TexelCopyBufferInfo { buffer: &buffer, layout },
-            output.size(),
+            texture.size(),
         );
         self.queue.submit([encoder.finish()]);
         buffer.map_async(wgpu::MapMode::Read, .., |_| {});
@@ -183,13 +179,13 @@ impl Host {
         rows.chunks_exact(row as usize).flat_map(|row| &row[..EXTENT[0] as usize * 8]).copied().collect()
     }
 
-    fn wait(&self) {
+    pub fn wait(&self) {
         self.device.poll(wgpu::PollType::Wait { submission_index: None, timeout: None }).expect("a live device");
     }
 }
 
 /// The same wall through a session of `atrous`.
-fn of_session(frames: u32) -> Vec<u8> {
+pub fn of_session(frames: u32) -> Vec<u8> {
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions::default()).expect("a device"));
     let declaration = Config::new(EXTENT).declare().expect("valid");
     let mut s = Session::new(gpu, declaration, SessionOptions::default()).expect("a session");
@@ -203,78 +199,4 @@ fn of_session(frames: u32) -> Vec<u8> {
         s.run(&FrameParams::new(EXTENT), &Tuning::default()).expect("a frame");
     }
     s.download_bytes("denoised_radiance", UseFrame::Current).expect("an output")
-}
-
-fn what_render_passes_wrote_is_denoised() {
-    let mut host = Host::new();
-    for frames in 1..=5 {
-        host.frame();
-        if frames == 1 {
-            assert_eq!(host.result(), of_session(1), "the first read must not clear the output");
-        }
-    }
-    assert_eq!(host.result(), of_session(5));
-    drop(host);
-    assert_valid();
-}
-
-fn what_does_not_fit_is_named() {
-    let mut host = Host::new();
-    let bad = |host: &mut Host, name: &str, format, usage| {
-        let texture = texture(&host.device, format, usage);
-        host.denoiser.set_input(name, &texture).expect_err("refused").to_string()
-    };
-    let unsampled = bad(&mut host, "depth", Format::R32Float, Usage::COPY_DST);
-    assert!(unsampled.contains("`depth`") && unsampled.contains("TEXTURE_BINDING"), "{unsampled}");
-    let vague = bad(&mut host, "depth", Format::Depth24Plus, Usage::TEXTURE_BINDING | Usage::RENDER_ATTACHMENT);
-    assert!(vague.contains("Depth24Plus") && vague.contains("Depth32Float"), "{vague}");
-    let integer = bad(&mut host, "normal", Format::R32Uint, Usage::TEXTURE_BINDING);
-    assert!(integer.contains("`normal`") && integer.contains("R32_UINT"), "{integer}");
-    let output = bad(&mut host, "denoised_radiance", Format::Rgba16Float, Usage::TEXTURE_BINDING | Usage::STORAGE_BINDING);
-    assert!(output.contains("WgpuDenoiser::output"), "{output}");
-    let unknown = bad(&mut host, "colour", Format::Rgba16Float, Usage::TEXTURE_BINDING);
-    assert!(unknown.contains("`colour`") && unknown.contains("noisy_radiance"), "{unknown}");
-    assert!(host.denoiser.output("depth").is_none() && host.denoiser.output("colour").is_none());
-    assert_valid();
-}
-
-fn a_slot_that_was_not_submitted_is_refused() {
-    let mut host = Host::new();
-    host.draw(|_| true);
-    let params = FrameParams::new(EXTENT);
-    let mut held = Vec::new();
-    for _ in 0..2 {
-        let frame = host.denoiser.begin_frame(&params, &Tuning::default()).expect("a frame");
-        for phase in Phase::ALL {
-            // SAFETY: submitted below, in this order.
-            held.push(unsafe { host.denoiser.encode(&frame, phase) }.expect("encoded"));
-        }
-    }
-    let refused = host.denoiser.begin_frame(&params, &Tuning::default()).expect_err("both slots are taken");
-    assert!(matches!(refused, Error::NotSubmitted { slot: 0 }), "{refused}");
-    host.queue.submit(held.into_iter().flatten());
-    host.denoiser.begin_frame(&params, &Tuning::default()).expect("a slot that is free again");
-    drop(host);
-    assert_valid();
-}
-
-fn another_extent_makes_outputs_anew() {
-    let mut host = Host::new();
-    host.frame();
-    host.denoiser.resize([EXTENT[0] / 2, EXTENT[1]]).expect("another extent");
-    let size = host.denoiser.output("denoised_radiance").expect("an output").size();
-    assert_eq!([size.width, size.height], [EXTENT[0] / 2, EXTENT[1]]);
-    let params = FrameParams::new([EXTENT[0] / 2, EXTENT[1]]);
-    let missing = host.denoiser.begin_frame(&params, &Tuning::default()).expect_err("inputs are given again").to_string();
-    assert!(missing.contains("`depth`"), "{missing}");
-    keep(host.denoiser.output("denoised_radiance"));
-    host.denoiser.resize(EXTENT).expect("another extent");
-    keep(host.denoiser.output("denoised_radiance"));
-    for (name, texture, _) in host.inputs.clone() {
-        host.denoiser.set_input(name, &texture).expect(name);
-    }
-    let frame = host.denoiser.begin_frame(&FrameParams::new(EXTENT), &Tuning::default()).expect("a frame");
-    assert_eq!(frame.reset, Some(ResetReason::Resize));
-    drop(host);
-    assert_valid();
 }

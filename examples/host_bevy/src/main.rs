@@ -1,0 +1,181 @@
+//! A Bevy program without a window whose path tracer is denoised: guides of Bevy's prepass, noise of a compute shader.
+//!
+//! It checks that the guides are encoded as declared, and that the check would see mistakes; it prints the error of noisy and denoised
+//! pictures against many paths a pixel, and writes them beside each other: `cargo run -- FOLDER`.
+
+mod denoise;
+mod path_tracer;
+mod readback;
+mod scene;
+
+use atrous::config::{Conventions, MotionDirection, NormalEncoding};
+use atrous::reference::Image;
+use atrous_conventions::{check, OwnedGuides};
+use atrous_picture::{Picture, Strip};
+use bevy::log::LogPlugin;
+use bevy::prelude::*;
+use bevy::render::render_asset::RenderAssets;
+use bevy::render::settings::{Backends, InstanceFlags, RenderCreation, WgpuSettings};
+use bevy::render::texture::GpuImage;
+use bevy::render::{RenderApp, RenderPlugin};
+use bevy::window::ExitCondition;
+use denoise::ViewDenoiser;
+use scene::{Scene, Target, EXTENT};
+use std::path::PathBuf;
+
+type Result<T> = std::result::Result<T, BevyError>;
+
+const FRAMES: u32 = 24;
+/// Paths a pixel of the reference.
+const REFERENCE: u32 = 1024;
+
+fn app() -> App {
+    let settings = WgpuSettings {
+        backends: Some(Backends::VULKAN),
+        // Validation is switched on from outside, or not at all.
+        instance_flags: InstanceFlags::empty(),
+        ..default()
+    };
+    let render = RenderPlugin {
+        render_creation: RenderCreation::Automatic(Box::new(settings)),
+        synchronous_pipeline_compilation: true,
+        ..default()
+    };
+    let window = WindowPlugin { primary_window: None, exit_condition: ExitCondition::DontExit, ..default() };
+    let mut app = App::new();
+    app.add_plugins(DefaultPlugins.set(render).set(window).disable::<LogPlugin>());
+    app.add_plugins((scene::ScenePlugin, denoise::DenoisePlugin, path_tracer::PathTracerPlugin));
+    app.finish();
+    app.cleanup();
+    app
+}
+
+fn draw(app: &mut App, scene: Scene) {
+    *app.world_mut().resource_mut::<Scene>() = scene;
+    app.update();
+}
+
+/// The denoiser of the only camera.
+fn denoiser(app: &mut App) -> Result<(&World, &ViewDenoiser)> {
+    let world = app.sub_app_mut(RenderApp).world_mut();
+    let entity = world.query_filtered::<Entity, With<ViewDenoiser>>().single(world)?;
+    let world: &World = world;
+    Ok((world, world.get(entity).ok_or("no denoiser")?))
+}
+
+fn guides(app: &mut App) -> Result<OwnedGuides> {
+    let (world, denoiser) = denoiser(app)?;
+    let bytes = readback::buffer(world, &world.resource::<path_tracer::Guides>().0)?;
+    let float = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+    let texels: Vec<[f32; 4]> =
+        bytes.chunks_exact(16).map(|t| [float(t), float(&t[4..]), float(&t[8..]), float(&t[12..])]).collect();
+    let image = |offset: usize| Image::from_texels(EXTENT, texels[offset..].iter().step_by(3).copied().collect());
+    Ok(OwnedGuides {
+        params: denoiser.params,
+        depth: image(0)?,
+        normal: Some(image(1)?),
+        motion: Some(image(2)?),
+        surface_id: None,
+    })
+}
+
+fn rmse(image: &[[f32; 3]], reference: &[[f32; 3]]) -> f64 {
+    let squares = image.iter().flatten().zip(reference.iter().flatten()).map(|(a, b)| f64::from(a - b).powi(2));
+    (squares.sum::<f64>() / (3 * reference.len()) as f64).sqrt()
+}
+
+/// The largest difference between what Bevy shows and a picture without tone mapping.
+fn difference(shown: &[[u8; 3]], radiance: &[[f32; 3]]) -> u8 {
+    let encode = |linear: f32| {
+        let x = linear.clamp(0.0, 1.0);
+        let curve = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
+        (255.0 * curve).round() as u8
+    };
+    let pairs = shown.iter().flatten().zip(radiance.iter().flatten());
+    pairs.map(|(shown, linear)| shown.abs_diff(encode(*linear))).max().unwrap_or(u8::MAX)
+}
+
+/// Holds Bevy's prepass against what the plugin declares, and what it might have declared by mistake.
+fn check_conventions(previous: &OwnedGuides, current: &OwnedGuides) -> Result<()> {
+    let declared = denoise::conventions();
+    let report = check(&declared, &previous.borrow(), &current.borrow())?;
+    println!("{report}");
+    if report.complains() {
+        return Err("the guides are not encoded as declared".into());
+    }
+    let mistakes = [
+        Conventions { motion_direction: MotionDirection::PreviousMinusCurrent, ..declared },
+        Conventions { motion_y_up: true, ..declared },
+        Conventions { normal: NormalEncoding::Xyz, ..declared },
+    ];
+    for mistake in mistakes {
+        let report = check(&mistake, &previous.borrow(), &current.borrow())?;
+        let found: Vec<&str> = report.findings().iter().map(|(_, f)| f.mistake.as_str()).filter(|m| !m.is_empty()).collect();
+        println!("declared by mistake, the check says: {}", found.join("; "));
+    }
+    // Bevy's y of clip space, which points up, and jitter of the opposite sign.
+    let mistaken = |guides: &OwnedGuides, clip: f32, jitter: f32| {
+        let mut guides = guides.clone();
+        guides.params.clip_from_view[1][1] *= clip;
+        guides.params.jitter = guides.params.jitter.map(|offset| jitter * offset);
+        guides
+    };
+    for (clip, jitter) in [(-1.0, 1.0), (1.0, -1.0)] {
+        let [previous, current] = [previous, current].map(|guides| mistaken(guides, clip, jitter));
+        let report = check(&declared, &previous.borrow(), &current.borrow())?;
+        if !report.geometry.mistake.is_empty() {
+            println!("given by mistake, the check says: {}", report.geometry.mistake);
+        }
+    }
+    Ok(())
+}
+
+fn picture(radiance: &[[f32; 3]]) -> Result<Picture> {
+    Ok(Picture::from_linear(EXTENT[0], EXTENT[1], radiance, 1.0)?)
+}
+
+fn main() -> Result<()> {
+    let folder = std::env::args_os().nth(1).map(PathBuf::from);
+    let mut app = app();
+    let mut known = Vec::new();
+    for index in 0..FRAMES {
+        draw(&mut app, Scene { index, time: index, ..default() });
+        if index + 2 >= FRAMES {
+            known.push(guides(&mut app)?);
+        }
+    }
+    let (world, view) = denoiser(&mut app)?;
+    let noisy = readback::radiance(world, &view.noisy)?;
+    let denoised = readback::radiance(world, view.denoised().ok_or("no output")?)?;
+    let target = app.world().resource::<Target>().0.clone();
+    let world = app.sub_app(RenderApp).world();
+    let image = world.resource::<RenderAssets<GpuImage>>().get(&target).ok_or("no target")?;
+    let shown: Vec<[u8; 3]> = readback::texture(world, &image.texture)?.chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect();
+    println!("Bevy shows the denoised picture, off by at most {} of 255", difference(&shown, &denoised));
+
+    // The same frame once more, with many paths: what the denoiser makes of it does not matter.
+    draw(&mut app, Scene { index: FRAMES, time: FRAMES - 1, paths: REFERENCE, ..default() });
+    let (world, view) = denoiser(&mut app)?;
+    let reference = readback::radiance(world, &view.noisy)?;
+
+    for (jitter, time) in [Vec2::new(0.4, -0.3), Vec2::new(-0.3, 0.45)].into_iter().zip(FRAMES..) {
+        draw(&mut app, Scene { index: time + 1, time, jitter, ..default() });
+        known.push(guides(&mut app)?);
+    }
+    println!("without jitter");
+    check_conventions(&known[0], &known[1])?;
+    println!("with jitter");
+    check_conventions(&known[2], &known[3])?;
+    let errors = [rmse(&noisy, &reference), rmse(&denoised, &reference)];
+    println!("RMSE noisy {:.4}\nRMSE denoised {:.4}", errors[0], errors[1]);
+    if let Some(folder) = folder {
+        std::fs::create_dir_all(&folder)?;
+        let strip = Strip::new("Bevy's prepass, one path a pixel")
+            .panel(format!("noisy\nRMSE {:.4}", errors[0]), picture(&noisy)?)
+            .panel(format!("denoised\nRMSE {:.4}", errors[1]), picture(&denoised)?)
+            .panel(format!("reference\n{REFERENCE} paths a pixel"), picture(&reference)?);
+        strip.render()?.write_png(folder.join("host_bevy.png"))?;
+        Picture::from_pixels(EXTENT[0], EXTENT[1], shown)?.write_png(folder.join("host_bevy_shown.png"))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,122 @@
+//! A path tracer of the host: it takes its primary surfaces from Bevy's prepass.
+
+use crate::denoise::{DenoiseSystems, ViewDenoiser};
+use crate::scene::{Scene, LIGHT, SPHERES};
+use bevy::core_pipeline::prepass::ViewPrepassTextures;
+use bevy::core_pipeline::Core3d;
+use bevy::math::Vec4Swizzles;
+use bevy::prelude::*;
+use bevy::render::camera::TemporalJitter;
+use bevy::render::renderer::{RenderContext, RenderDevice, ViewQuery};
+use bevy::render::view::ExtractedView;
+use bevy::render::{Extract, ExtractSchedule, RenderApp};
+use wgpu::util::DeviceExt;
+
+/// Writes the noisy radiance of each camera that is denoised.
+pub struct PathTracerPlugin;
+
+impl Plugin for PathTracerPlugin {
+    fn build(&self, app: &mut App) {
+        let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+        render_app
+            .insert_resource(Scene::default())
+            .add_systems(ExtractSchedule, |scene: Extract<Res<Scene>>, mut rendered: ResMut<Scene>| *rendered = scene.clone())
+            .add_systems(Core3d, trace.in_set(DenoiseSystems::PathTrace));
+    }
+
+    fn finish(&self, app: &mut App) {
+        let Some(render_app) = app.get_sub_app_mut(RenderApp) else { return };
+        let pipeline = PathTracer::new(render_app.world().resource::<RenderDevice>().wgpu_device());
+        render_app.insert_resource(pipeline);
+    }
+}
+
+#[derive(Resource)]
+struct PathTracer(wgpu::ComputePipeline);
+
+/// Depth, normal and motion of each pixel, as the shader read them in the prepass.
+#[derive(Resource)]
+pub struct Guides(pub wgpu::Buffer);
+
+impl PathTracer {
+    fn new(device: &wgpu::Device) -> Self {
+        let source = wgpu::ShaderSource::Wgsl(include_str!("path_tracer.wgsl").into());
+        let module = device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some("path tracer"), source });
+        Self(device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some("path tracer"),
+            layout: None,
+            module: &module,
+            entry_point: None,
+            compilation_options: Default::default(),
+            cache: None,
+        }))
+    }
+}
+
+/// `Frame` of the shader.
+fn constants(view: &ExtractedView, jitter: Option<&TemporalJitter>, scene: &Scene) -> Vec<u8> {
+    let world_from_view = view.world_from_view.to_matrix();
+    let mut clip_from_view = view.clip_from_view;
+    if let Some(jitter) = jitter {
+        jitter.jitter_projection(&mut clip_from_view, view.viewport.zw().as_vec2());
+        // as the prepass is drawn
+    }
+    let mut words: Vec<u32> = Vec::new();
+    let floats = |words: &mut Vec<u32>, values: &[f32]| words.extend(values.iter().map(|value| value.to_bits()));
+    floats(&mut words, &(world_from_view * clip_from_view.inverse()).to_cols_array());
+    floats(&mut words, &view.world_from_view.translation().extend(1.0).to_array());
+    floats(&mut words, &LIGHT);
+    words.extend([scene.index, scene.paths, 0, 0]);
+    for (sphere, centre) in SPHERES.iter().zip(scene.centres()) {
+        floats(&mut words, &centre.extend(sphere.radius).to_array());
+        floats(&mut words, &[sphere.albedo[0], sphere.albedo[1], sphere.albedo[2], 0.0]);
+    }
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+}
+
+fn trace(
+    view: ViewQuery<(&ExtractedView, Option<&TemporalJitter>, &ViewPrepassTextures, &ViewDenoiser)>,
+    scene: Res<Scene>,
+    tracer: Res<PathTracer>,
+    mut commands: Commands,
+    mut context: RenderContext,
+) -> Result<(), BevyError> {
+    let (view, jitter, prepass, denoiser) = view.into_inner();
+    let (Some(depth), Some(normal), Some(motion)) =
+        (prepass.depth_only_view(), prepass.normal_view(), prepass.motion_vectors_view())
+    else {
+        return Err("the path tracer needs DepthPrepass, NormalPrepass and MotionVectorPrepass".into());
+    };
+    let device = context.render_device().wgpu_device().clone();
+    let size = denoiser.noisy.size();
+    let contents = constants(view, jitter, &scene);
+    let usage = wgpu::BufferUsages::UNIFORM;
+    let constants = device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: None, contents: &contents, usage });
+    let guides = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("guides"),
+        size: u64::from(size.width * size.height) * 48,
+        usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC,
+        mapped_at_creation: false,
+    });
+    let (noisy, albedo) = (denoiser.noisy.create_view(&default()), denoiser.albedo.create_view(&default()));
+    let resources = [
+        constants.as_entire_binding(),
+        wgpu::BindingResource::TextureView(depth),
+        wgpu::BindingResource::TextureView(normal),
+        wgpu::BindingResource::TextureView(motion),
+        wgpu::BindingResource::TextureView(&noisy),
+        wgpu::BindingResource::TextureView(&albedo),
+        guides.as_entire_binding(),
+    ];
+    let entries: Vec<_> =
+        resources.into_iter().zip(0..).map(|(resource, binding)| wgpu::BindGroupEntry { binding, resource }).collect();
+    let layout = tracer.0.get_bind_group_layout(0);
+    let group = device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout: &layout, entries: &entries });
+    let mut pass = context.command_encoder().begin_compute_pass(&default());
+    pass.set_pipeline(&tracer.0);
+    pass.set_bind_group(0, &group, &[]);
+    pass.dispatch_workgroups(size.width.div_ceil(8), size.height.div_ceil(8), 1);
+    drop(pass);
+    commands.insert_resource(Guides(guides));
+    Ok(())
+}
