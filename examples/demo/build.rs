@@ -17,7 +17,9 @@ fn main() -> Result<(), String> {
     println!("cargo:rustc-env=ATROUS_DEMO_TRACER={:016x}", hash(&sources)?);
     write_table(&root, &includes, &out.join("shaders.rs"))?;
     if env::var_os("CARGO_FEATURE_WINDOW").is_some() {
-        write_table(&root.join("window"), &includes, &out.join("window_shaders.rs"))?;
+        let window = root.join("window");
+        let includes = [vec![window.clone()], includes.to_vec()].concat();
+        write_table(&window, &includes, &out.join("window_shaders.rs"))?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! The declaration of a denoiser: its resources and its passes in order.
 
-use super::{Access, FrameContext, Lifetime, ResourceDecl, ResourceId, Setup, Shape, Work};
+use super::{Access, FrameContext, Lifetime, Parameter, ResourceDecl, ResourceId, Setup, Shape, Tuning, TuningField, Work};
 use crate::config::Config;
 use crate::error::Error;
 use ash::vk;
@@ -114,6 +114,15 @@ impl Declaration {
         self.config.as_ref()
     }
 
+    /// The tunables that a parameter of a pass comes from, in the order of [`Tuning::FIELDS`]: any other changes nothing. What
+    /// the debug view alone reads does not count, since it changes no output but the view.
+    pub fn tunables(&self) -> impl Iterator<Item = &'static TuningField> + '_ {
+        let filters = self.passes.iter().filter(|pass| !pass.draws_view()).filter_map(PassDecl::dispatch);
+        let read: Vec<_> = filters.flat_map(|dispatch| dispatch.parameters.iter().copied()).collect();
+        let is_read = move |(index, _): &(usize, &TuningField)| read.contains(&Parameter::Tuning(*index));
+        Tuning::FIELDS.iter().enumerate().filter(is_read).map(|(_, field)| field)
+    }
+
     /// Whether the host's path tracer has to shade the pixels again that `forward_project` picks.
     pub(crate) fn reshades(&self) -> bool {
         self.passes.iter().any(|pass| pass.stage() == Some("forward_project"))
@@ -191,4 +200,32 @@ impl Declaration {
 pub(crate) fn life(passes: &[PassDecl], id: ResourceId) -> Option<(usize, usize)> {
     let touches = |pass: &PassDecl| pass.uses.iter().any(|u| u.resource == id);
     Some((passes.iter().position(touches)?, passes.iter().rposition(touches)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::config::{Config, PostProcess, Preset};
+
+    #[test]
+    fn a_preset_names_the_tunables_that_it_reads() {
+        let read = |config: Config| -> Vec<&str> { config.declare().expect("valid").tunables().map(|field| field.name).collect() };
+        let of = |preset| read(Config { preset, debug_view: true, ..Config::new([16, 16]) });
+        assert_eq!(of(Preset::Eaw), ["sigma_rt", "sigma_rt_n", "sigma_rt_x"], "a view's alpha is none of its own");
+        for (preset, has, lacks) in [
+            (Preset::Svgf, "sigma_l", "gradient_scale"),
+            (Preset::Asvgf, "gradient_scale", "percentile_range"),
+            (Preset::Asvgf, "edge_falloff", "volume_sigma_z"),
+            (Preset::Volume, "volume_sigma_z", "sigma_z"),
+            (Preset::Volume, "volume_alpha", "normal_tolerance"),
+            (Preset::Percentile, "percentile_range", "gradient_scale"),
+            (Preset::Fast, "change_threshold", "sigma_rt"),
+            (Preset::Best, "change_threshold", "sigma_rt"),
+        ] {
+            let names = of(preset);
+            assert!(names.contains(&has) && !names.contains(&lacks), "{preset:?}: {names:?}");
+        }
+        let svgf = Config { preset: Preset::Svgf, ..Config::new([16, 16]) };
+        assert!(!read(svgf).contains(&"taa_alpha"));
+        assert!(read(Config { post_process: PostProcess::ToneMapTaa, ..svgf }).contains(&"taa_alpha"));
+    }
 }

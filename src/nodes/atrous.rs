@@ -2,7 +2,7 @@
 
 pub(crate) mod twin;
 
-use super::by_signals;
+use super::{by_signals, UNREAD};
 use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Reflection, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};
 
@@ -91,6 +91,7 @@ impl Graph {
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)
+                .value("volume_sigma_z", UNREAD)
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)
                 .bind_some("reflection", atrous.reflection.map(|reflection| reflection.image))
@@ -105,6 +106,9 @@ impl Graph {
             level_pass(&node, name, &shaders::ATROUS_SIGNALS_1, level)
                 .constant("VOLUME", 1)
                 .value("sigma_l", Value::Tunable("volume_sigma_l"))
+                .value("sigma_n", UNREAD)
+                .value("sigma_z", UNREAD)
+                .value("edge_falloff", UNREAD)
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)
         })

@@ -1,5 +1,6 @@
 //! Shows the denoiser's knowledge of each pixel as a picture. Not a stage of a filter: nothing reads it.
 
+mod legend;
 pub(crate) mod twin;
 
 use crate::contract::{Lifetime, Phase};
@@ -7,6 +8,7 @@ use crate::graph::{
     Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, Reflection, HDR, HOST_COLOUR,
 };
 use crate::shaders;
+pub use legend::{Ramp, ViewLegend};
 
 /// Images of a graph beside the guides; views of what is `None` are a dark chequer.
 #[derive(Clone, Copy, Debug)]

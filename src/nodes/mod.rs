@@ -32,7 +32,7 @@ pub(crate) mod volume_points;
 
 pub use atrous::{Atrous, Kernel, VolumeAtrous};
 pub use block_percentiles::BLOCK_SIZE;
-pub use debug_view::Known;
+pub use debug_view::{Known, Ramp, ViewLegend};
 pub use demodulate::{Albedo, Demodulate};
 pub use eaw::Eaw;
 pub use forward_project::ForwardProject;
@@ -44,7 +44,7 @@ pub use temporal_accumulation::Accumulation;
 pub use variance::{Estimator, Variance};
 pub use volume_points::Volume;
 
-use crate::graph::{Graph, Image, Port};
+use crate::graph::{Graph, Image, Port, Value};
 use crate::reference::rules::*;
 use crate::reference::{Per, Stage, Values};
 use crate::shaders::Shader;
@@ -93,6 +93,9 @@ impl Stage {
         STAGES.iter().find(|stage| stage.name == name)
     }
 }
+
+/// Of a push constant that the variant of a shader does not read: so the tunable of its name is none of the graph.
+const UNREAD: Value = Value::Fixed(0.0);
 
 /// The module of a shader for one or two signals.
 fn by_signals<K>(port: &Port<K>, one: &'static Shader, two: &'static Shader) -> &'static Shader {

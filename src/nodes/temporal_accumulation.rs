@@ -2,7 +2,7 @@
 
 pub(crate) mod twin;
 
-use super::by_signals;
+use super::{by_signals, UNREAD};
 use crate::graph::{Accumulated, Confidence, Graph, Guides, History, Irradiance, LightRatio, Pass, Value};
 use crate::graph::{VolumeAccumulated, VolumeMotion, VolumeRadiance};
 use crate::shaders;
@@ -84,6 +84,7 @@ impl Graph {
             .value("alpha", Value::Tunable("volume_alpha"))
             .value("alpha_moments", Value::Tunable("volume_alpha"))
             .value("depth_tolerance", Value::Tunable("volume_depth_tolerance"))
+            .value("normal_tolerance", UNREAD)
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("volume_motion", motion.image())

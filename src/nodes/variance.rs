@@ -3,7 +3,7 @@
 
 pub(crate) mod twin;
 
-use super::by_signals;
+use super::{by_signals, UNREAD};
 use crate::graph::{Accumulated, Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate};
 use crate::shaders;
 
@@ -41,6 +41,7 @@ impl Graph {
             .constant("ESTIMATOR", variance.estimator as u32)
             .constant("AVERAGED", u32::from(variance.averaged))
             .value("spatial_variance_frames", variance.spatial_variance_frames)
+            .value("volume_sigma_z", UNREAD)
             .bind("guide", guides.guide)
             .bind("depth_gradient", guides.depth_gradient);
         self.add_estimate(pass, accumulated, history)
@@ -53,6 +54,9 @@ impl Graph {
         let pass = Pass::new(&node, &shaders::VARIANCE_SIGNALS_1)
             .constant("ESTIMATOR", Estimator::Fading as u32)
             .constant("VOLUME", 1)
+            .value("sigma_n", UNREAD)
+            .value("sigma_z", UNREAD)
+            .value("edge_falloff", UNREAD)
             .bind("guide", guides.guide)
             .bind("depth_gradient", guides.depth_gradient);
         self.add_estimate(pass, accumulated, history)

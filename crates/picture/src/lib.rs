@@ -1,7 +1,7 @@
 //! Pictures that the demo, the tools and the tests of `atrous` write.
 //!
 //! [`Picture`] is an 8-bit image made of radiance or of colours for a display, and read from and written to
-//! PNG. [`Strip`] puts labelled pictures side by side, with enlarged insets. [`LinePlot`] draws one line for each
+//! PNG. [`Strip`] puts labelled pictures side by side, with enlarged insets. [`Legend`] says what colours stand for. [`LinePlot`] draws one line for each
 //! denoiser over the frames, [`StackedBars`] one bar for each with a segment for each part, and [`TextTable`] prints
 //! numbers that can be pasted into Markdown. All text is drawn with bitmap fonts, so that no font has to be installed and
 //! the same input gives the same bytes everywhere.
@@ -10,6 +10,7 @@
 mod bars;
 mod convert;
 mod error;
+mod legend;
 mod picture;
 mod plot;
 mod plot_canvas;
@@ -22,6 +23,7 @@ mod text;
 pub use bars::StackedBars;
 pub use convert::NOT_FINITE;
 pub use error::PictureError;
+pub use legend::{ColourBar, Legend};
 pub use picture::{Picture, Region};
 pub use plot::{value_axis, LinePlot, Series};
 pub use strip::Strip;

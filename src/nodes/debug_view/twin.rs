@@ -1,5 +1,9 @@
 //! The stage `debug_view`: what the denoiser knows of a pixel, as a picture.
 
+use super::legend::{
+    false_colour, from_srgb, gradient_colour, motion_colour, LARGE_MOTION, LONG_HISTORY, MIDDLE_DEVIATION, REASON_COLOURS,
+    WIDEST_LOBE,
+};
 use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::nodes::demodulate::twin::divisor;
 use crate::nodes::firefly::twin::limit_around;
@@ -20,32 +24,8 @@ mod tests;
 
 pub(crate) use adapter::twin;
 
-/// History lengths from here on look alike, frames.
-const LONG_HISTORY: f32 = 32.0;
-/// sRGB colours of the disocclusion reasons: history, off screen, background or id, depth, normal, reset. Okabe and Ito's.
-const REASON_COLOURS: [[u8; 3]; 6] = [[60, 60, 60], [230, 159, 0], [86, 180, 233], [0, 158, 115], [240, 228, 66], [213, 94, 0]];
-
-/// Motions from here on look alike, pixels.
-const LARGE_MOTION: f32 = 64.0;
-/// The deviation in the middle of the colours.
-const MIDDLE_DEVIATION: f32 = 0.25;
 /// Kinds of input that are counted.
-/// Degrees at the end of the colours of lobes.
-const WIDEST_LOBE: f32 = 45.0;
-
 const BAD_KINDS: u32 = 12;
-/// Viridis (van der Walt, Smith 2015) at nine places, sRGB.
-const VIRIDIS: [[u8; 3]; 9] = [
-    [68, 1, 84],
-    [71, 45, 123],
-    [59, 82, 139],
-    [44, 114, 142],
-    [33, 145, 140],
-    [40, 174, 128],
-    [94, 201, 98],
-    [173, 220, 48],
-    [253, 231, 37],
-];
 
 /// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks
 /// and strata.
@@ -170,7 +150,7 @@ impl DebugViewInputs<'_> {
     fn gradient_at(&self, p: IVec2) -> ([f32; 3], f32) {
         let [change, brightest, ..] = self.gradient.map_or([0.0; 4], |g| g.at(p / self.stratum_size as i32));
         let t = if brightest > 0.0 { (change / brightest).clamp(-1.0, 1.0) } else { 0.0 };
-        ([t.max(0.0), 0.15 * t.abs(), (-t).max(0.0)], change)
+        (gradient_colour(t), change)
     }
 
     /// The share of a signal's luminance that is above the firefly filter's limit.
@@ -206,8 +186,7 @@ fn motion(motion: [f32; 2]) -> ([f32; 3], f32) {
     let motion = Vec2::from(motion);
     let pixels = motion.length();
     let t = ((1.0 + pixels).log2() / (1.0 + LARGE_MOTION).log2()).min(1.0);
-    let direction = motion.normalize_or_zero();
-    ([0.5 + 0.5 * t * direction.x, 0.5 + 0.5 * t * direction.y, 0.5 - 0.5 * t], pixels)
+    (motion_colour(motion.normalize_or_zero().to_array(), t), pixels)
 }
 
 fn compressed(x: f32) -> f32 {
@@ -216,16 +195,4 @@ fn compressed(x: f32) -> f32 {
 
 fn root_of_squares(values: impl Iterator<Item = f32>) -> f32 {
     values.map(|v| v * v).sum::<f32>().sqrt()
-}
-
-/// Linear values of a colour in sRGB, 0 to 255. No component lies in the linear part of the curve but black, where this is 0.0009.
-fn from_srgb(colour: [f32; 3]) -> [f32; 3] {
-    colour.map(|c| ((c / 255.0 + 0.055) / 1.055).powf(2.4))
-}
-
-fn false_colour(t: f32) -> [f32; 3] {
-    let x = t.clamp(0.0, 1.0) * 8.0;
-    let i = (x as usize).min(7);
-    let f = x - i as f32;
-    from_srgb([0, 1, 2].map(|c| f32::from(VIRIDIS[i][c]) * (1.0 - f) + f32::from(VIRIDIS[i + 1][c]) * f))
 }

@@ -2,6 +2,9 @@
 // Encodes what was drawn into the window for formats that do not do it themselves: the curve of sRGB, or HDR10.
 // Source: sRGB [IEC 61966-2-1]; PQ [SMPTE ST 2084, eq. 5.2]; BT.709 to BT.2020 [ITU-R BT.2087, M2]; white [ITU-R BT.2408].
 // In:  canvas, linear Rec. 709, 1 is white. Out: encoded 0..1.
+#extension GL_GOOGLE_include_directive : require
+
+#include "srgb.glsl"
 
 layout(input_attachment_index = 0, set = 0, binding = 0) uniform subpassInput canvas;
 layout(push_constant) uniform Encoded {
@@ -15,8 +18,6 @@ const mat3 BT2020_FROM_BT709 = mat3(
     0.627404, 0.329283, 0.043313,
     0.069097, 0.919540, 0.011362,
     0.016391, 0.088013, 0.895595);
-
-vec3 srgb(vec3 x) { return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308))); }
 
 // x: 1 is 10000 cd/m2.
 vec3 pq(vec3 x) {

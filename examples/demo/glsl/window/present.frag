@@ -1,8 +1,12 @@
 #version 450
-// The split screen: two pictures side by side in one rectangle, tone-mapped, enlarged without smoothing; and the magnifier.
+// The split screen: two pictures side by side in one rectangle, tone-mapped, enlarged without smoothing, or the difference of both; and
+// the magnifier.
 // Source: tone curves as in glsl/tone_map.comp of the crate [Reinhard 2002, Narkowicz 2015].
 // In:  left and right, radiance or display-referred. Out: linear Rec. 709, 1 is white; brighter only where the display can.
 #extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+
+#include "srgb.glsl"
 
 layout(set = 0, binding = 0) uniform texture2D left;
 layout(set = 0, binding = 1) uniform texture2D right;
@@ -17,6 +21,7 @@ layout(push_constant) uniform Presented {
     uint display_referred;  // bit 0: left, bit 1: right
     uint tone_curve;
     float peak;        // of the display, over white; 1: no HDR
+    float difference_range;  // 0: left and right side by side; else right minus left, in encoded values, that is black or white
 } presented;
 layout(location = 0) out vec4 colour;
 
@@ -35,13 +40,23 @@ vec3 tone_mapped(vec3 radiance) {
     return clamp(x, 0.0, 1.0);
 }
 
+vec3 shown(vec3 value, uint side) {
+    return (presented.display_referred >> side & 1u) != 0u ? value : tone_mapped(value);
+}
+
+// Grey where both are alike. Of encoded values, as the eye sees them and as pictures in files are subtracted.
+vec3 difference(vec3 left_value, vec3 right_value) {
+    vec3 change = srgb(min(right_value, 1.0)) - srgb(min(left_value, 1.0));
+    return from_srgb(0.5 + 0.5 * clamp(change / presented.difference_range, -1.0, 1.0));
+}
+
 // At a place in the picture, its own pixels. The divider cuts between pixels of the window, not of the picture.
 vec3 picture(vec2 position) {
     bool is_left = position.x < presented.divider * presented.extent.x;
     ivec2 p = clamp(ivec2(floor(position)), ivec2(0), ivec2(presented.extent) - 1);
-    vec3 value = is_left ? texelFetch(left, p, 0).rgb : texelFetch(right, p, 0).rgb;
-    bool mapped = (presented.display_referred >> (is_left ? 0u : 1u) & 1u) != 0u;
-    return mapped ? value : tone_mapped(value);
+    if (presented.difference_range > 0.0)
+        return difference(shown(texelFetch(left, p, 0).rgb, 0u), shown(texelFetch(right, p, 0).rgb, 1u));
+    return is_left ? shown(texelFetch(left, p, 0).rgb, 0u) : shown(texelFetch(right, p, 0).rgb, 1u);
 }
 
 void main() {

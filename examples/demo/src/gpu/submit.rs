@@ -13,6 +13,10 @@ const POLLING_SHARE: f64 = 1.0 / 16.0;
 const SHORTEST_PAUSE: Duration = Duration::from_micros(50);
 const LONGEST_PAUSE: Duration = Duration::from_millis(2);
 
+/// All that an image here has.
+const WHOLE_LAYER: vk::ImageSubresourceLayers =
+    vk::ImageSubresourceLayers { aspect_mask: WHOLE_IMAGE.aspect_mask, mip_level: 0, base_array_layer: 0, layer_count: 1 };
+
 impl Gpu {
     /// Records with `record`, submits, and waits until the device is done. `record` must not submit or read images
     /// itself: the command pool is locked meanwhile.
@@ -130,6 +134,34 @@ impl Gpu {
         Ok(half_texel(&target.bytes()[..8]))
     }
 
+    /// Replaces the texels of an image of half floats in layout `GENERAL`, row by row. Those that are not given become 0, and those beyond
+    /// its end are left out.
+    ///
+    /// # Errors
+    /// No memory, or a lost device.
+    pub fn write_half_texels(&self, image: &Image, texels: &[[f32; 4]]) -> Result<()> {
+        let size = u64::from(image.extent.width) * u64::from(image.extent.height) * image.texel_bytes();
+        let mut source = Buffer::new(self, "upload", size, MemoryKind::Upload)?;
+        let given = texels.iter().flatten().map(|value| half::f16::from_f32(*value)).chain(std::iter::repeat(half::f16::ZERO));
+        for (bytes, value) in source.bytes_mut().chunks_exact_mut(2).zip(given) {
+            bytes.copy_from_slice(&value.to_le_bytes());
+        }
+        let region = vk::BufferImageCopy::default().image_subresource(WHOLE_LAYER).image_extent(image.extent.into());
+        let before = vk::MemoryBarrier::default()
+            .src_access_mask(vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE)
+            .dst_access_mask(vk::AccessFlags::TRANSFER_WRITE);
+        let (all, copy) = (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::TRANSFER);
+        self.submit(|cmd| {
+            // SAFETY: `cmd` is recording; the image is in GENERAL, and the buffer has all of its texels. The submission is waited for.
+            unsafe {
+                let device = self.device();
+                device.cmd_pipeline_barrier(cmd, all, copy, vk::DependencyFlags::empty(), &[before], &[], &[]);
+                device.cmd_copy_buffer_to_image(cmd, source.handle, image.handle, vk::ImageLayout::GENERAL, &[region]);
+            }
+            Ok(())
+        })
+    }
+
     fn record_readback(&self, cmd: vk::CommandBuffer, image: &Image, offset: vk::Offset3D, extent: vk::Extent3D, target: &Buffer) {
         let device = self.device();
         let before = vk::MemoryBarrier::default()
@@ -138,14 +170,7 @@ impl Gpu {
         let after = vk::MemoryBarrier::default()
             .src_access_mask(vk::AccessFlags::TRANSFER_WRITE)
             .dst_access_mask(vk::AccessFlags::HOST_READ);
-        let region = vk::BufferImageCopy::default()
-            .image_subresource(vk::ImageSubresourceLayers {
-                aspect_mask: WHOLE_IMAGE.aspect_mask,
-                layer_count: 1,
-                ..Default::default()
-            })
-            .image_offset(offset)
-            .image_extent(extent);
+        let region = vk::BufferImageCopy::default().image_subresource(WHOLE_LAYER).image_offset(offset).image_extent(extent);
         let (all, copy, host) =
             (vk::PipelineStageFlags::ALL_COMMANDS, vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::HOST);
         let none = vk::DependencyFlags::empty();

@@ -213,6 +213,14 @@ impl Scene {
             .collect()
     }
 
+    /// Whether the world looks alike at two moments: time may pass where nothing moves and no light changes.
+    pub fn looks_alike(&self, a: &Moment, b: &Moment) -> bool {
+        let lit = |moment: &Moment| (self.light_scale(moment.light_frame), self.emissions(moment.light_frame));
+        a.view == b.view
+            && (a.object_time == b.object_time || self.transforms(a.object_time) == self.transforms(b.object_time))
+            && (a.light_frame == b.light_frame || lit(a) == lit(b))
+    }
+
     /// Sets the camera's path.
     pub fn set_camera(&mut self, path: impl Fn(f32) -> View + Send + Sync + 'static) {
         self.camera = Box::new(path);
@@ -260,4 +268,24 @@ fn to_and_fro(time: f32, turn: f32) -> f32 {
 
 fn seconds(frame: u32) -> f32 {
     frame as f32 / FRAMES_PER_SECOND
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_world_looks_alike_while_nothing_moves_and_no_light_changes() {
+        let view = View { eye: Vec3::ZERO, target: Vec3::NEG_Z, up: Vec3::Y, vertical_fov: 0.8 };
+        let mut scene = Scene::new("test", view);
+        scene.set_light_scale(|frame| if frame < 8 { 1.0 } else { 0.1 });
+        let at = |object_time, light_frame| Moment { view, object_time, light_frame };
+        assert!(scene.looks_alike(&at(0.0, 0), &at(9.0, 7)), "nothing is there that could move");
+        assert!(!scene.looks_alike(&at(0.0, 7), &at(0.0, 8)));
+        assert!(!scene.looks_alike(&at(0.0, 0), &Moment { view: View { eye: Vec3::X, ..view }, ..at(0.0, 0) }));
+        let placement = Placement::Animated(Box::new(|time| Affine3A::from_translation(Vec3::X * (time - 1.0).max(0.0))));
+        scene.add_instance(0, 0, placement);
+        assert!(scene.looks_alike(&at(0.0, 0), &at(1.0, 0)), "it has not started yet");
+        assert!(!scene.looks_alike(&at(1.0, 0), &at(1.5, 0)));
+    }
 }

@@ -7,8 +7,11 @@ use std::time::Instant;
 use ash::vk;
 
 use super::content::Content;
+use super::error_view::Wake;
 use super::jobs::Jobs;
+use super::legend;
 use super::panes::{PaneWriter, Panes};
+use super::record::Seen;
 #[cfg(feature = "hot-reload")]
 use super::reload::ShaderErrors;
 use super::settings::Settings;
@@ -30,9 +33,11 @@ pub struct EngineThread {
 impl EngineThread {
     /// Starts; `wake` is called after every frame.
     pub fn start(gpu: &Gpu, extent: vk::Extent2D, shared: &Arc<Shared>, wake: impl Fn() + Send + 'static) -> Self {
+        let awake = shared.clone();
+        let measured: Wake = Arc::new(move || awake.want(|_| ()));
         let (gpu, worker) = (gpu.clone(), shared.clone());
         let work = move || {
-            if let Err(error) = run(&gpu, extent, &worker, &wake) {
+            if let Err(error) = run(&gpu, extent, &worker, &wake, measured) {
                 worker.notify(true, error.to_string());
             }
             worker.report().stopped = true;
@@ -52,8 +57,8 @@ impl Drop for EngineThread {
     }
 }
 
-fn run(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, wake: &dyn Fn()) -> Result<()> {
-    let mut engine = Engine::new(gpu, extent, shared)?;
+fn run(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, wake: &dyn Fn(), measured: Wake) -> Result<()> {
+    let mut engine = Engine::new(gpu, extent, shared, measured)?;
     let mut seen = 0;
     loop {
         let busy = engine.is_busy();
@@ -98,10 +103,12 @@ struct Engine {
     shader_errors: ShaderErrors,
     made: Option<Made>,
     frames: u64,
+    /// Wakes this thread when an error was measured.
+    measured: Wake,
 }
 
 impl Engine {
-    fn new(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared) -> Result<Self> {
+    fn new(gpu: &Gpu, extent: vk::Extent2D, shared: &Shared, measured: Wake) -> Result<Self> {
         let settings = shared.settings();
         let world = World::new(gpu, extent, &settings)?;
         let panes = Arc::new(Panes::new(gpu, extent)?);
@@ -117,6 +124,7 @@ impl Engine {
             shader_errors: ShaderErrors::default(),
             made: None,
             frames: 0,
+            measured,
         })
     }
 
@@ -144,14 +152,21 @@ impl Engine {
             self.world.frame(settings, made.view, advance, reset)?;
             self.frames += 1;
         }
-        let shows_reference = made.contents.contains(&Content::Reference);
-        self.world.accumulate(shows_reference)?;
+        self.world.accumulate(made.contents.into_iter().any(Content::needs_reference))?;
+        self.world.measure_errors(&mut self.writer, made.contents, &self.measured)?;
         self.world.fill(&mut self.writer, &self.panes, made.contents)?;
         let switched = self.made.replace(made.clone()).is_none_or(|last| last.contents != made.contents);
+        let (paths, errors) = (self.world.reference_samples(), self.world.errors());
+        let seen = Seen {
+            panes: &self.panes,
+            settings,
+            display_referred: display_referred(settings),
+            legends: made.contents.map(|content| legend::of_content(content, paths, &errors)),
+        };
         if !stands {
-            self.jobs.after_frame(shared, &self.gpu, &self.panes, settings, self.display_referred(settings), self.world.view())?;
+            self.jobs.after_frame(shared, &self.gpu, &seen, self.world.view())?;
         }
-        self.jobs.shoot(shared, &self.gpu, &self.panes, settings, self.display_referred(settings))?;
+        self.jobs.shoot(shared, &self.gpu, &seen)?;
         self.publish(shared, wanted, (!stands).then_some(start), switched)
     }
 
@@ -172,16 +187,6 @@ impl Engine {
         last.tuning == made.tuning && last.view == made.view && made.contents.iter().all(has)
     }
 
-    /// Bit 0: what is left went through a tone map already, bit 1: what is right.
-    fn display_referred(&self, settings: &Settings) -> u32 {
-        let is_mapped = |content| match content {
-            Content::Debug(..) => true,
-            Content::Filtered(_) => settings.taa,
-            Content::Noisy | Content::Reference => false,
-        };
-        u32::from(is_mapped(settings.left)) | u32::from(is_mapped(settings.right)) << 1
-    }
-
     /// `start`: of the frame, where one was made; `switched`: other filters are shown than before.
     fn publish(&mut self, shared: &Shared, wanted: &Wanted, start: Option<Instant>, switched: bool) -> Result<()> {
         let settings = &wanted.settings;
@@ -195,7 +200,7 @@ impl Engine {
         let mut report = shared.report();
         report.frames = self.frames;
         report.shown = Some(contents);
-        report.display_referred = self.display_referred(settings);
+        report.display_referred = display_referred(settings);
         if let Some(start) = start {
             report.milliseconds = 1e3 * start.elapsed().as_secs_f32();
         }
@@ -204,6 +209,7 @@ impl Engine {
         report.scene = self.world.scene_name().to_owned();
         report.loaded = Some(self.world.loaded().to_owned());
         report.reference_samples = self.world.reference_samples();
+        report.errors = self.world.errors();
         report.probe = probe;
         (report.recording, report.path) = self.jobs.state();
         if let Some(histogram) = histogram {
@@ -211,6 +217,16 @@ impl Engine {
         }
         Ok(())
     }
+}
+
+/// Bit 0: what is left went through a tone map already, bit 1: what is right.
+fn display_referred(settings: &Settings) -> u32 {
+    let is_mapped = |content| match content {
+        Content::Debug(..) | Content::Error(_) => true,
+        Content::Filtered(_) => settings.taa,
+        Content::Noisy | Content::Reference => false,
+    };
+    u32::from(is_mapped(settings.left)) | u32::from(is_mapped(settings.right)) << 1
 }
 
 #[cfg(test)]

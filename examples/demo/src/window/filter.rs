@@ -77,6 +77,11 @@ impl Filter {
         if self.taa {
             return Source::of(&self.display);
         }
+        self.linear()
+    }
+
+    /// What came out before the tone map.
+    pub fn linear(&self) -> Source<'_> {
         Source::sum((&self.radiance, 1.0), self.medium.as_ref().map(|medium| (medium, 1.0)))
     }
 
@@ -108,7 +113,8 @@ impl Filter {
         let declaration = self.denoiser.executor().denoiser().declaration();
         let memory =
             FilterMemory { history: allocated.history, transient: allocated.transient, output: declaration.memory().output };
-        FilterReport { preset: self.preset, times: self.denoiser.times(), memory, views: declaration.debug_views() }
+        let tunables = declaration.tunables().map(|field| field.name).collect();
+        FilterReport { preset: self.preset, times: self.denoiser.times(), memory, views: declaration.debug_views(), tunables }
     }
 
     /// Pixels by history length; `None` for a filter without history.

@@ -23,6 +23,14 @@ pub enum Action {
     Right(Content),
     /// Changes the halves.
     Swap,
+    /// The error of the left half's filter, or that filter again.
+    LeftError,
+    /// The same of the right half.
+    RightError,
+    /// The difference of the halves on or off.
+    Difference,
+    /// Fit or integer scaling.
+    Scaling,
     /// The magnifier on or off.
     Magnifier,
     /// The panel on or off.
@@ -56,12 +64,14 @@ const CONTENTS: [(KeyCode, Content); 8] = [
     (KeyCode::Digit8, Content::Reference),
 ];
 
-const ACTIONS: [(KeyCode, bool, Action); 15] = [
+const ACTIONS: [(KeyCode, bool, Action); 17] = [
     (KeyCode::Space, false, Action::Pause),
     (KeyCode::KeyN, false, Action::Step),
     (KeyCode::KeyR, false, Action::Reset),
     (KeyCode::KeyH, false, Action::Home),
     (KeyCode::KeyX, false, Action::Swap),
+    (KeyCode::KeyC, false, Action::Difference),
+    (KeyCode::KeyZ, false, Action::Scaling),
     (KeyCode::KeyM, false, Action::Magnifier),
     (KeyCode::KeyP, false, Action::Panel),
     (KeyCode::F1, false, Action::Help),
@@ -79,9 +89,12 @@ pub const HELP: &[(&str, &str)] = &[
     ("W A S D, E Q", "fly; Shift: faster"),
     ("drag the picture", "look around"),
     ("drag the line", "move the divider"),
-    ("1 to 7", "right half: noisy, SVGF, A-SVGF, percentile, fast, EAW, reference"),
-    ("Shift 1 to 7", "left half"),
+    ("1 to 8", "right half: noisy, SVGF, A-SVGF, percentile, fast, EAW, best, reference"),
+    ("9", "right half: error of its filter against the reference, and back"),
+    ("Shift 1 to 9", "left half"),
     ("X", "change the halves"),
+    ("C", "compare: the difference of the halves, and back"),
+    ("Z", "the picture as large as fits, or by a whole number"),
     ("M", "magnifier: the numbers of the pixel under the mouse, and why its history was dropped"),
     ("Space", "pause"),
     ("N", "single step"),
@@ -102,6 +115,9 @@ pub const HELP: &[(&str, &str)] = &[
 pub fn action(key: KeyCode, shift: bool, ctrl: bool) -> Option<Action> {
     if let Some((_, content)) = CONTENTS.iter().find(|c| c.0 == key && !ctrl) {
         return Some(if shift { Action::Left(*content) } else { Action::Right(*content) });
+    }
+    if key == KeyCode::Digit9 && !ctrl {
+        return Some(if shift { Action::LeftError } else { Action::RightError });
     }
     ACTIONS.iter().find(|a| a.0 == key && a.1 == ctrl).map(|a| a.2)
 }
@@ -131,6 +147,7 @@ mod tests {
             assert_eq!(action(a.0, false, a.1), Some(a.2));
         }
         assert_eq!(action(KeyCode::Digit1, true, false), Some(Action::Left(Content::Noisy)));
+        assert_eq!(action(KeyCode::Digit9, true, false), Some(Action::LeftError));
         assert_eq!(action(KeyCode::KeyQ, false, false), None);
         let mut held = Held::default();
         hold(&mut held, KeyCode::KeyW, true);

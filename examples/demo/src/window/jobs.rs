@@ -3,9 +3,7 @@
 use std::path::PathBuf;
 
 use super::camera_path::CameraPath;
-use super::panes::Panes;
-use super::record::{make, Shot};
-use super::settings::Settings;
+use super::record::{make, Seen, Shot};
 use super::shared::{Request, Shared};
 use crate::error::Result;
 use crate::gpu::Gpu;
@@ -100,20 +98,12 @@ impl Jobs {
     ///
     /// # Errors
     /// A lost device.
-    pub fn after_frame(
-        &mut self,
-        shared: &Shared,
-        gpu: &Gpu,
-        panes: &Panes,
-        settings: &Settings,
-        display_referred: u32,
-        view: Option<View>,
-    ) -> Result<()> {
+    pub fn after_frame(&mut self, shared: &Shared, gpu: &Gpu, seen: &Seen, view: Option<View>) -> Result<()> {
         if let (Way::Recorded(way, _), Some(view)) = (&mut self.way, view) {
             way.push(&view);
         }
         let Some((folder, number)) = &mut self.sequence else { return Ok(()) };
-        let shot = Shot::take(gpu, panes, settings, display_referred)?;
+        let shot = Shot::take(gpu, seen)?;
         match shot.write(&folder.join(format!("{number:05}.png"))) {
             Ok(()) => *number += 1,
             Err(error) => {
@@ -128,9 +118,9 @@ impl Jobs {
     ///
     /// # Errors
     /// A lost device.
-    pub fn shoot(&mut self, shared: &Shared, gpu: &Gpu, panes: &Panes, settings: &Settings, display_referred: u32) -> Result<()> {
+    pub fn shoot(&mut self, shared: &Shared, gpu: &Gpu, seen: &Seen) -> Result<()> {
         for folder in self.shots.drain(..) {
-            match Shot::take(gpu, panes, settings, display_referred)?.write_all(&folder) {
+            match Shot::take(gpu, seen)?.write_all(&folder) {
                 Ok(path) => shared.notify(false, format!("picture {}", path.display())),
                 Err(error) => shared.notify(true, error.to_string()),
             }

@@ -9,7 +9,7 @@ use atrous::DebugView;
 use super::layout::Place;
 use super::overlay::Over;
 use super::settings::Settings;
-use super::shared::{Probe, Report};
+use super::shared::{ErrorReport, Probe, Report};
 use crate::error::{Error, Result};
 
 /// A log, or none.
@@ -23,6 +23,7 @@ pub struct Log {
     place: Place,
     state: String,
     probe: Option<Probe>,
+    errors: Vec<ErrorReport>,
 }
 
 impl Log {
@@ -56,7 +57,8 @@ impl Log {
             self.line(&format!("picture {x} {y} {width} {height} window {} {}", window[0], window[1]));
         }
         let state = format!(
-            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={} camera={} recording={} help={help} held={}",
+            "state left={} right={} divider={:.3} paused={} speed={} magnifier={} panel={} camera={} recording={} help={help} \
+             difference={} scaling={} panel_width={:.0} held={}",
             settings.left,
             settings.right,
             settings.divider,
@@ -66,6 +68,9 @@ impl Log {
             settings.panel,
             if settings.animate_camera { "path" } else { "free" },
             report.recording,
+            settings.difference,
+            settings.scaling.name(),
+            over.panel_width,
             over.holds_divider,
         );
         if state != self.state {
@@ -79,6 +84,12 @@ impl Log {
             self.line(&format!("probe {x} {y} history={history} alpha={} reason={reason}", number(DebugView::Alpha)));
         }
         self.probe = report.probe;
+        if report.errors != self.errors {
+            for ErrorReport { preset, rmse, flip, paths } in &report.errors {
+                self.line(&format!("measured {preset} rmse={rmse:.5} flip={flip:.5} paths={paths}"));
+            }
+            self.errors.clone_from(&report.errors);
+        }
         let kept = report.messages.len();
         for message in &report.messages[kept - (report.message_count - self.message_count).min(kept)..] {
             let kind = if message.is_error { "error" } else { "message" };

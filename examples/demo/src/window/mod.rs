@@ -6,15 +6,18 @@
 mod app;
 mod camera;
 mod camera_path;
+mod captions;
 mod clock;
 mod content;
 mod encode;
 mod engine;
+mod error_view;
 mod filter;
 mod fullscreen;
 mod input;
 mod jobs;
 mod layout;
+mod legend;
 mod log;
 mod measurements;
 mod overlay;
@@ -32,6 +35,8 @@ mod surface_format;
 mod swapchain;
 mod target;
 mod textures;
+mod timings;
+mod tunables;
 mod world;
 
 use std::ffi::CStr;

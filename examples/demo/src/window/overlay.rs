@@ -1,9 +1,10 @@
-//! What lies over the picture: the divider with its labels, the magnifier's numbers, the help.
+//! What lies over the picture: the divider, the magnifier's numbers, the help.
 
 use atrous::reference::Reason;
 use atrous::DebugView;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Stroke, Ui};
 
+use super::captions;
 use super::input::HELP;
 use super::layout::{Place, GRAB};
 use super::settings::Settings;
@@ -11,6 +12,8 @@ use super::shared::{Probe, Report};
 
 /// Side of the magnifier, points.
 pub const LENS_SIDE: f32 = 180.0;
+/// The panel's usual width, points.
+pub const PANEL_WIDTH: f32 = 320.0;
 
 /// What the mouse did over the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,49 +26,50 @@ pub struct Over {
     pub pointer: Option<[f32; 2]>,
     /// The divider is held.
     pub holds_divider: bool,
+    /// The panel's width, points; 0 where it is hidden.
+    pub panel_width: f32,
 }
 
 /// The picture's part of the window.
 pub fn picture(ui: &mut Ui, settings: &mut Settings, report: &Report, extent: [u32; 2]) -> Over {
     let scale = ui.ctx().pixels_per_point();
-    let room = ui.max_rect();
-    let room = Place { x: room.left() * scale, y: room.top() * scale, width: room.width() * scale, height: room.height() * scale };
-    let place = room.fit(extent.map(|side| side as f32));
+    let window = ui.ctx().content_rect().size() * scale;
+    let panel = if settings.panel { PANEL_WIDTH * scale } else { 0.0 };
+    let place = Place::beside(window.into(), panel).fit(extent.map(|side| side as f32), settings.scaling);
     let rect =
         Rect::from_min_size(Pos2::new(place.x / scale, place.y / scale), egui::vec2(place.width / scale, place.height / scale));
-    let looked = ui.interact(rect, ui.id().with("picture"), egui::Sense::click_and_drag());
+    // The panel's edge is grabbed from both sides.
+    let edge = if settings.panel { ui.style().interaction.resize_grab_radius_side } else { 0.0 };
+    let free = ui.max_rect().with_max_x(ui.max_rect().right() - edge);
+    let looked = ui.interact(rect.intersect(free), ui.id().with("picture"), egui::Sense::click_and_drag());
     let x = rect.left() + settings.divider * rect.width();
     let handle = Rect::from_min_max(Pos2::new(x - GRAB, rect.top()), Pos2::new(x + GRAB, rect.bottom()));
-    let divider = ui.interact(handle, ui.id().with("divider"), egui::Sense::drag());
+    let grip = if settings.difference { egui::Sense::empty() } else { egui::Sense::drag() };
+    let divider = ui.interact(handle, ui.id().with("divider"), grip);
     if let Some(pointer) = divider.interact_pointer_pos().filter(|_| divider.dragged() || divider.drag_stopped()) {
         settings.divider = place.divider(pointer.x * scale);
     }
-    if divider.hovered() || divider.dragged() {
+    let is_hot = !settings.difference && (divider.hovered() || divider.dragged());
+    if is_hot {
         ui.ctx().set_cursor_icon(egui::CursorIcon::ResizeHorizontal);
     }
-    line_and_labels(ui, settings, rect, divider.hovered() || divider.dragged());
+    let painter = ui.painter_at(rect.expand(2.0));
+    if !settings.difference {
+        line(&painter, x, rect, is_hot);
+    }
+    captions::draw(&painter, settings, report, rect.intersect(ui.max_rect()), x);
     let turned = if looked.dragged() { looked.drag_delta() } else { egui::Vec2::ZERO };
     let pointer = looked.hover_pos().or(divider.hover_pos()).map(|p| [p.x * scale, p.y * scale]);
     if let Some(pointer) = pointer.filter(|_| settings.magnifier) {
         numbers(ui, report, [pointer[0] / scale, pointer[1] / scale]);
     }
-    Over { place, turned: [turned.x, turned.y], pointer, holds_divider: divider.is_pointer_button_down_on() }
+    let holds_divider = divider.is_pointer_button_down_on();
+    Over { place, turned: [turned.x, turned.y], pointer, holds_divider, panel_width: 0.0 }
 }
 
-fn line_and_labels(ui: &Ui, settings: &Settings, rect: Rect, is_hot: bool) {
-    let x = rect.left() + settings.divider * rect.width();
-    let painter = ui.painter_at(rect.expand(2.0));
+fn line(painter: &egui::Painter, x: f32, rect: Rect, is_hot: bool) {
     let (width, colour) = if is_hot { (3.0, Color32::WHITE) } else { (1.5, Color32::from_white_alpha(160)) };
     painter.vline(x, rect.y_range(), Stroke::new(width, colour));
-    let label = |at: Pos2, align: Align2, text: String| {
-        let galley = painter.layout_no_wrap(text, FontId::proportional(13.0), Color32::WHITE);
-        let place = align.anchor_size(at, galley.size());
-        painter.rect_filled(place.expand(3.0), 2.0, Color32::from_black_alpha(150));
-        painter.galley(place.min, galley, Color32::WHITE);
-    };
-    let top = rect.top() + 8.0;
-    label(Pos2::new(x - 8.0, top), Align2::RIGHT_TOP, settings.left.title());
-    label(Pos2::new(x + 8.0, top), Align2::LEFT_TOP, settings.right.title());
 }
 
 /// The numbers of the pixel under the magnifier, beside it.

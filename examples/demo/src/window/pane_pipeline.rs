@@ -24,6 +24,7 @@ pub struct Presented {
     pub display_referred: u32,
     pub tone_curve: u32,
     pub peak: f32,
+    pub difference_range: f32,
 }
 
 impl Presented {

@@ -1,14 +1,17 @@
 //! The panel: every choice with its explanation, and what the engine says.
 
-use atrous::{DebugView, ToneCurve, Tuning, TuningField};
+use atrous::{DebugView, ToneCurve};
 use egui::{Color32, RichText, Ui};
 
 use super::content::Content;
 use super::input::Action;
-use super::measurements::{histogram, memory, Timings};
-use super::settings::{Settings, SPEEDS};
+use super::layout::Scaling;
+use super::measurements::{histogram, memory};
+use super::settings::{Settings, DIFFERENCE_RANGES, SPEEDS};
 use super::shared::Report;
 use super::surface_format::Encoding;
+use super::timings::Timings;
+use super::tunables;
 use crate::denoiser::FILTERS;
 use crate::scene::BUILT_IN;
 
@@ -38,7 +41,9 @@ impl Panel {
             section(ui, "Picture", false, |ui| picture(ui, settings, encoding));
             for preset in FILTERS {
                 if [settings.left, settings.right].iter().any(|c| c.preset() == Some(preset)) {
-                    section(ui, &format!("{}: numbers", preset.title()), false, |ui| tuning(ui, settings, preset));
+                    section(ui, &format!("{}: numbers", preset.title()), false, |ui| {
+                        tunables::show(ui, settings, report, preset);
+                    });
                 }
             }
             section(ui, "Timings", true, |ui| self.timings.show(ui, report));
@@ -106,12 +111,19 @@ fn split(ui: &mut Ui, settings: &mut Settings, report: &Report, actions: &mut Ve
         }
         content(ui, "right", &mut settings.right, report);
     });
-    ui.add(egui::Slider::new(&mut settings.divider, 0.0..=1.0).text("divider")).on_hover_text("Or drag the line in the picture");
+    ui.add_enabled(!settings.difference, egui::Slider::new(&mut settings.divider, 0.0..=1.0).text("divider"))
+        .on_hover_text("Or drag the line in the picture");
+    ui.checkbox(&mut settings.difference, "difference of the halves  C")
+        .on_hover_text("Right minus left as they are shown, of encoded values: grey where both are alike");
+    let range = egui::Slider::new(&mut settings.difference_range, DIFFERENCE_RANGES[0]..=DIFFERENCE_RANGES[1]);
+    ui.add_enabled(settings.difference, range.logarithmic(true).text("range"))
+        .on_hover_text("The difference that is black or white; 1 is that of black and white themselves");
     ui.checkbox(&mut settings.magnifier, "magnifier  M")
         .on_hover_text("Enlarges what is under the mouse, with the numbers of the pixel and why its history was dropped");
-    if [settings.left, settings.right].contains(&Content::Reference) {
-        ui.label(format!("reference: {} paths a pixel", report.reference_samples))
-            .on_hover_text("Grows while the camera, the objects and the lights rest: pause, or switch the animation off");
+    if [settings.left, settings.right].into_iter().any(Content::needs_reference) {
+        ui.label(format!("reference: {} paths a pixel", report.reference_samples)).on_hover_text(
+            "Grows while camera, objects and lights rest, whether time runs or not; begins anew when one of them changes",
+        );
     }
 }
 
@@ -129,6 +141,9 @@ fn content(ui: &mut Ui, side: &str, shown: &mut Content, report: &Report) {
             }
             for filter in &report.filters {
                 ui.separator();
+                let error = Content::Error(filter.preset);
+                ui.selectable_value(shown, error, error.title())
+                    .on_hover_text("FLIP against the reference, with RMSE: of the last frame that was measured  9");
                 for view in &filter.views {
                     let value = Content::Debug(filter.preset, *view);
                     ui.selectable_value(shown, value, value.title()).on_hover_text(explained(*view));
@@ -210,35 +225,19 @@ fn picture(ui: &mut Ui, settings: &mut Settings, encoding: Encoding) {
         .on_hover_text("Curve of the tone map");
     ui.checkbox(&mut settings.taa, "temporal anti-aliasing")
         .on_hover_text("Jitters the paths within their pixels and resolves them (Karis 2014)");
+    egui::ComboBox::from_id_salt("scaling")
+        .selected_text(format!("{} scaling", settings.scaling.name()))
+        .show_ui(ui, |ui| {
+            for scaling in Scaling::ALL {
+                ui.selectable_value(&mut settings.scaling, scaling, scaling.name());
+            }
+        })
+        .response
+        .on_hover_text("integer: every pixel as large as every other; fit: as large as the window has room for  Z");
     ui.checkbox(&mut settings.vsync, "V-sync").on_hover_text("Waits for the display; off: as fast as possible, may tear");
     ui.checkbox(&mut settings.hdr, "HDR").on_hover_text("Brighter than white, where display and driver offer it");
     let refused = if settings.hdr && encoding.peak() <= 1.0 { ": display or driver offer nothing else" } else { "" };
     ui.label(RichText::new(format!("{}{refused}", encoding.title())).weak()).on_hover_text("What the window is drawn in");
-}
-
-/// Every number with its range, and its documentation as a tooltip.
-fn tuning(ui: &mut Ui, settings: &mut Settings, preset: atrous::config::Preset) {
-    let tuning = settings.tuning(preset);
-    for field in Tuning::FIELDS.iter().filter(|f| f.name != "exposure") {
-        let mut value = tuning.get(field.name).unwrap_or(field.default);
-        let response = ui.add(slider(field, &mut value)).on_hover_text(explain(field));
-        if response.changed() {
-            settings.set_tuning(preset, field.name, value.clamp(field.min, field.max));
-        }
-    }
-    if ui.button("Defaults").clicked() {
-        settings.tuning.remove(preset.name());
-    }
-}
-
-fn slider<'a>(field: &TuningField, value: &'a mut f32) -> egui::Slider<'a> {
-    let wide = field.max - field.min > 16.0 && field.min >= 0.0;
-    egui::Slider::new(value, field.min..=field.max).logarithmic(wide).smallest_positive(1e-3).text(field.name.replace('_', " "))
-}
-
-fn explain(field: &TuningField) -> String {
-    let TuningField { doc, unit, min, max, default, .. } = field;
-    format!("{}\nUnit: {unit}. {min} to {max}, default {default}", doc.trim())
 }
 
 fn files(ui: &mut Ui, report: &Report, actions: &mut Vec<Action>) {

@@ -8,11 +8,15 @@ use atrous::{ToneCurve, Tuning};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::content::Content;
+use super::layout::Scaling;
 use crate::denoiser::FILTERS;
 use crate::error::{Error, Result};
 
 /// Slowest and fastest passing of time.
 pub const SPEEDS: [f32; 2] = [0.05, 4.0];
+
+/// Smallest and largest difference that a view of it ends at.
+pub const DIFFERENCE_RANGES: [f32; 2] = [0.01, 1.0];
 
 /// Everything that the panel changes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -26,6 +30,12 @@ pub struct Settings {
     pub right: Content,
     /// Where it is, 0 to 1 of the picture's width.
     pub divider: f32,
+    /// The whole picture is the right half minus the left one.
+    pub difference: bool,
+    /// The difference that is black or white, in encoded values: 1 is that of black and white.
+    pub difference_range: f32,
+    /// How the picture is enlarged.
+    pub scaling: Scaling,
     /// Time stands still.
     pub paused: bool,
     /// How fast time passes; 1: 30 frames for a second.
@@ -77,6 +87,9 @@ impl Default for Settings {
             left: Content::Noisy,
             right: Content::Filtered(Preset::Asvgf),
             divider: 0.5,
+            difference: false,
+            difference_range: 0.1,
+            scaling: Scaling::default(),
             paused: false,
             speed: 1.0,
             animate_light: true,
@@ -143,6 +156,7 @@ impl Settings {
     fn check(&self) -> std::result::Result<(), String> {
         let ranges = [
             ("divider", self.divider, 0.0, 1.0),
+            ("difference_range", self.difference_range, DIFFERENCE_RANGES[0], DIFFERENCE_RANGES[1]),
             ("speed", self.speed, SPEEDS[0], SPEEDS[1]),
             ("exposure", self.exposure, 0.0, 65504.0),
         ];
@@ -199,6 +213,8 @@ mod tests {
     fn a_file_that_is_wrong_says_where() {
         for (text, named) in [
             ("{\"divider\": 2}", "divider"),
+            ("{\"difference_range\": 0}", "difference_range"),
+            ("{\"scaling\": \"large\"}", "integer"),
             ("{\"left\": \"svfg\"}", "svfg"),
             ("{\"left\": \"volume\"}", "volume"),
             ("{\"tone_curve\": \"filmic\"}", "reinhard"),

@@ -66,6 +66,19 @@ pub struct Probe {
     pub colours: [[f32; 3]; 2],
 }
 
+/// How far a filter is from the reference.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ErrorReport {
+    /// Which filter.
+    pub preset: Preset,
+    /// Of linear radiance.
+    pub rmse: f64,
+    /// Mean over the pixels.
+    pub flip: f64,
+    /// Paths of each pixel in the reference then.
+    pub paths: u32,
+}
+
 /// Memory of a filter, bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FilterMemory {
@@ -88,6 +101,8 @@ pub struct FilterReport {
     pub memory: FilterMemory,
     /// What it can show.
     pub views: Vec<DebugView>,
+    /// Names of the tunables that its passes read.
+    pub tunables: Vec<&'static str>,
 }
 
 /// What the engine has done.
@@ -109,6 +124,8 @@ pub struct Report {
     pub probe: Option<Probe>,
     /// Paths of each pixel in the reference.
     pub reference_samples: u32,
+    /// Errors that are shown and were measured.
+    pub errors: Vec<ErrorReport>,
     /// Where the camera is.
     pub view: Option<View>,
     /// Name of the scene.

@@ -8,6 +8,7 @@ use atrous::config::Preset;
 
 use super::clock::Clock;
 use super::content::Content;
+use super::error_view::ErrorViews;
 use super::filter::Filter;
 use super::panes::{PaneWriter, Panes, Source};
 use super::reference::GrowingReference;
@@ -39,6 +40,8 @@ pub struct World {
     filters: Vec<Filter>,
     /// Where it is shown.
     reference: Option<GrowingReference>,
+    /// Where they are shown.
+    errors: Option<ErrorViews>,
     tracer: PathTracer,
     clock: Clock,
     #[cfg(feature = "hot-reload")]
@@ -63,6 +66,7 @@ impl World {
             loaded: settings.scene.clone(),
             filters: Vec::new(),
             reference: None,
+            errors: None,
             tracer,
             clock: Clock::default(),
             #[cfg(feature = "hot-reload")]
@@ -94,7 +98,7 @@ impl World {
                 #[cfg(feature = "hot-reload")]
                 self.shaders.put_into(|shader| tracer.replace_shader(shader))?;
                 self.filters.clear();
-                self.reference = None;
+                (self.reference, self.errors) = (None, None);
                 // Another kind of picture is of the same moment.
                 if !Arc::ptr_eq(&self.scene, &scene) {
                     (self.clock, self.seed) = (Clock::default(), 0);
@@ -121,7 +125,7 @@ impl World {
     /// A lost device.
     pub fn frame(&mut self, settings: &Settings, view: Option<View>, advance: bool, reset: bool) -> Result<()> {
         let (now, before) = self.clock.tick(&self.scene, settings, view, advance);
-        if let Some(reference) = self.reference.as_mut().filter(|_| now != before) {
+        if let Some(reference) = self.reference.as_mut().filter(|_| !self.scene.looks_alike(&now, &before)) {
             reference.restart();
         }
         self.tracer.begin_moment(self.seed, &now, &before)?;
@@ -227,6 +231,9 @@ impl World {
                     Source::of(&filter.debug)
                 }
                 (Content::Filtered(_), Some(filter), _) => filter.source(),
+                (Content::Error(preset), Some(filter), _) => {
+                    self.errors.as_ref().and_then(|errors| errors.source(preset)).unwrap_or_else(|| filter.source())
+                }
                 (Content::Reference, _, Some(reference)) => reference.source(outputs),
                 _ => {
                     let medium = self.tracer.volume().map(|volume| (&volume.noisy_volume, 1.0));
@@ -267,6 +274,7 @@ fn presets(contents: [Content; 2]) -> Vec<Preset> {
     presets
 }
 
+mod errors;
 mod inspection;
 #[cfg(test)]
 mod tests;

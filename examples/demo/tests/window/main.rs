@@ -7,9 +7,10 @@ mod session;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::Duration;
 
 use atrous_picture::Picture;
-use session::{Demo, Display};
+use session::{panel_width_of, Demo, Display};
 
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -30,14 +31,20 @@ fn brightness(picture: &Picture) -> f64 {
 
 /// Presses F2, and reads left and right half of what was written.
 fn shoot(demo: &mut Demo, left: &str, right: &str) -> [Picture; 2] {
+    let [_, left, right] = shoot_all(demo, left, right);
+    [left, right]
+}
+
+/// The same, with the picture of both before them.
+fn shoot_all(demo: &mut Demo, left: &str, right: &str) -> [Picture; 3] {
     demo.key("F2");
     let line = demo.wait("a picture", |line| line.starts_with("message picture "));
     let both = line.trim_start_matches("message picture ").trim_end_matches(".png").to_owned();
-    let half = |side: &str, content: &str| {
-        let path = PathBuf::from(format!("{both}_{side}_{content}.png"));
+    let read = |part: String| {
+        let path = PathBuf::from(format!("{both}{part}.png"));
         Picture::read_png(&path).unwrap_or_else(|e| panic!("{}: {e}", path.display()))
     };
-    [half("left", left), half("right", right)]
+    [read(String::new()), read(format!("_left_{left}")), read(format!("_right_{right}"))]
 }
 
 #[test]
@@ -46,11 +53,13 @@ fn a_session_with_keys_mouse_and_another_size() {
     let out = folder("window-session");
     let mut demo = Demo::start(&display, &out);
 
-    demo.wait("frames", |line| line.starts_with("frame 3 left=noisy right=asvgf"));
+    demo.wait("frames", |line| line.starts_with("frame") && line.contains("left=noisy right=asvgf"));
     demo.focus();
     filters_and_pictures(&mut demo);
     time(&mut demo);
     divider(&mut demo, &display);
+    comparisons(&mut demo, &display);
+    room(&mut demo);
     sizes(&mut demo);
     magnifier(&mut demo);
     camera_and_files(&mut demo, &out);
@@ -96,7 +105,7 @@ fn divider(demo: &mut Demo, display: &Display) {
     demo.wait("noisy left", |line| line.starts_with("frame") && line.contains("left=noisy right=svgf"));
     let [x, y, width, height] = demo.picture();
     let at = |share: f32| [x + share * width, y + 0.5 * height];
-    demo.drag(at(0.5), at(0.25));
+    demo.drag_divider(at(0.5), at(0.25));
     demo.wait("the divider", |line| line.starts_with("state") && line.contains("divider=0.25") && line.ends_with("held=false"));
     // The screen follows the log: the window draws a frame after it was made.
     let mut rough = || {
@@ -113,6 +122,80 @@ fn divider(demo: &mut Demo, display: &Display) {
         (left, right) = rough();
     }
     assert!(left > 2.0 * right, "on the screen the noisy half is as smooth as the other one: {left} and {right}");
+}
+
+/// Errors, legends, and the difference of the halves.
+fn comparisons(demo: &mut Demo, display: &Display) {
+    demo.key("9");
+    demo.wait("an error", |line| line.starts_with("measured svgf rmse=0.") && !line.contains("flip=0.00000"));
+    let [noisy, error] = shoot(demo, "noisy", "svgf_error");
+    assert_eq!(noisy.height(), 36, "a picture needs no legend");
+    assert!(error.height() > 36 && brightness(&error) > 1.0, "no colour bar below the error");
+    demo.key("9");
+    demo.wait("the filter again", |line| line.starts_with("frame") && line.contains("right=svgf "));
+    // So that screen and file are of the same frame.
+    demo.key("space");
+    demo.wait("a pause", |line| line.starts_with("state") && line.contains("paused=true"));
+    demo.key("c");
+    demo.wait("a difference", |line| line.starts_with("state") && line.contains("difference=true"));
+    let [difference, left, right] = shoot_all(demo, "noisy", "svgf");
+    assert!(difference.height() > 36, "no colour bar below the difference");
+    for (i, (left, right)) in left.pixels().iter().zip(right.pixels()).enumerate() {
+        // Grey where nothing differs, black and white from a tenth of white on.
+        let of = |l: u8, r: u8| 127.5 + 127.5 * ((f32::from(r) - f32::from(l)) / 25.5).clamp(-1.0, 1.0);
+        let far = (0..3).any(|c| (f32::from(difference.pixels()[i][c]) - of(left[c], right[c])).abs() > 0.51);
+        assert!(!far, "pixel {i}: {:?} of {left:?} and {right:?}", difference.pixels()[i]);
+    }
+    assert_on_screen(demo, display, &difference);
+    demo.key("c");
+    demo.wait("the halves", |line| line.starts_with("state") && line.contains("difference=false"));
+    demo.key("space");
+    demo.wait("no pause", |line| line.starts_with("state") && line.contains("paused=false"));
+}
+
+/// What was written is what is on the screen, between caption and legend; bits that were rounded away are ten times as large in a difference.
+fn assert_on_screen(demo: &mut Demo, display: &Display, written: &Picture) {
+    let [x, y, width, height] = demo.picture();
+    // The screen has the mouse on it.
+    demo.point([x + width + 50.0, y]);
+    let shown = || {
+        std::thread::sleep(Duration::from_millis(50));
+        let screen = display.screen();
+        let at = |x0: u32, y0: u32| screen.pixel([x + (x0 as f32 + 0.5) * width / 64.0, y + (y0 as f32 + 0.5) * height / 36.0]);
+        let middle = (12..24).flat_map(|y0| (0..64).map(move |x0| (x0, y0)));
+        let pixels = middle.clone().map(|(x0, y0)| at(x0, y0)).collect();
+        let wanted = middle.map(|(x0, y0)| written.pixel(x0, y0).expect("inside")).collect();
+        let [shown, wanted] = [pixels, wanted].map(|pixels| Picture::from_pixels(64, 12, pixels).expect("a picture"));
+        different(&shown, &wanted)
+    };
+    // The window draws after it has said so.
+    let last = (0..200).map(|_| shown()).find(|count| *count == 0);
+    assert_eq!(last, Some(0), "{} of 768 pixels on the screen are others", shown());
+}
+
+/// What the picture makes of the window.
+fn room(demo: &mut Demo) {
+    let whole = demo.picture();
+    assert_eq!(whole[2] % 64.0, 0.0, "a whole multiple");
+    demo.key("z");
+    demo.wait("a picture that fits", |line| line.starts_with("picture"));
+    let fit = demo.picture();
+    assert!(fit[2] > whole[2], "{whole:?}, then {fit:?}");
+    let width = demo.panel_width();
+    let edge = 900.0 - width;
+    // The press has to be seen before the mouse moves on: the second frame is drawn after it came.
+    let two_frames = |demo: &mut Demo| {
+        demo.wait("a frame", |line| line.starts_with("frame"));
+        demo.wait("a frame", |line| line.starts_with("frame"));
+    };
+    demo.drag([edge, 400.0], [edge - 120.0, 400.0], two_frames, |demo| {
+        demo.wait("a wider panel", |line| panel_width_of(line).is_some_and(|now| now > width + 100.0));
+    });
+    demo.wait("a frame", |line| line.starts_with("frame"));
+    assert_eq!(demo.picture(), fit, "the panel moves the picture");
+    demo.key("z");
+    demo.wait("a whole multiple again", |line| line.starts_with("picture"));
+    assert_eq!(demo.picture(), whole);
 }
 
 fn sizes(demo: &mut Demo) {

@@ -28,6 +28,11 @@ impl Screen {
         Self { width, height, rows: (0..height).map(row).collect() }
     }
 
+    /// The pixel at a point.
+    pub fn pixel(&self, [x, y]: [f32; 2]) -> [u8; 3] {
+        self.rows[(y as usize).min(self.height - 1)][(x as usize).min(self.width - 1)]
+    }
+
     /// Mean difference of horizontal neighbours in a rectangle that reaches from one point to another.
     pub fn roughness(&self, from: [f32; 2], to: [f32; 2]) -> f64 {
         let (left, right) = (from[0] as usize, (to[0] as usize).min(self.width - 1));

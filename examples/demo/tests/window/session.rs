@@ -70,6 +70,11 @@ impl Drop for Display {
     }
 }
 
+/// What a line says of the panel's width.
+pub fn panel_width_of(line: &str) -> Option<f32> {
+    line.split("panel_width=").nth(1)?.split(' ').next()?.parse().ok()
+}
+
 /// The program with its window.
 pub struct Demo {
     child: Child,
@@ -80,6 +85,7 @@ pub struct Demo {
     /// Lines that were read, for the message of a failure.
     lines: Vec<String>,
     picture: [f32; 4],
+    panel_width: f32,
     window: String,
 }
 
@@ -102,7 +108,7 @@ impl Demo {
             .spawn()
             .expect("the demo starts");
         let display = display.name.clone();
-        Self { child, display, log, read: 0, lines: Vec::new(), picture: [0.0; 4], window: String::new() }
+        Self { child, display, log, read: 0, lines: Vec::new(), picture: [0.0; 4], panel_width: 0.0, window: String::new() }
     }
 
     /// Waits for a line that was written after those that were waited for before.
@@ -135,6 +141,7 @@ impl Demo {
             let parsed: Vec<f32> = numbers.split(' ').filter_map(|n| n.parse().ok()).collect();
             self.picture.copy_from_slice(&parsed[..4]);
         }
+        self.panel_width = panel_width_of(&line).unwrap_or(self.panel_width);
         self.lines.push(line.clone());
         Some(line)
     }
@@ -167,6 +174,11 @@ impl Demo {
     /// Where the picture was last, window pixels: corner and size.
     pub fn picture(&self) -> [f32; 4] {
         self.picture
+    }
+
+    /// The width that the panel had last, window pixels; 0 where it is hidden.
+    pub fn panel_width(&self) -> f32 {
+        self.panel_width
     }
 
     /// Finds the window and gives it the keyboard; there is no window manager that would.
@@ -217,15 +229,24 @@ impl Demo {
     }
 
     /// Drags the divider with the left button, once the program has seen that it is held.
-    pub fn drag(&mut self, from: [f32; 2], to: [f32; 2]) {
+    pub fn drag_divider(&mut self, from: [f32; 2], to: [f32; 2]) {
+        let held = |demo: &mut Self| {
+            demo.wait("a hold on the divider", |line| line.starts_with("state") && line.ends_with("held=true"));
+        };
+        self.drag(from, to, held, |_| ());
+    }
+
+    /// Drags with the left button; `held` is called while it is down where it was pressed, `moved` while it is down where it ends.
+    pub fn drag(&mut self, from: [f32; 2], to: [f32; 2], held: impl FnOnce(&mut Self), moved: impl FnOnce(&mut Self)) {
         self.point(from);
         self.xdotool(&["mousedown", "1"]);
-        self.wait("a hold on the divider", |line| line.starts_with("state") && line.ends_with("held=true"));
+        held(self);
         for step in 1..=4 {
             let at = |i: usize| from[i] + (to[i] - from[i]) * step as f32 / 4.0;
             self.point([at(0), at(1)]);
             std::thread::sleep(POLL);
         }
+        moved(self);
         self.xdotool(&["mouseup", "1"]);
     }
 

@@ -62,3 +62,76 @@ fn bars_grow_with_the_number_of_bad_values() {
     assert_eq!([lit(0), lit(EXTENT[0] * EXTENT[1])], [0, 16]);
     assert!(lit(1) > 0 && lit(20) > lit(1));
 }
+
+/// The colour that the legend has for a number.
+fn of_legend(shown: DebugView, ramp: usize, mark: &str) -> [f32; 3] {
+    let ramp = &shown.legend().ramps[ramp];
+    let (place, _) = ramp.marks.iter().find(|(_, text)| *text == mark).unwrap_or_else(|| panic!("{shown:?} has no {mark}"));
+    ramp.colour(*place)
+}
+
+fn assert_near(given: [f32; 3], wanted: [f32; 3], what: &str) {
+    assert!(given.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 2e-3), "{what}: {given:?}, the legend has {wanted:?}");
+}
+
+#[test]
+fn the_legend_has_the_colours_of_the_picture() {
+    let guides = guides(EXTENT, |_, _| surface(1.0));
+    let moments = Moments { mean: 1.0, deviation: 9.0, history_length: 2.0, reason: Reason::Normal as u16 };
+    let of = |history_length| Image::new(EXTENT, pack_moments(&Moments { history_length, ..moments }));
+    let (two, eight) = (of(2.0), of(8.0));
+    let deviation = Image::new(EXTENT, [0.0, 0.0, 0.0, 0.25]);
+    let gradient = Image::new([6, 5], [-0.5, 0.5, 0.0, 0.0]);
+    let inputs = DebugViewInputs {
+        guide: &guides.guide,
+        surface_motion: &guides.surface_motion,
+        statistics: &Statistics::default(),
+        moments: &[&two],
+        irradiance_history: &[&deviation],
+        history_confidence: Some(&Image::new(EXTENT, 0.5)),
+        gradient: Some(&gradient),
+        stratum_size: 3,
+        block_percentiles: &[],
+        noisy: &[],
+        reflection: None,
+        albedo: None,
+    };
+    let tuning = Tuning { alpha: 0.0, ..Tuning::default() };
+    let colour = |inputs: &DebugViewInputs, shown| {
+        let [r, g, b, _] = *debug_view(&frame(EXTENT), &tuning, inputs, shown).get(3, 3).expect("inside");
+        [r, g, b]
+    };
+    for (shown, mark) in [
+        (DebugView::Variance, "0.25"),
+        (DebugView::Gradient, "-1"),
+        (DebugView::Lambda, "0.5"),
+        (DebugView::Alpha, "0.5"),
+        (DebugView::Depth, "1"),
+    ] {
+        assert_near(colour(&inputs, shown), of_legend(shown, 0, mark), shown.name());
+    }
+    let longer = DebugViewInputs { moments: &[&eight], ..inputs };
+    assert_near(colour(&longer, DebugView::HistoryLength), of_legend(DebugView::HistoryLength, 0, "8"), "history");
+    let [mean, deviation] = [("1", 0), ("9", 1)].map(|(mark, ramp)| of_legend(DebugView::Moments, ramp, mark));
+    assert_near(colour(&inputs, DebugView::Moments), [mean[0], deviation[1], 0.0], "moments");
+    let (name, reset) = DebugView::Disocclusion.legend().cases[usize::from(Reason::Normal as u16)];
+    assert_eq!(name, "normal");
+    assert_near(colour(&inputs, DebugView::Disocclusion), from_srgb(reset.map(f32::from)), "reason");
+    for (given, ramp, mark) in [([10.0, 0.0], 0, "10"), ([-64.0, 0.0], 0, "-64"), ([0.0, -10.0], 1, "-10")] {
+        assert_near(motion(given).0, of_legend(DebugView::Motion, ramp, mark), mark);
+    }
+}
+
+#[test]
+fn every_view_says_what_its_colours_mean() {
+    for shown in DebugView::ALL {
+        let legend = shown.legend();
+        assert!(!legend.ramps.is_empty() || !legend.cases.is_empty() || !legend.note.is_empty(), "{shown:?}");
+        for ramp in legend.ramps {
+            let ends = [ramp.marks.first(), ramp.marks.last()].map(|mark| mark.map(|mark| mark.0));
+            assert_eq!(ends, [Some(0.0), Some(1.0)], "{shown:?}: a ramp without its range");
+            assert!(ramp.marks.windows(2).all(|pair| pair[0].0 < pair[1].0), "{shown:?}");
+            assert_ne!(ramp.colour(0.0), ramp.colour(1.0), "{shown:?}");
+        }
+    }
+}

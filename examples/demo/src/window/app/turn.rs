@@ -16,8 +16,6 @@ use crate::window::shared::Report;
 use crate::window::surface_format::Encoding;
 use crate::window::swapchain::SwapchainOptions;
 
-/// The panel's width, points.
-const PANEL_WIDTH: f32 = 320.0;
 /// While the camera flies, and while the device is busy, the window looks again after this time.
 const TICK: Duration = Duration::from_millis(12);
 /// While the window is minimised.
@@ -125,14 +123,15 @@ impl App {
     }
 
     fn ui(&mut self, ctx: &egui::Context, report: &Report, extent: [u32; 2], encoding: Encoding) -> (Over, Vec<Action>) {
-        let mut actions = Vec::new();
+        let (mut actions, mut panel_width) = (Vec::new(), 0.0);
         if self.settings.panel {
-            let side = egui::SidePanel::right("panel").default_width(PANEL_WIDTH).min_width(200.0);
-            side.show(ctx, |ui| actions = self.panel.show(ui, &mut self.settings, report, encoding));
+            let side = egui::SidePanel::right("panel").default_width(overlay::PANEL_WIDTH).min_width(200.0);
+            let shown = side.show(ctx, |ui| actions = self.panel.show(ui, &mut self.settings, report, encoding));
+            panel_width = shown.response.rect.width();
         }
         let mut over = Over::default();
         egui::CentralPanel::default().frame(egui::Frame::NONE).show(ctx, |ui| {
-            over = overlay::picture(ui, &mut self.settings, report, extent);
+            over = Over { panel_width, ..overlay::picture(ui, &mut self.settings, report, extent) };
             if report.frames == 0 {
                 ui.centered_and_justified(|ui| {
                     ui.label(if report.stopped { "The engine has stopped" } else { "Making the first frame" })
@@ -158,6 +157,7 @@ impl App {
             display_referred: report.display_referred,
             tone_curve: self.settings.tone_curve.into(),
             peak: 1.0,
+            difference_range: if self.settings.difference { self.settings.difference_range } else { 0.0 },
         }
     }
 }

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::*;
 use crate::testing::Validated;
+use crate::window::error_view::Wake;
 
 const SMALL: vk::Extent2D = vk::Extent2D { width: 32, height: 18 };
 
@@ -191,4 +192,56 @@ fn a_scene_that_cannot_be_loaded_leaves_the_old_one() {
     assert!(messages.len() == 1 && messages[0].is_error && messages[0].text.contains("nowhere.glb"), "{messages:?}");
     world.frame(&broken, None, true, false).expect("a frame");
     assert_eq!(world.scene_name(), "cornell");
+}
+
+#[test]
+fn the_reference_grows_while_time_runs_until_something_changes() {
+    let Some(gpu) = Validated::new() else { return };
+    // The light of the box changes with its eighth frame, and nothing else does.
+    let settings = Settings { animate_camera: false, animate_objects: false, ..with(Preset::Svgf) };
+    let mut world = world(&gpu, &settings);
+    let mut paths = Vec::new();
+    for _ in 0..9 {
+        world.frame(&settings, None, true, false).expect("a frame");
+        world.accumulate(true).expect("a submit");
+        paths.push(world.reference_samples());
+    }
+    let falls: Vec<_> = paths.windows(2).filter(|pair| pair[1] <= pair[0]).collect();
+    assert_eq!(falls.len(), 1, "one change of the light: {paths:?}");
+    let moving = Settings { animate_camera: true, ..settings };
+    world.frame(&moving, None, true, false).expect("a frame");
+    assert_eq!(world.reference_samples(), 0, "another view is another picture");
+}
+
+#[test]
+fn an_error_is_that_of_the_picture_against_the_reference() {
+    let Some(gpu) = Validated::new() else { return };
+    let content = Content::Error(Preset::Svgf);
+    let settings = Settings { right: content, ..settings("cornell") };
+    let mut world = world(&gpu, &settings);
+    world.frame(&settings, None, false, false).expect("a frame");
+    world.accumulate(true).expect("a submit");
+    let panes = Panes::new(&gpu, SMALL).expect("panes");
+    let mut writer = PaneWriter::new(&gpu, &panes).expect("a pipeline");
+    let (sender, receiver) = std::sync::mpsc::channel();
+    let wake: Wake = Arc::new(move || sender.send(()).expect("the test waits"));
+    world.measure_errors(&mut writer, [Content::Noisy, content], &wake).expect("a submit");
+    assert_eq!(world.errors(), [], "FLIP takes its time");
+    receiver.recv_timeout(Duration::from_secs(120)).expect("a measurement");
+    // What was measured is taken once its thread is done.
+    while world.errors().is_empty() {
+        world.measure_errors(&mut writer, [Content::Noisy, content], &wake).expect("a submit");
+    }
+    let [picture, reference] = shown(&mut world, &gpu, [Content::Filtered(Preset::Svgf), Content::Reference]);
+    let of = |pixels| atrous_quality::Rgb::new(SMALL.width, SMALL.height, pixels).expect("finite");
+    let (rmse, flip) = (atrous_quality::rmse(of(&picture), of(&reference)), atrous_quality::flip(of(&picture), of(&reference)));
+    let report = world.errors()[0];
+    assert_eq!((report.rmse, report.flip), (rmse.expect("an error"), flip.expect("an error")));
+    assert_eq!((report.preset, report.paths), (Preset::Svgf, world.reference_samples()));
+    assert!(report.rmse > 0.0 && receiver.try_recv().is_err(), "the same is not measured again");
+    let [map, _] = shown(&mut world, &gpu, [content, Content::Noisy]);
+    let lit = map.iter().filter(|rgb| rgb.iter().sum::<f32>() > 0.1).count();
+    assert!(lit > 50, "{lit} pixels of the heat map are no black");
+    world.measure_errors(&mut writer, [Content::Noisy; 2], &wake).expect("a submit");
+    assert_eq!(world.errors(), [], "none is shown");
 }
