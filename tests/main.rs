@@ -14,6 +14,7 @@ mod debug_views;
 mod declarations;
 mod documents;
 mod eaw;
+mod faults;
 mod firefly;
 mod frame_life;
 mod gradients;
@@ -70,6 +71,7 @@ fn main() {
         Group { name: "checksums", tests: checksums::TESTS, needs_device: true },
         Group { name: "debug_views", tests: debug_views::TESTS, needs_device: true },
         Group { name: "eaw", tests: eaw::TESTS, needs_device: true },
+        Group { name: "faults", tests: faults::TESTS, needs_device: true },
         Group { name: "firefly", tests: firefly::TESTS, needs_device: true },
         Group { name: "input_sets", tests: input_sets::TESTS, needs_device: true },
         Group { name: "frame_life", tests: frame_life::TESTS, needs_device: true },

@@ -1,5 +1,5 @@
 // A C++17 engine with a small frame graph of its own, and SVGF in it through the C ABI. Prints a checksum of every denoised frame;
-// `--bad-input` gives the library everything that it must refuse, `--check` asks it whether the guides are as declared.
+// `--bad-input` gives the library everything that it must refuse, `--random-input COUNT` random structs, `--check` asks it whether the guides are as declared.
 #include <cinttypes>
 #include <cstring>
 #include <deque>
@@ -10,6 +10,7 @@
 #include "bad_input.hpp"
 #include "conventions.hpp"
 #include "engine.hpp"
+#include "random_input.hpp"
 #include "synthetic.hpp"
 
 namespace {
@@ -183,6 +184,7 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], "--check") == 0) return check_conventions();
     Engine engine;
     if (argc > 1 && std::strcmp(argv[1], "--bad-input") == 0) return refuse_bad_input(engine);
+    if (argc > 2 && std::strcmp(argv[1], "--random-input") == 0) return RandomInput(engine, std::strtoull(argv[2], nullptr, 10)).run();
     Renderer renderer(engine);
     for (uint32_t index = 0; index < synthetic::frames; ++index)
         std::printf("frame %u checksum %016" PRIx64 "\n", index, renderer.render(index));

@@ -121,6 +121,35 @@ impl HeadlessDevice {
         self.errors.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
+    /// Where [`Self::validation_errors`] come from: the last ones come when the device is dropped.
+    #[doc(hidden)]
+    pub fn validation_log(&self) -> Arc<Mutex<Vec<String>>> {
+        self.errors.clone()
+    }
+
+    /// Puts functions in the place of those of the device, by name: for tests of calls that fail.
+    ///
+    /// # Safety
+    /// Each has the signature of the function that it stands for, and does what that promises.
+    #[doc(hidden)]
+    pub unsafe fn replace_functions(&mut self, replacement: impl Fn(&CStr) -> Option<*const c_void>) {
+        let (instance, handle) = (self.instance.clone(), self.device.handle());
+        // SAFETY: the functions are those of the device, or stand for them.
+        self.device = unsafe {
+            ash::Device::load_with(
+                |name| {
+                    replacement(name).unwrap_or_else(|| {
+                        std::mem::transmute::<vk::PFN_vkVoidFunction, *const c_void>((instance.fp_v1_0().get_device_proc_addr)(
+                            handle,
+                            name.as_ptr(),
+                        ))
+                    })
+                },
+                handle,
+            )
+        };
+    }
+
     /// Whether validation runs, and with it debug labels.
     pub fn validates(&self) -> bool {
         self.messenger.is_some()

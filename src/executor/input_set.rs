@@ -66,6 +66,7 @@ impl Session {
     /// Errors of [`Executor::bind_image`]; [`Error::NoDevice`] for a set of another device.
     pub fn bind_inputs(&mut self, set: &InputSet) -> Result<(), Error> {
         set.check(self)?;
+        self.settle()?;
         set.bind(&mut self.executor)?;
         let declaration = self.executor.denoiser().declaration();
         let bound = set.images.iter().filter(|(name, _)| declaration.find(name).is_some());

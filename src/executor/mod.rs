@@ -167,6 +167,15 @@ impl Executor {
         self.denoiser.invalidate();
     }
 
+    /// Forgets what was recorded and will never run: a submission failed, or its command buffer was thrown away. The next frame drops
+    /// all history; outputs hold nothing until then, and a capture that waits for a frame ends.
+    pub fn forget_recorded(&mut self) {
+        self.denoiser.invalidate();
+        self.memory.storages.forget();
+        #[cfg(feature = "capture")]
+        self.capture.forget();
+    }
+
     /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`]. Not during a capture.
     pub fn restart_at(&mut self, index: u64) {
         self.denoiser.restart_at(index);

@@ -38,6 +38,7 @@ impl Session {
     /// # Errors
     /// Errors of [`Executor::resize`]. Nothing is changed then.
     pub fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
+        self.settle()?;
         // SAFETY: every frame was waited for.
         unsafe { self.executor.resize(allocated_extent)? };
         self.inputs.clear();

@@ -26,6 +26,9 @@ pub struct SessionOptions {
 }
 
 /// An executor with a command buffer, a staging buffer and images for the inputs. Every frame is waited for.
+///
+/// A call of Vulkan that fails is returned by the method that makes it, and the session stays usable, unless the device is lost. Where
+/// it was to run commands, the next frame drops all history, and there is nothing to download until then.
 pub struct Session {
     // Declared before `gpu`, so that it is dropped first.
     pub(super) executor: Executor,
@@ -35,6 +38,8 @@ pub struct Session {
     commands: Commands,
     pub(super) barriers: Barriers,
     pub(super) frame: Option<FrameContext>,
+    /// Whether a submission may still run, since waiting for it failed.
+    is_pending: bool,
     pub(super) gpu: Arc<HeadlessDevice>,
 }
 
@@ -68,6 +73,7 @@ impl Session {
             commands,
             barriers: Barriers::new(false),
             frame: None,
+            is_pending: false,
             gpu,
         })
     }
@@ -97,6 +103,7 @@ impl Session {
     /// `spirv` is valid for Vulkan 1.1.
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
+        self.settle()?;
         // SAFETY: every frame was waited for, so that no work uses the old pipeline, and `spirv` is valid for Vulkan 1.1.
         unsafe { self.executor.replace_shader(name, spirv) }
     }
@@ -201,6 +208,7 @@ impl Session {
     /// Errors of [`Executor::finish_capture`].
     #[cfg(feature = "capture")]
     pub fn finish_capture(&mut self) -> Result<u32, Error> {
+        self.settle()?;
         // SAFETY: every frame was waited for.
         unsafe { self.executor.finish_capture() }
     }
@@ -212,6 +220,7 @@ impl Session {
 
     /// The staging buffer, at least `size` bytes.
     pub(super) fn stage(&mut self, size: u64) -> Result<&mut Staging, Error> {
+        self.settle()?;
         if self.staging.as_ref().is_none_or(|s| s.size < size) {
             // SAFETY: the device outlives the session; every earlier use of the old one was waited for.
             self.staging = Some(unsafe { Staging::new(self.gpu.host(), size)? });
@@ -219,12 +228,17 @@ impl Session {
         self.staging.as_mut().ok_or(Error::OutOfMemory { what: "a staging buffer".into(), bytes: size })
     }
 
-    /// Records, submits and waits. Where that fails, the next frame drops all history: what was recorded has not run.
+    /// Records, submits and waits. Where that fails, what was recorded has not run, or nobody knows how far: the next frame drops all
+    /// history, and there is no frame to look at until then.
     pub(super) fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
-        self.submit_and_wait(record).inspect_err(|_| self.executor.invalidate())
+        self.submit_and_wait(record).inspect_err(|_| {
+            self.executor.forget_recorded();
+            self.frame = None;
+        })
     }
 
     fn submit_and_wait(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
+        self.settle()?;
         let Commands { cmd, fence, .. } = self.commands;
         let gpu = self.gpu.clone();
         let device = gpu.device();
@@ -235,12 +249,31 @@ impl Session {
             let recorded = record(self, cmd);
             device.end_command_buffer(cmd).map_err(Error::vulkan("vkEndCommandBuffer"))?;
             recorded?;
+            // Before the submission, where a failure leaves nothing running.
+            device.reset_fences(&[fence]).map_err(Error::vulkan("vkResetFences"))?;
             let commands = [cmd];
             let submit = vk::SubmitInfo::default().command_buffers(&commands);
             device.queue_submit(*gpu.queue(), &[submit], fence).map_err(Error::vulkan("vkQueueSubmit"))?;
-            device.wait_for_fences(&[fence], true, u64::MAX).map_err(Error::vulkan("vkWaitForFences"))?;
-            device.reset_fences(&[fence]).map_err(Error::vulkan("vkResetFences"))
+            let waited = device.wait_for_fences(&[fence], true, u64::MAX).map_err(Error::vulkan("vkWaitForFences"));
+            self.is_pending = waited.is_err();
+            // A second call may do what the first could not; where it does not, whoever comes next tries again.
+            waited.inspect_err(|_| _ = self.settle())
         }
+    }
+
+    /// Waits for work that an earlier call could not wait for: what it uses may be neither written nor destroyed before. A lost
+    /// device uses nothing.
+    pub(super) fn settle(&mut self) -> Result<(), Error> {
+        if !self.is_pending {
+            return Ok(());
+        }
+        let idle = {
+            let queue = self.gpu.queue();
+            // SAFETY: the queue is that of the device, and locked.
+            unsafe { self.gpu.device().queue_wait_idle(*queue) }
+        };
+        self.is_pending = idle.is_err_and(|result| result != vk::Result::ERROR_DEVICE_LOST);
+        idle.map_err(Error::vulkan("vkQueueWaitIdle"))
     }
 }
 

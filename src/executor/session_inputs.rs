@@ -53,6 +53,7 @@ impl Session {
     pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
         declaration.named(name)?;
+        self.settle()?;
         let size = bytes.len() as u64;
         // SAFETY: the device outlives the session.
         let mut staging = unsafe { Staging::new(self.gpu.host(), size.max(4))? };
@@ -81,8 +82,6 @@ impl Session {
             None => Arc::new(unsafe { OwnedImage::new(self.gpu.host(), format, extent)? }),
         };
         let host = owned.uploaded();
-        self.executor.bind_image(name, host)?;
-        self.inputs.insert(name.to_owned(), owned);
         self.stage(bytes.len() as u64)?.bytes()[..bytes.len()].copy_from_slice(bytes);
         let image = Object::Image(StoredImage::of_host(&host));
         self.submit(|session, cmd| {
@@ -99,6 +98,10 @@ impl Session {
                 session.barriers.single(device, cmd, image, [COPIED, UPLOADED], false);
             }
             Ok(())
-        })
+        })?;
+        // Behind the upload: an image that was never written would have no layout to be read in.
+        self.executor.bind_image(name, host)?;
+        self.inputs.insert(name.to_owned(), owned);
+        Ok(())
     }
 }

@@ -179,6 +179,12 @@ impl Storages {
         }
     }
 
+    /// Forgets what was recorded and will never run.
+    pub fn forget(&mut self) {
+        self.tracker.forget();
+        self.own.iter_mut().flatten().for_each(|(_, state)| *state = ResourceState::UNKNOWN);
+    }
+
     /// The bindings of a pass, behind its barriers.
     pub fn bindings(&self, pass: usize, frame: &FrameContext, bindings: &mut Vec<Binding>) {
         self.tracker.bindings(pass, frame, |id, copy| self.objects.physical(id, copy), bindings);

@@ -1,6 +1,7 @@
 //! The C++ host: built by its own script, once plainly on the static library, and once with AddressSanitizer on the shared one.
 
 use super::{checksums, of_executor, validated};
+use crate::support::soak;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::OnceLock;
@@ -45,6 +46,11 @@ pub fn the_c_abi_refuses_bad_input_under_address_sanitizer() {
     let sanitized = build("host_cpp_asan", "cdylib", &["-fsanitize=address"]);
     let output = run(sanitized.clone(), &["--bad-input"]);
     assert!(checksums("host_cpp --bad-input", &output).is_empty());
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains(" 0 wrong answers"), "{text}");
+    println!("{}", text.trim());
+    let output = run(sanitized.clone(), &["--random-input", &soak::times(8000).to_string()]);
+    assert!(checksums("host_cpp --random-input", &output).is_empty());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(text.contains(" 0 wrong answers"), "{text}");
     println!("{}", text.trim());

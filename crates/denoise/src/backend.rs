@@ -99,7 +99,11 @@ const TRANSFORMS: &str = "instance_transforms";
 impl Passes {
     /// The passes on a Vulkan device, by index or part of its name.
     pub fn gpu(device: Option<String>, config: &Config) -> Result<Self> {
-        let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?);
+        Self::on(Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?), config)
+    }
+
+    /// The passes on a device that is open.
+    pub fn on(gpu: Arc<HeadlessDevice>, config: &Config) -> Result<Self> {
         let name = gpu.name().to_owned();
         let session = Session::new(gpu, config.declare()?, SessionOptions::default())?;
         Ok(Self { runner: Box::new(session), name, next: None, watch: HistoryWatch::default() })

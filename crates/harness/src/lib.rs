@@ -2,10 +2,12 @@
 //! ignored, and the output says so, instead of passing. `ATROUS_REQUIRE_DEVICE=1` makes a missing device a failure; other needs have
 //! variables of their own.
 
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 #[cfg(feature = "browser")]
 pub mod browser;
+#[cfg(feature = "faults")]
+pub mod faults;
 
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::fmt::Display;

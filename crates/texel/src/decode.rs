@@ -115,7 +115,8 @@ pub(crate) fn float11(v: u32) -> [f32; 4] {
 
 /// Nine bits each of red, green and blue, and one exponent: 2^(e − 15 − 9).
 pub(crate) fn shared_exponent(v: u32) -> [f32; 4] {
-    let scale = ((v >> 27) as f32 - 24.0).exp2();
+    // From its bits: what `exp2` gives may be rounded elsewhere.
+    let scale = f32::from_bits(((v >> 27) + 127 - 24) << 23);
     [v & 0x1ff, v >> 9 & 0x1ff, v >> 18 & 0x1ff, 0].map(|c| c as f32 * scale)
 }
 

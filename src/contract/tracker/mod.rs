@@ -133,6 +133,17 @@ impl Tracker {
         }
     }
 
+    /// Forgets what was recorded and will never run, as where a submission failed: content and layout of all that is not shared are
+    /// unknown, and what is shared is with the host.
+    pub fn forget(&mut self) {
+        for resource in &mut self.resources {
+            let state = resource.shared.map_or(ResourceState::UNKNOWN, |[before, _]| before);
+            for copy in resource.copies.iter_mut().filter(|copy| copy.is_there) {
+                (copy.state, copy.touched) = (state.owned_by(copy.state.queue_family), false);
+            }
+        }
+    }
+
     /// The state of a copy; `None` for an input that is left out.
     pub fn state(&self, id: ResourceId, copy: usize) -> Option<ResourceState> {
         let copy = self.resources.get(id.0 as usize)?.copies.get(copy)?;

@@ -20,6 +20,10 @@ impl ResourceState {
     /// The state of what was never touched: no access, undefined content.
     pub const UNDEFINED: Self = Self::new(vk::PipelineStageFlags2::NONE, vk::AccessFlags2::NONE, vk::ImageLayout::UNDEFINED);
 
+    /// The state of what something unknown was done to: its content is lost, and every access is waited for.
+    pub const UNKNOWN: Self =
+        Self::new(vk::PipelineStageFlags2::ALL_COMMANDS, vk::AccessFlags2::MEMORY_WRITE, vk::ImageLayout::UNDEFINED);
+
     /// The state of the source of a copy.
     pub const COPY_SOURCE: Self =
         Self::new(vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_READ, vk::ImageLayout::TRANSFER_SRC_OPTIMAL);

@@ -146,6 +146,15 @@ impl Capturing {
         }
     }
 
+    /// Ends the capture where the copies of a frame may never run.
+    pub fn forget(&mut self) {
+        let waiting = self.slots.values().find_map(|slot| slot.frame);
+        if let Some((frame, writer)) = waiting.zip(self.writer.as_ref()) {
+            let number = frame.index.wrapping_sub(self.first_index.unwrap_or(frame.index));
+            self.fail(writer.error(format!("frame {number} was recorded and never ran; start another capture")));
+        }
+    }
+
     /// Ends the capture. What the GPU may still write to is kept until its slot comes round.
     fn fail(&mut self, error: Error) {
         log::error!("atrous: the capture ends early: {error}");

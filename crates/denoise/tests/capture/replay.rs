@@ -29,7 +29,7 @@ const FRAMES: u32 = 4;
 type Picture = Vec<[f32; 4]>;
 
 /// Frames of a moving camera through a session that captures; what came out, cropped to the render extent.
-fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, change: impl Fn(u32, &mut Inputs)) -> Vec<Picture> {
+pub fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, change: impl Fn(u32, &mut Inputs)) -> Vec<Picture> {
     let mut s = session(config);
     s.capture(folder, FRAMES).expect("a capture");
     let mut pictures = Vec::new();
@@ -67,7 +67,7 @@ fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, chang
     pictures
 }
 
-struct Inputs {
+pub struct Inputs {
     guides: Guides,
     params: FrameParams,
     tuning: Tuning,
@@ -75,7 +75,7 @@ struct Inputs {
     transforms: Option<Vec<InstanceTransform>>,
 }
 
-fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
+pub fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
     let files = frame_files::find(&[folder.to_owned()]).expect("frames");
     assert_eq!(files.len(), FRAMES as usize);
     let setup = Setup::new(&files, &Options::default()).expect("a set-up");

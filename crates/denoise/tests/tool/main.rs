@@ -4,7 +4,6 @@ mod bad_files;
 mod capture_tests;
 mod check_tests;
 mod fuzz;
-mod json_fuzz;
 mod layout_tests;
 mod name_tests;
 #[cfg(unix)]

@@ -1,0 +1,16 @@
+//! glTF files of any strides, graphs, counts and URIs.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {
+    let folder = tempfile::tempdir().expect("a folder");
+    atrous_attack::gltf::prepare(folder.path());
+    folder
+});
+
+fuzz_target!(|bytes: &[u8]| {
+    atrous_attack::gltf::attack(FOLDER.path(), bytes);
+});

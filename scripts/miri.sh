@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Runs under Miri some of what has no Vulkan in it: undefined behaviour, reads of what was never written, leaks. Installs a nightly toolchain
+# with Miri where it is missing. Arguments are a package and filters of its tests in place of all of these.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+rustup toolchain list | grep -q '^nightly' || rustup toolchain install nightly --profile minimal
+for component in miri rust-src; do
+    rustup component list --toolchain nightly --installed | grep -q "^$component" || rustup component add --toolchain nightly "$component"
+done
+
+# The first lets tests read the environment. Without the second, Miri rounds `powf` and the like at random.
+export MIRIFLAGS="-Zmiri-disable-isolation -Zmiri-deterministic-floats ${MIRIFLAGS:-}"
+step() {
+    printf '\n== %s\n' "$*"
+    cargo +nightly miri test --quiet "$@"
+}
+if [ $# -gt 0 ]; then
+    package=$1
+    shift
+    step --package "$package" --lib -- "$@"
+    exit
+fi
+step --package atrous-texel --lib
+# What declares a whole graph or filters an image takes minutes a test; files of `crates/files` are renamed by a call that Miri lacks.
+step --package atrous --no-default-features --features host-stages --lib -- \
+    choice:: contract::access contract::alias reference::binary16
+echo
+echo "miri.sh: all passed"
