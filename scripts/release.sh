@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Checks the packages that are published, as their users will get them: with the minimum Rust version, from what cargo packages, as
+# the public documentation builds them, and, from the first release on, against the last release by the rules of semantic versions.
+# Last it writes target/third-party-notices.html, which goes with every binary or C library that is handed on. Installs what is missing.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+scripts/setup.sh
+command -v python3 >/dev/null || { echo "release.sh: it needs python3, to read Cargo.toml" >&2; exit 1; }
+step() { printf '\n== %s\n' "$*"; "$@"; }
+
+version=$(sed -n '/^\[workspace.package\]/,/^$/s/^rust-version = "\(.*\)"$/\1/p' Cargo.toml)
+for toolchain in "$version" nightly; do
+    cargo "+$toolchain" --version >/dev/null 2>&1 || rustup toolchain install "$toolchain" --profile minimal
+done
+mapfile -t names < <(cargo metadata --format-version 1 --no-deps | python3 -c '
+import json, sys
+print(*[package["name"] for package in json.load(sys.stdin)["packages"] if package["publish"] is None], sep="\n")')
+packages=("${names[@]/#/--package=}")
+
+step cargo "+$version" check --quiet --target-dir target/release-check --lib "${packages[@]}" --features atrous/capture
+step cargo package --quiet --target-dir target/release-check "${packages[@]}"
+
+for name in "${names[@]}"; do
+    # The internal compiler of GLSL is shown to nobody.
+    [ "$name" != atrous-glsl ] || continue
+    manifest=$(cargo pkgid --package "$name" | sed 's/^path+file:\/\///; s/#.*//')/Cargo.toml
+    mapfile -t options < <(python3 -c '
+import sys, tomllib
+docs = tomllib.load(open(sys.argv[1], "rb"))["package"].get("metadata", {}).get("docs", {}).get("rs", {})
+if docs.get("no-default-features"): print("--no-default-features")
+if docs.get("features"): print("--features=" + ",".join(docs["features"]))' "$manifest")
+    RUSTDOCFLAGS="--cfg docsrs -D warnings" step cargo +nightly doc --quiet --no-deps --target-dir target/release-check \
+        --package "$name" "${options[@]}"
+done
+
+for name in "${names[@]}"; do
+    if cargo info --quiet --registry crates-io "$name" >/dev/null 2>&1; then
+        cargo semver-checks --version >/dev/null 2>&1 || cargo install cargo-semver-checks --locked
+        step cargo semver-checks --package "$name"
+    else
+        echo "$name is not released yet: there is nothing to compare its interface with"
+    fi
+done
+
+cargo about --version >/dev/null 2>&1 || cargo install cargo-about --locked --features cli
+step cargo about generate --offline --locked --workspace --output-file target/third-party-notices.html scripts/notices.hbs --config scripts/notices.toml
+echo
+echo "release.sh: all passed"
