@@ -34,11 +34,14 @@ if docs.get("features"): print("--features=" + ",".join(docs["features"]))' "$ma
 done
 
 for name in "${names[@]}"; do
-    if cargo info --quiet --registry crates-io "$name" >/dev/null 2>&1; then
+    if found=$(cargo info --quiet --registry crates-io "$name" 2>&1); then
         cargo semver-checks --version >/dev/null 2>&1 || cargo install cargo-semver-checks --locked
         step cargo semver-checks --package "$name"
-    else
+    elif [[ $found == *"could not find"* ]]; then
         echo "$name is not released yet: there is nothing to compare its interface with"
+    else
+        echo "release.sh: the registry does not say whether $name is released: $found" >&2
+        exit 1
     fi
 done
 
