@@ -1,14 +1,16 @@
 //! Views behind a frame, on the GPU and by the CPU's chain of stages: both have to show the same images of each preset.
 
-use super::support::{assert_valid, scene::Scene, session, upload, upload_to_engine};
+use super::support::{assert_valid, gpu, scene::Scene, session, session_with, upload, upload_to_engine};
 use atrous::config::{Preset, Signals};
+use atrous::executor::SessionOptions;
 use atrous::reference::Engine;
-use atrous::{Config, DebugView, FrameParams, Tuning};
+use atrous::{Config, DebugView, Error, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
     ("are_those_of_the_cpu", are_those_of_the_cpu),
     ("do_not_depend_on_what_was_shown_before", do_not_depend_on_what_was_shown_before),
+    ("are_left_out_where_none_is_asked_for", are_left_out_where_none_is_asked_for),
 ];
 
 const EXTENT: [u32; 2] = [61, 35];
@@ -93,5 +95,28 @@ fn do_not_depend_on_what_was_shown_before() {
         s.debug_view(view).expect("debug_view");
     }
     assert!(Some(s.debug_view(DebugView::Alpha).expect("debug_view")) == first);
+    assert_valid();
+}
+
+fn are_left_out_where_none_is_asked_for() {
+    let scene = scene_of(0);
+    let run = |config: &Config| {
+        let options = SessionOptions { timestamps: gpu().has_timestamps(), ..SessionOptions::default() };
+        let mut s = session_with(config, options);
+        upload(&mut s, &scene.frame(0, 0));
+        // Times are those of the frame before.
+        for _ in 0..2 {
+            s.run(&scene.params(0), &Tuning::default()).expect("frame");
+        }
+        s
+    };
+    let s = run(&Config { debug_view: true, ..Config::new(EXTENT) });
+    let (times, passes) = (s.times(), s.executor().denoiser().declaration().passes().len());
+    assert_eq!(times.len(), if gpu().has_timestamps() { passes } else { 0 });
+    assert!(times.iter().all(|time| time.milliseconds >= 0.0), "{times:?}");
+
+    let mut s = run(&Config::new(EXTENT));
+    let error = s.debug_view(DebugView::Alpha).expect_err("there is no such output");
+    assert!(matches!(&error, Error::UnknownResource { given, .. } if given == "debug_view"), "{error}");
     assert_valid();
 }

@@ -59,13 +59,11 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         ("instance", info.instance.is_null()),
         ("physical_device", info.physical_device.is_null()),
         ("device", info.device.is_null()),
-        ("get_instance_proc_addr", info.get_instance_proc_addr.is_none()),
     ];
-    if let Some((name, _)) = nulls.iter().find(|(_, null)| *null) {
+    let missing = nulls.iter().find(|(_, null)| *null).map(|(name, _)| *name);
+    let (None, GetInstanceProcAddr::Some(get_instance_proc_addr)) = (missing, info.get_instance_proc_addr) else {
+        let name = missing.unwrap_or("get_instance_proc_addr");
         return Err(Failure::argument(format!("info->{name} is NULL; give the host's own")));
-    }
-    let GetInstanceProcAddr::Some(get_instance_proc_addr) = info.get_instance_proc_addr else {
-        return Err(Failure::argument("info->get_instance_proc_addr is NULL"));
     };
     // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
     // `atrous_destroy`.
