@@ -43,6 +43,12 @@ impl Counters {
         self.is_filled = false;
     }
 
+    /// Forgets what was recorded and will never run: the buffer and the copies of it hold what was there before.
+    pub fn forget(&mut self) {
+        self.is_filled = false;
+        self.slots.iter_mut().for_each(|slot| slot.is_recorded = false);
+    }
+
     /// Reads what was copied with this slot before.
     fn collect(&mut self, slot: u32) {
         let slot = &mut self.slots[slot as usize];

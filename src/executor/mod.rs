@@ -172,6 +172,7 @@ impl Executor {
     pub fn forget_recorded(&mut self) {
         self.denoiser.invalidate();
         self.memory.storages.forget();
+        self.counters.forget();
         #[cfg(feature = "capture")]
         self.capture.forget();
     }

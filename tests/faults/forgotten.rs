@@ -69,6 +69,21 @@ pub fn what_was_recorded_and_never_ran_is_forgotten() {
     assert_valid();
 }
 
+/// The copy of the counters that was recorded with a frame holds nothing where that frame never ran.
+pub fn counters_that_never_ran_are_not_read() {
+    let mut rig = Rig::new(gpu(), &Config::new(EXTENT), 1);
+    rig.fill_inputs();
+    run(&mut rig);
+    record_in_vain(&mut rig);
+    rig.executor.forget_recorded();
+    run(&mut rig);
+    assert_eq!(rig.executor.statistics(), None, "no copy of the counters ran");
+    run(&mut rig);
+    run(&mut rig);
+    assert!(rig.executor.statistics().is_some());
+    assert_valid();
+}
+
 #[cfg(feature = "capture")]
 pub fn a_captured_frame_that_never_ran_is_not_written() {
     let folder = tempfile::tempdir().expect("a folder");

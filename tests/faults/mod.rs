@@ -19,6 +19,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("what_a_failed_wait_leaves_running_is_kept", what_a_failed_wait_leaves_running_is_kept),
     ("an_image_whose_upload_failed_is_not_read", an_image_whose_upload_failed_is_not_read),
     ("what_was_recorded_and_never_ran_is_forgotten", forgotten::what_was_recorded_and_never_ran_is_forgotten),
+    ("counters_that_never_ran_are_not_read", forgotten::counters_that_never_ran_are_not_read),
     #[cfg(feature = "capture")]
     ("a_captured_frame_that_never_ran_is_not_written", forgotten::a_captured_frame_that_never_ran_is_not_written),
 ];
