@@ -127,27 +127,29 @@ impl HeadlessDevice {
         self.errors.clone()
     }
 
-    /// Puts functions in the place of those of the device, by name: for tests of calls that fail.
+    /// The device with other functions in the place of its own, by name: for tests of calls.
     ///
     /// # Safety
     /// Each has the signature of the function that it stands for, and does what that promises.
     #[doc(hidden)]
-    pub unsafe fn replace_functions(&mut self, replacement: impl Fn(&CStr) -> Option<*const c_void>) {
-        let (instance, handle) = (self.instance.clone(), self.device.handle());
-        // SAFETY: the functions are those of the device, or stand for them.
-        self.device = unsafe {
-            ash::Device::load_with(
-                |name| {
-                    replacement(name).unwrap_or_else(|| {
-                        std::mem::transmute::<vk::PFN_vkVoidFunction, *const c_void>((instance.fp_v1_0().get_device_proc_addr)(
-                            handle,
-                            name.as_ptr(),
-                        ))
-                    })
-                },
-                handle,
-            )
+    pub unsafe fn device_with(&self, replacement: impl Fn(&CStr) -> Option<*const c_void>) -> ash::Device {
+        let (own, handle) = (self.instance.fp_v1_0().get_device_proc_addr, self.device.handle());
+        let load = |name: &CStr| {
+            // SAFETY: the handle is live, and a function is as large as a pointer.
+            replacement(name).unwrap_or_else(|| unsafe { std::mem::transmute(own(handle, name.as_ptr())) })
         };
+        // SAFETY: the functions are those of the device, or stand for them.
+        unsafe { ash::Device::load_with(load, handle) }
+    }
+
+    /// Puts functions in the place of those of the device: for tests of calls that fail.
+    ///
+    /// # Safety
+    /// Obligations of [`Self::device_with`].
+    #[doc(hidden)]
+    pub unsafe fn replace_functions(&mut self, replacement: impl Fn(&CStr) -> Option<*const c_void>) {
+        // SAFETY: the functions stand for those of the device.
+        self.device = unsafe { self.device_with(replacement) };
     }
 
     /// Whether validation runs, and with it debug labels.

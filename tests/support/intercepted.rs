@@ -1,7 +1,6 @@
 //! The device of the tests with functions of a test between it and the caller.
 
 use super::gpu;
-use ash::vk;
 use atrous::executor::HeadlessDevice;
 use atrous::Device;
 use std::ffi::{c_void, CStr};
@@ -24,19 +23,8 @@ impl Intercepted {
         let alone = alone.lock().unwrap_or_else(PoisonError::into_inner);
         start();
         let gpu = gpu();
-        let (instance, handle) = (gpu.host().instance.clone(), gpu.device().handle());
-        // SAFETY: the functions are those of the device, or have their signatures.
-        let device = unsafe {
-            ash::Device::load_with(
-                |name| match replacement(name) {
-                    Some(function) => function,
-                    None => std::mem::transmute::<vk::PFN_vkVoidFunction, *const c_void>(
-                        (instance.fp_v1_0().get_device_proc_addr)(handle, name.as_ptr()),
-                    ),
-                },
-                handle,
-            )
-        };
+        // SAFETY: the functions have the signatures of those that they stand for.
+        let device = unsafe { gpu.device_with(replacement) };
         Self { device, gpu, _alone: alone }
     }
 

@@ -44,7 +44,7 @@ fn as_frame(folder: &Path, meter: Meter) -> Result<Outcome> {
     let (setup, taken) = measured(meter, || Setup::new(&files, &Options::default()));
     assert!(taken < LOOKED_AT, "{taken} bytes were taken for a header");
     let setup = setup.expect("it was made")?;
-    let need = Need::new(&setup, &Demands { frames: 1, ..Demands::default() })?;
+    let need = Need::new(&setup, &Demands { frames: 1, ..Demands::default() }, 0)?;
     let said = need.frames + need.reading;
     if said > TRIED {
         return Ok(Outcome::Large);

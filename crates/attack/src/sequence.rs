@@ -38,7 +38,7 @@ pub fn attack(folder: &Path, bytes: &[u8]) -> Outcome {
 fn used(folder: &Path) -> atrous_denoise::error::Result<()> {
     let files = frame_files::find(&[folder.to_owned()])?;
     let setup = Setup::new(&files, &Options::default())?;
-    Need::new(&setup, &Demands { frames: 1, filtered: true, ..Demands::default() })?;
+    Need::new(&setup, &Demands { frames: 1, filtered: true, ..Demands::default() }, 0)?;
     frame::load(&files[0], &setup).map(drop)
 }
 

@@ -32,8 +32,6 @@ pub fn reading_limit(setup: &Setup) -> u64 {
 pub struct Demands {
     /// Frames of the run.
     pub frames: usize,
-    /// Frames that may wait between two threads of [`crate::pipeline`].
-    pub queue: usize,
     /// Filtered on the CPU; on a device otherwise, whose memory may be that of the program.
     pub reference: bool,
     /// Filtered at all.
@@ -60,11 +58,11 @@ pub struct Need {
 }
 
 impl Need {
-    /// The need of a run.
+    /// The need of a run in which `queue` frames may wait between two threads of [`crate::pipeline`].
     ///
     /// # Errors
     /// Errors of [`Config::declare`].
-    pub fn new(setup: &Setup, demands: &Demands) -> Result<Self> {
+    pub fn new(setup: &Setup, demands: &Demands, queue: usize) -> Result<Self> {
         let pixels = setup.pixels() as u64;
         let has = |role: Role| u64::from(setup.mapping.has(role));
         let frame = TEXEL * images(setup) + COLOUR * (1 + has(Role::Reference)) + 4 * (has(Role::Id) + has(Role::Alpha));
@@ -72,7 +70,7 @@ impl Need {
         // What roles are made of, one after the other.
         let pieces = 4 * (TEXEL + 1);
         let outputs = if demands.filtered { COLOUR } else { 0 };
-        let at_once = (AT_WORK + 2 * demands.queue as u64).min(demands.frames as u64);
+        let at_once = (AT_WORK + 2 * queue as u64).min(demands.frames as u64);
         Ok(Self {
             frames: (frame + outputs) * pixels * at_once,
             reading: (planes + pieces) * pixels + 2 * setup.reading,
@@ -94,12 +92,11 @@ impl Need {
 pub fn fitting_queue(path: &Path, setup: &Setup, demands: &Demands, free: Option<Free>) -> Result<usize> {
     let Some(free) = free else { return Ok(QUEUE) };
     for queue in (0..=QUEUE).rev() {
-        if Need::new(setup, &Demands { queue, ..*demands })?.total() <= free.bytes {
+        if Need::new(setup, demands, queue)?.total() <= free.bytes {
             return Ok(queue);
         }
     }
-    let demands = Demands { queue: 0, ..*demands };
-    let need = Need::new(setup, &demands)?;
+    let need = Need::new(setup, demands, 0)?;
     let Need { frames, reading, filter, writing } = need;
     let parts = format!("frames {}, reading {}, filter {}, writing {}", mib(frames), mib(reading), mib(filter), mib(writing));
     Err(ToolError::Memory {
@@ -109,7 +106,7 @@ pub fn fitting_queue(path: &Path, setup: &Setup, demands: &Demands, free: Option
         parts,
         available: mib(free.bytes),
         limit: free.limit,
-        remedies: remedies(setup, &demands, &need, free.bytes),
+        remedies: remedies(setup, demands, &need, free.bytes),
     })
 }
 
@@ -126,11 +123,11 @@ fn remedies(setup: &Setup, demands: &Demands, need: &Need, free: u64) -> String 
             remedies.push(format!("{what} it is {} MiB{}", mib(total), if total <= free { ", which fit" } else { "" }));
         }
     };
-    offer("Without --score, --report, --strip, --png and --views", Need::new(setup, &plain));
+    offer("Without --score, --report, --strip, --png and --views", Need::new(setup, &plain, 0));
     for preset in [Preset::Fast, Preset::Eaw] {
         let mut lean = setup.clone();
         lean.config.preset = preset;
-        offer(&format!("With --preset {preset}"), Need::new(&lean, demands));
+        offer(&format!("With --preset {preset}"), Need::new(&lean, demands, 0));
     }
     // All but what the program itself takes grows with the pixels.
     let share = free.saturating_sub(PROGRAM) as f64 / (need.total() - PROGRAM).max(1) as f64;

@@ -124,7 +124,6 @@ fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> R
 fn demands(cli: &Cli, steps: &[Step], scored: bool) -> Demands {
     Demands {
         frames: steps.len(),
-        queue: pipeline::QUEUE,
         filtered: steps.iter().any(|step| step.action != Action::Read),
         reference: cli.device.as_deref() == Some("reference"),
         score: scored,

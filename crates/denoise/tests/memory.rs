@@ -58,14 +58,13 @@ fn a_run_takes_what_it_is_said_to_take() {
         let has = |option: &str| more.contains(&option);
         let demands = Demands {
             frames,
-            queue: atrous_denoise::pipeline::QUEUE,
             filtered: true,
             reference: true,
             score: has("--score"),
             pictures: has("--png"),
             views: has("--views"),
         };
-        let need = Need::new(&setup, &demands).expect("a need");
+        let need = Need::new(&setup, &demands, atrous_denoise::pipeline::QUEUE).expect("a need");
         let said = need.frames + need.reading + need.filter + need.writing;
         let (run, taken) = measured(|| atrous_denoise::tool::run(&cli));
         run.expect("a run");
@@ -83,7 +82,7 @@ fn frames_wait_where_there_is_memory_for_them() {
     write(&path, true, SIDE);
     let setup = Setup::new(&frame_files::find(&[folder.path().to_owned()]).expect("frames"), &Options::default()).expect("a setup");
     let demands = Demands { frames: 100, filtered: true, reference: true, score: true, ..Demands::default() };
-    let total = |queue| Need::new(&setup, &Demands { queue, ..demands }).expect("a need").total();
+    let total = |queue| Need::new(&setup, &demands, queue).expect("a need").total();
     let fitting = |bytes| fitting_queue(&path, &setup, &demands, Some(Free { bytes, limit: "limit of a test" }));
     assert!(total(0) < total(1) && total(1) < total(2));
     for queue in 0..3 {
@@ -93,7 +92,8 @@ fn frames_wait_where_there_is_memory_for_them() {
     assert_eq!(fitting_queue(&path, &setup, &demands, None).expect("fits"), 2, "a system that does not tell");
 
     let message = fitting(total(0) - 1).expect_err("does not fit").to_string();
-    let fit = format!("{} MiB, which fit", Need::new(&setup, &Demands { score: false, ..demands }).expect("a need").total() >> 20);
+    let fit =
+        format!("{} MiB, which fit", Need::new(&setup, &Demands { score: false, ..demands }, 0).expect("a need").total() >> 20);
     for word in ["limit of a test", "Without --score", &fit, "191x191 pixels fit", "overlap by 30 pixels"] {
         assert!(message.contains(word), "{word}: {message}");
     }

@@ -39,7 +39,7 @@ impl Picture {
     pub fn from_display(width: u32, height: u32, colours: &[[f32; 3]]) -> Result<Self, PictureError> {
         check_length(width, height, colours.len())?;
         let encode = |rgb: &[f32; 3]| match rgb.iter().all(|v| v.is_finite()) {
-            true => rgb.map(|v| srgb_8bit(v.clamp(0.0, 1.0))),
+            true => rgb.map(srgb_8bit),
             false => NOT_FINITE,
         };
         Self::from_pixels(width, height, colours.iter().map(encode).collect())
@@ -51,7 +51,18 @@ fn tone_map(x: f32) -> f32 {
     1.0 - 1.0 / (1.0 + x.max(0.0))
 }
 
-fn srgb_8bit(x: f32) -> u8 {
+/// A linear value, 0 to 1, as it is encoded; what is beyond has the end's.
+pub fn srgb_8bit(x: f32) -> u8 {
     let encoded = if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * x.powf(1.0 / 2.4) - 0.055 };
     (encoded * 255.0).round() as u8
+}
+
+/// The linear value of an encoded one.
+pub fn from_srgb_8bit(code: u8) -> f32 {
+    let x = f32::from(code) / 255.0;
+    if x <= 0.040_45 {
+        x / 12.92
+    } else {
+        ((x + 0.055) / 1.055).powf(2.4)
+    }
 }

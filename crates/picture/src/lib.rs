@@ -21,7 +21,7 @@ mod table;
 mod text;
 
 pub use bars::StackedBars;
-pub use convert::NOT_FINITE;
+pub use convert::{from_srgb_8bit, srgb_8bit, NOT_FINITE};
 pub use error::PictureError;
 pub use legend::{ColourBar, Legend};
 pub use picture::{Picture, Region};

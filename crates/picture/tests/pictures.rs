@@ -1,6 +1,6 @@
 //! Pictures: conversion from radiance, false colour, crop, upscale, PNG files.
 
-use atrous_picture::{Picture, PictureError, Region, NOT_FINITE};
+use atrous_picture::{from_srgb_8bit, srgb_8bit, Picture, PictureError, Region, NOT_FINITE};
 use std::path::PathBuf;
 
 fn file(name: &str) -> PathBuf {
@@ -101,4 +101,12 @@ fn empty_and_wrong_sizes_are_errors() {
     assert!(matches!(Picture::from_linear(2, 2, &[[0.0; 3]; 3], 1.0), Err(PictureError::Length { needed: 4, .. })));
     assert!(matches!(gradient(2, 2).upscale(0), Err(PictureError::Zero(_))));
     assert!(matches!(gradient(2, 2).upscale(u32::MAX), Err(PictureError::TooLarge { .. })));
+}
+
+#[test]
+fn encoding_goes_both_ways() {
+    for code in 0..=255u8 {
+        assert_eq!(srgb_8bit(from_srgb_8bit(code)), code);
+    }
+    assert_eq!([-1.0, 0.0, 1.0, 7.0].map(srgb_8bit), [0, 0, 255, 255]);
 }

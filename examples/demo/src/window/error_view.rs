@@ -7,6 +7,7 @@ use std::thread::JoinHandle;
 use ash::vk;
 use atrous::config::Preset;
 use atrous_page::HeatMap;
+use atrous_picture::from_srgb_8bit;
 use atrous_quality::{flip_map, rmse, Rgb};
 
 use super::panes::{PaneWriter, Panes, Source};
@@ -134,7 +135,7 @@ fn measured(extent: [u32; 2], picture: &[[f32; 3]], reference: &[[f32; 3]], pres
     let flip = map.iter().map(|error| f64::from(*error)).sum::<f64>() / map.len() as f64;
     let report = ErrorReport { preset, rmse: rmse(picture, reference)?, flip, paths };
     let colour = |rgb: &[u8; 3]| {
-        let [r, g, b] = rgb.map(|c| super::record::from_srgb(f32::from(c) / 255.0));
+        let [r, g, b] = rgb.map(from_srgb_8bit);
         [r, g, b, 1.0]
     };
     let colours = HeatMap::of_flip(width, height, &map)?.picture().pixels().iter().map(colour).collect();

@@ -3,10 +3,9 @@
 use atrous::nodes::Ramp;
 use atrous::DebugView;
 use atrous_page::HeatMap;
-use atrous_picture::{ColourBar, Legend};
+use atrous_picture::{srgb_8bit, ColourBar, Legend};
 
 use super::content::Content;
-use super::record::srgb;
 use super::shared::ErrorReport;
 
 /// Colours of a bar.
@@ -67,7 +66,7 @@ fn of_view(view: DebugView) -> Legend {
 }
 
 fn bar(ramp: &Ramp) -> ColourBar {
-    let colours = (0..=STEPS).map(|i| ramp.colour(i as f32 / STEPS as f32).map(srgb)).collect();
+    let colours = (0..=STEPS).map(|i| ramp.colour(i as f32 / STEPS as f32).map(srgb_8bit)).collect();
     let marks = ramp.marks.iter().map(|(place, text)| (*place, (*text).to_owned())).collect();
     ColourBar { name: ramp.name.to_owned(), colours, marks }
 }

@@ -4,7 +4,7 @@ use super::super::super::test_scene::*;
 use super::super::super::{round_image_to_half, round_to_half, tone_map, Reason};
 use super::*;
 use crate::config::{PostProcess, Signals};
-use crate::{Counter, Statistics};
+use crate::Counter;
 use glam::Vec3;
 
 const EXTENT: [u32; 2] = [13, 9];
@@ -84,8 +84,7 @@ fn no_bad_value_of_any_input_reaches_an_output() {
         for name in ["denoised_radiance", "display"] {
             assert!(engine.download(name).expect(name).iter().flatten().all(|x| x.is_finite()), "{name}");
         }
-        let Ok(Texels::Bytes(bytes)) = engine.texels("statistics", UseFrame::Current) else { panic!("a buffer") };
-        let counts = Statistics::from_bytes(bytes).expect("counters");
+        let counts = engine.statistics().expect("counters");
         assert!(Counter::ALL[..=Counter::Emission as usize].iter().all(|of| counts[*of] > 0), "{counts:?}");
         assert!(counts[Counter::Roughness] > 0, "{counts:?}");
         let [motion, scattering] = [Counter::ForwardMotion, Counter::ScatteringDepth].map(|of| counts[of]);
