@@ -1,6 +1,7 @@
 //! A graph of a host's own: accumulation, variance and modulation of the crate around a spatial filter of the host, which is a compute shader
 //! with a function for the CPU beside it. Run on the GPU, and checked against the CPU engine: `cargo run --example custom_graph`.
 
+use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::graph::{Feedback, Graph, Irradiance, Stage};
 use atrous::nodes::{Accumulation, Import, Modulate, Variance};
@@ -76,6 +77,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let gpu = Arc::new(HeadlessDevice::new(&options)?);
     let mut session = Session::new(gpu.clone(), declaration.clone(), SessionOptions::default())?;
     let mut engine = Engine::new(declaration)?;
+    let tuning = Tuning::for_preset(Preset::Svgf); // whose accumulation and variance these are
     for index in 0..synthetic::FRAMES {
         let frame = synthetic::Frame::new(index);
         for (name, texels) in synthetic::NAMES.iter().zip(&frame.images) {
@@ -87,8 +89,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let view_from_world = synthetic::view_from_world(index);
         let clip_from_view = synthetic::clip_from_view();
         let params = FrameParams { view_from_world, clip_from_view, ..FrameParams::new(synthetic::EXTENT) };
-        session.run(&params, &Tuning::default())?;
-        engine.run(&params, &Tuning::default())?;
+        session.run(&params, &tuning)?;
+        engine.run(&params, &tuning)?;
         let (on_gpu, on_cpu) = (session.download("denoised_radiance")?, engine.download("denoised_radiance")?);
         let differs = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|c| (a[c] - b[c]).abs() > 5e-3 + 5e-3 * b[c].abs());
         let different = on_gpu.iter().zip(&on_cpu).filter(differs).count();

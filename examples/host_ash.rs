@@ -4,7 +4,6 @@
 //! frame. Prints a checksum of every denoised frame: `cargo run --no-default-features --features shaderc --example host_ash`.
 
 use ash::vk;
-use atrous::config::Preset;
 use atrous::{
     Access, Binding, Config, Denoiser, Device, FrameContext, FrameParams, LegacyBarriers, Phase, PhysicalResource, ResourceDecl,
     ResourceId, ResourceState, Shape, Tracker, Tuning,
@@ -12,8 +11,6 @@ use atrous::{
 use atrous_synthetic as synthetic;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
-
-const PRESET: Preset = Preset::Svgf;
 
 /// An image or a buffer of the engine.
 struct Resource {
@@ -41,7 +38,7 @@ impl Engine {
     // README: begin
     /// One frame: the phases of the denoiser lie around the engine's own lighting pass.
     fn frame(&mut self, denoiser: &mut Denoiser, params: &FrameParams, input: &synthetic::Frame) -> Result<()> {
-        let frame = denoiser.begin_frame(params, &Tuning::for_preset(PRESET))?;
+        let frame = denoiser.begin_frame(params, &Tuning::default())?;
         self.draw_guides(denoiser, input)?;
         self.denoise(denoiser, &frame, Phase::BeforeLighting)?;
         self.trace_paths(denoiser, input)?;
@@ -204,7 +201,7 @@ fn main() -> Result<()> {
         let pool = device.create_command_pool(&info.flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER), None)?;
         let info = vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
         let (queue, cmd) = (device.get_device_queue(family, 0), device.allocate_command_buffers(&info)?[0]);
-        let mut denoiser = Denoiser::new(host, Config { preset: PRESET, ..Config::new(synthetic::EXTENT) }.declare()?)?;
+        let mut denoiser = Denoiser::new(host, Config::new(synthetic::EXTENT).declare()?)?;
         // glue: begin
         let mut resources = Vec::new();
         for decl in denoiser.declaration().resources() {

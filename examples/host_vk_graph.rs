@@ -120,15 +120,18 @@ impl Host {
                     Some(Node::Buffer(buffer)) => command.set_resource_access(buffer, access_type(u.access)),
                     None => {} // an optional input
                 }
-                bound.push((node, u.access.image().layout));
+                bound.push((node, u.access));
             }
             let denoiser = self.denoiser.clone();
             command.record_cmd(move |command| {
                 let bindings: Vec<Binding> = bound
                     .iter()
-                    .map(|&(node, layout)| match node {
+                    .map(|&(node, access)| match node {
                         Some(Node::Image(image)) => {
-                            let image = command.resource(image);
+                            let (image, layout) = (command.resource(image), access.image().layout);
+                            if access == Access::Clear {
+                                return Binding::ClearedImage { image: image.handle, layout };
+                            }
                             Binding::Image { view: image.view(image.info.into_image_view()).expect("a view"), layout }
                         }
                         Some(Node::Buffer(buffer)) => {

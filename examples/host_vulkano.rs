@@ -65,10 +65,18 @@ struct World {
 impl World {
     fn bindings(&self, pass: usize, frame: &FrameContext) -> Vec<Binding> {
         let declaration = self.denoiser.declaration();
-        let bind = |u: &atrous::Use| match self.resources[u.resource.0 as usize].get(declaration.copy(u, frame)) {
-            Some(Resource::Image(_, view)) => Binding::Image { view: view.handle(), layout: u.access.image().layout },
-            Some(Resource::Buffer(_, buffer)) => Binding::Buffer { buffer: buffer.handle(), offset: 0, range: ash::vk::WHOLE_SIZE },
-            None => Binding::Absent,
+        let bind = |u: &atrous::Use| {
+            let layout = u.access.image().layout;
+            match self.resources[u.resource.0 as usize].get(declaration.copy(u, frame)) {
+                Some(Resource::Image(_, view)) if u.access == Access::Clear => {
+                    Binding::ClearedImage { image: view.image().handle(), layout }
+                }
+                Some(Resource::Image(_, view)) => Binding::Image { view: view.handle(), layout },
+                Some(Resource::Buffer(_, buffer)) => {
+                    Binding::Buffer { buffer: buffer.handle(), offset: 0, range: ash::vk::WHOLE_SIZE }
+                }
+                None => Binding::Absent,
+            }
         };
         declaration.passes()[pass].uses.iter().map(bind).collect()
     }

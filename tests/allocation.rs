@@ -68,7 +68,7 @@ fn recording_a_frame_allocates_nothing() {
     assert!(allocations(|| drop(std::hint::black_box(Box::new(1)))) > 0, "the allocator does not count");
     // Without validation, whose layer takes most of the time.
     let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions::default()).expect("device"));
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile] {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Best] {
         for signals in Signals::ALL {
             let config = Config { preset, signals, post_process: PostProcess::ToneMapTaa, ..Config::new([320, 180]) };
             let mut rig = Rig::new(gpu.clone(), &config, 1);

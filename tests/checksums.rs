@@ -3,7 +3,7 @@
 //! The table was made on llvmpipe, which gives the same bits for every number of threads; another driver rounds in its own way, so there the
 //! test says that it compares nothing. `ATROUS_UPDATE_CHECKSUMS=1` writes the table anew, for a commit that says why.
 
-use super::support::{assert_valid, gpu, scene::Guides, scene::Scene, session, upload};
+use super::support::{assert_valid, gpu, scene::Guides, scene::Scene, session, svgf, upload};
 use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
 use atrous::executor::Session;
 use atrous::{Config, Counter, DebugView, FrameParams, Lifetime, ResetReason, Shape, Tuning, UseFrame};
@@ -18,7 +18,7 @@ const FRAMES: u32 = 6;
 const FIRST_COUNTERS: usize = 32;
 
 fn configurations() -> Vec<(&'static str, Config)> {
-    let base = Config { post_process: PostProcess::ToneMapTaa, ..Config::new([61, 35]) };
+    let base = Config { post_process: PostProcess::ToneMapTaa, ..svgf([61, 35]) };
     let apart = Config { signals: Signals::Apart, ..base };
     let asvgf = Config { preset: Preset::Asvgf, ..base };
     let percentile = Config { preset: Preset::Percentile, ..base };

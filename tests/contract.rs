@@ -1,6 +1,7 @@
 //! What a host plans with: memory, boundaries, unknown names.
 
 use super::graphs::random;
+use super::support::svgf;
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::{Access, Config, Lifetime, Phase};
 use atrous_harness::DeviceTest;
@@ -14,7 +15,7 @@ pub const TESTS: &[DeviceTest] = &[
 ];
 
 fn a_pixel_takes_no_more_bytes_than_promised() {
-    let together = Config::new([1920, 1080]);
+    let together = svgf([1920, 1080]);
     let apart = Config { signals: Signals::Apart, ..together };
     let promised = [
         (together, 48.0),

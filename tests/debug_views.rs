@@ -1,6 +1,6 @@
 //! Views behind a frame, on the GPU and by the CPU's chain of stages: both have to show the same images of each preset.
 
-use super::support::{assert_valid, gpu, scene::Scene, session, session_with, upload, upload_to_engine};
+use super::support::{assert_valid, gpu, scene::Scene, session, session_with, svgf, svgf_tuning, upload, upload_to_engine};
 use atrous::config::{Preset, Signals};
 use atrous::executor::SessionOptions;
 use atrous::reference::Engine;
@@ -17,7 +17,7 @@ const EXTENT: [u32; 2] = [61, 35];
 const FRAMES: u32 = 4;
 
 fn configurations() -> [Config; 6] {
-    let base = Config { debug_view: true, firefly_filter: true, ..Config::new(EXTENT) };
+    let base = Config { debug_view: true, firefly_filter: true, ..svgf(EXTENT) };
     [
         Config { signals: Signals::Apart, ..base },
         Config { preset: Preset::Asvgf, ..base },
@@ -106,16 +106,16 @@ fn are_left_out_where_none_is_asked_for() {
         upload(&mut s, &scene.frame(0, 0));
         // Times are those of the frame before.
         for _ in 0..2 {
-            s.run(&scene.params(0), &Tuning::default()).expect("frame");
+            s.run(&scene.params(0), &svgf_tuning()).expect("frame");
         }
         s
     };
-    let s = run(&Config { debug_view: true, ..Config::new(EXTENT) });
+    let s = run(&Config { debug_view: true, ..svgf(EXTENT) });
     let (times, passes) = (s.times(), s.executor().denoiser().declaration().passes().len());
     assert_eq!(times.len(), if gpu().has_timestamps() { passes } else { 0 });
     assert!(times.iter().all(|time| time.milliseconds >= 0.0), "{times:?}");
 
-    let mut s = run(&Config::new(EXTENT));
+    let mut s = run(&svgf(EXTENT));
     let error = s.debug_view(DebugView::Alpha).expect_err("there is no such output");
     assert!(matches!(&error, Error::UnknownResource { given, .. } if given == "debug_view"), "{error}");
     assert_valid();

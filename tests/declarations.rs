@@ -19,6 +19,8 @@ fn uses_equal_the_spirv_by_a_second_reader() {
         (Preset::Asvgf, GradientSource::Confidence),
         (Preset::Stabilize, GradientSource::ForwardProjected),
         (Preset::Percentile, GradientSource::default()),
+        (Preset::Fast, GradientSource::default()),
+        (Preset::Best, GradientSource::default()),
         (Preset::Eaw, GradientSource::default()),
         (Preset::Volume, GradientSource::default()),
     ];

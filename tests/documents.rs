@@ -1,7 +1,7 @@
 //! What is written twice must say the same.
 
 use atrous::config::{EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
-use atrous::{Access, Config, Lifetime};
+use atrous::{Access, Config, Lifetime, Tuning};
 use atrous_harness::DeviceTest;
 use std::collections::BTreeSet;
 
@@ -10,6 +10,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_guide_shows_parts_of_the_hosts", the_guide_shows_parts_of_the_hosts),
     ("the_glue_of_an_ash_host_is_small", the_glue_of_an_ash_host_is_small),
     ("a_field_of_a_configuration_names_its_default", a_field_of_a_configuration_names_its_default),
+    ("the_numbers_of_each_preset_stand_in_their_table", the_numbers_of_each_preset_stand_in_their_table),
     ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),
     ("the_guide_has_the_memory_of_every_preset", the_guide_has_the_memory_of_every_preset),
     ("the_guide_has_what_each_access_means", the_guide_has_what_each_access_means),
@@ -96,6 +97,17 @@ fn a_field_of_a_configuration_names_its_default() {
     }
 }
 
+fn the_numbers_of_each_preset_stand_in_their_table() {
+    let default = Tuning::default();
+    for preset in Preset::ALL.into_iter().filter(|preset| *preset != Preset::default()) {
+        let of_preset = Tuning::for_preset(preset);
+        let different = Tuning::FIELDS.iter().map(|f| f.name).filter(|name| of_preset.get(name) != default.get(name));
+        let numbers: Vec<_> = different.map(|name| format!("`{name}` {}", of_preset.get(name).expect(name))).collect();
+        let row = format!("    /// | [`Preset::{preset:?}`] | {} |\n", numbers.join(", "));
+        assert!(include_str!("../src/contract/tuning.rs").contains(&row), "Tuning::for_preset must have this row:\n{row}");
+    }
+}
+
 /// What a host can configure, as far as it changes the declaration.
 fn configurations() -> Vec<Config> {
     let mut all = Vec::new();
@@ -145,9 +157,10 @@ fn the_guide_has_the_memory_of_every_preset() {
         (Preset::Eaw, Signals::Together),
         (Preset::Volume, Signals::Together),
     ];
-    let with_volume = Config { volume: true, ..Config::new([1920, 1080]) };
+    let svgf = Config { preset: Preset::Svgf, ..Config::new([1920, 1080]) };
+    let with_volume = Config { volume: true, ..svgf };
     needs_rows([memory_row("`Svgf` with `Config::volume`, `Together`", &with_volume)]);
-    let with_visibility = Config { visibility: true, ..Config::new([1920, 1080]) };
+    let with_visibility = Config { visibility: true, ..svgf };
     needs_rows([memory_row("`Svgf` with `Config::visibility`, `Together`", &with_visibility)]);
     needs_rows(variants.map(|(preset, signals)| {
         memory_row(&format!("`{preset:?}`, `{signals:?}`"), &Config { preset, signals, ..Config::new([1920, 1080]) })

@@ -95,7 +95,7 @@ impl Host {
 }
 
 fn a_frame_that_was_not_recorded_is_no_history() {
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Volume] {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Volume, Preset::Best] {
         for recorded in [&[][..], &[Phase::BeforeLighting]] {
             let what = format!("{preset:?}, {recorded:?} recorded");
             let mut host = Host::new(preset);

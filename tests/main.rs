@@ -13,6 +13,7 @@ mod checksums;
 mod contract;
 mod debug_views;
 mod declarations;
+mod defaults;
 mod documents;
 mod eaw;
 mod faults;
@@ -61,6 +62,7 @@ fn main() {
         Group { name: "bench", tests: bench::DEVICE_TESTS, needs_device: true },
         Group { name: "contract", tests: contract::TESTS, needs_device: false },
         Group { name: "declarations", tests: declarations::TESTS, needs_device: false },
+        Group { name: "defaults", tests: defaults::TESTS, needs_device: true },
         Group { name: "documents", tests: documents::TESTS, needs_device: false },
         Group { name: "hazards", tests: hazards::TESTS, needs_device: true },
         Group { name: "host_header", tests: host_header::TESTS, needs_device: false },

@@ -1,8 +1,8 @@
 //! The synthetic pattern of [SVGF] Fig. 9: what the temporal estimate of variance keeps and the spatial one blurs.
 
-use super::support::{assert_valid, random, scene::Scene, session_with, upload};
+use super::support::{assert_valid, random, scene::Scene, session_with, svgf, svgf_tuning, upload};
 use atrous::executor::{Session, SessionOptions};
-use atrous::{Config, FrameContext, Tuning};
+use atrous::FrameContext;
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[("temporal_variance_keeps_stripes_that_spatial_variance_blurs", stripes)];
@@ -60,7 +60,7 @@ fn stripes() {
     guides.normal.fill([0.0, 0.0, 1.0, 0.0]);
     guides.albedo.fill([1.0; 4]);
     guides.surface_id.fill(1);
-    let mut s = session_with(&Config::new(EXTENT), SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    let mut s = session_with(&svgf(EXTENT), SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     let declaration = s.executor().denoiser().declaration();
     let variance = declaration.passes().iter().position(|p| p.name == "variance").expect("a pass");
     let estimate = declaration.passes()[variance].use_of("irradiance_0").expect("written").resource;
@@ -75,7 +75,7 @@ fn stripes() {
             }
             Ok(())
         };
-        s.run_traced(&scene.params(0), &Tuning::default(), trace).expect("frame");
+        s.run_traced(&scene.params(0), &svgf_tuning(), trace).expect("frame");
         let output = s.download("denoised_radiance").expect("output");
         blurs.push(mean(middles(true), |i| (output[i][0] - QUIET).abs()));
     }

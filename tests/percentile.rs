@@ -1,6 +1,6 @@
 //! The preset `percentile`: light that changes, outliers, pixels without history, and what its parts cost.
 
-use super::support::{assert_valid, frame, rmse, scene::Scene, session, session_with, upload};
+use super::support::{assert_valid, frame, rmse, scene::Scene, session, session_with, svgf, svgf_tuning, upload};
 use atrous::config::{AdaptiveRule, BlockSort, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameContext, Tuning};
@@ -105,7 +105,7 @@ fn without_history(s: &mut Session, tuning: &Tuning) -> usize {
 
 fn repair_finds_history_where_svgf_finds_none() {
     let repaired = without_history(&mut session(&config(EXTENT)), &tuning());
-    let plain = without_history(&mut session(&Config::new(EXTENT)), &Tuning::default());
+    let plain = without_history(&mut session(&svgf(EXTENT)), &svgf_tuning());
     println!("pixels without history: {repaired} repaired, {plain} in svgf");
     assert!(plain > 20 && repaired * 2 < plain, "{repaired} {plain}");
 }
@@ -115,7 +115,7 @@ fn cost_against_svgf() {
     let extent = [320, 180];
     let scene = Scene { speed: 0.05, ..Scene::new(extent) };
     let options = SessionOptions { timestamps: true, ..Default::default() };
-    let mut sessions = [Config::new(extent), config(extent)].map(|c| session_with(&c, options));
+    let mut sessions = [svgf(extent), config(extent)].map(|c| session_with(&c, options));
     let mut fastest = [f64::INFINITY; 2];
     for i in 0..6 {
         for (s, fastest) in sessions.iter_mut().zip(&mut fastest) {

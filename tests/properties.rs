@@ -1,6 +1,6 @@
 //! What must hold whatever the picture: see also the CPU twins, which have the same properties.
 
-use super::support::{assert_valid, frame, gpu, pixels, rmse, scene::Scene, session, session_with, upload};
+use super::support::{assert_valid, frame, gpu, pixels, rmse, scene::Scene, session, session_with, svgf, upload};
 use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameParams, ResetReason, Tuning};
@@ -25,7 +25,7 @@ pub const TESTS: &[DeviceTest] = &[
 
 fn an_output_that_lends_its_image_has_the_same_bits() {
     let scene = Scene { speed: 0.1, ..Scene::new([40, 24]) };
-    let base = Config::new(scene.extent);
+    let base = svgf(scene.extent);
     let mut configs: Vec<_> = (1..=4).map(|levels| Config { levels: Some(levels), ..base }).collect();
     configs.push(Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..base });
     configs.push(Config { preset: Preset::Eaw, ..base });
@@ -224,7 +224,7 @@ fn an_exposure_ratio_scales_the_history() {
 
 fn memory_is_what_the_executor_allocates() {
     for signals in Signals::ALL {
-        let config = Config { signals, ..Config::new([320, 180]) };
+        let config = Config { signals, ..svgf([320, 180]) };
         let s = session(&config);
         let (planned, allocated) = (config.declare().expect("valid").memory(), s.executor().allocated());
         println!("{signals:?}: planned {} + {}, allocated {allocated:?}", planned.history, planned.transient);

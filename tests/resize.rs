@@ -58,7 +58,7 @@ fn run(s: &mut Session, extent: [u32; 2], index: u32) -> FrameContext {
 }
 
 fn a_resized_session_gives_the_bits_of_a_new_one() {
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Eaw] {
+    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Eaw, Preset::Best] {
         let config = |extent| Config { preset, volume: true, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
         let mut resized = session(&config(EXTENT));
         // An odd number, so that the copies of a history are exchanged.

@@ -1,8 +1,8 @@
-//! Over many frames: how much noise goes, how soon it settles, what happens where nothing was seen before.
+//! SVGF over many frames: how much noise goes, how soon it settles, what happens where nothing was seen before.
 
-use super::support::{frame, rmse, scene::Scene, session};
+use super::support::{frame, rmse, scene::Scene, session, svgf, svgf_tuning};
 use atrous::config::Signals;
-use atrous::{Config, Tuning};
+use atrous::Config;
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -23,12 +23,12 @@ fn change(a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
 /// [SVGF] Fig. 10.
 fn the_temporal_error_settles_ten_times_below_the_input() {
     let scene = Scene::new(EXTENT);
-    let mut s = session(&Config::new(EXTENT));
+    let mut s = session(&svgf(EXTENT));
     let (mut errors, mut noisy_errors) = (Vec::new(), Vec::new());
     let mut previous: Option<[Vec<[f32; 4]>; 2]> = None;
     for i in 0..60 {
         let g = scene.frame(0, i);
-        let (_, image) = frame(&mut s, &g, &scene.params(0), &Tuning::default());
+        let (_, image) = frame(&mut s, &g, &scene.params(0), &svgf_tuning());
         if let Some([before, noisy_before]) = &previous {
             errors.push(change(&image, before));
             noisy_errors.push(change(&g.noisy_radiance, noisy_before));
@@ -45,10 +45,10 @@ fn the_temporal_error_settles_ten_times_below_the_input() {
 fn noise_goes_under_a_moving_camera() {
     for signals in [Signals::Together, Signals::Apart] {
         let scene = Scene { speed: 0.04, ..Scene::new(EXTENT) };
-        let mut s = session(&Config { signals, ..Config::new(EXTENT) });
+        let mut s = session(&Config { signals, ..svgf(EXTENT) });
         for i in 0..12 {
             let g = scene.frame(i, i);
-            let (_, image) = frame(&mut s, &g, &scene.params(i), &Tuning::default());
+            let (_, image) = frame(&mut s, &g, &scene.params(i), &svgf_tuning());
             let (denoised, noisy) = (rmse(&image, &g.clean), rmse(&g.noisy_radiance, &g.clean));
             if i >= 6 {
                 assert!(denoised < noisy / 4.0, "{signals:?}, frame {i}: {denoised} of {noisy}");
@@ -67,14 +67,14 @@ fn reasons(s: &mut atrous::executor::Session) -> [usize; 6] {
 
 fn disoccluded_pixels_say_why() {
     let scene = Scene { speed: 0.8, ..Scene::new(EXTENT) };
-    let mut s = session(&Config::new(EXTENT));
+    let mut s = session(&svgf(EXTENT));
     let first = scene.frame(0, 0);
     let surface = first.surface_id.iter().filter(|&&id| id != 0).count();
-    frame(&mut s, &first, &scene.params(0), &Tuning::default());
+    frame(&mut s, &first, &scene.params(0), &svgf_tuning());
     let [_, off_screen, id, depth, normal, reset] = reasons(&mut s);
     assert_eq!((off_screen, id, depth, normal), (0, 0, 0, 0));
     assert_eq!(reset, surface);
-    frame(&mut s, &scene.frame(1, 1), &scene.params(1), &Tuning::default());
+    frame(&mut s, &scene.frame(1, 1), &scene.params(1), &svgf_tuning());
     let [kept, off_screen, id, _, _, reset] = reasons(&mut s);
     assert_eq!(reset, 0);
     assert!(off_screen > 25, "a sliding camera uncovers a border: {off_screen}");
@@ -85,14 +85,14 @@ fn disoccluded_pixels_say_why() {
 fn a_light_that_changes_leaves_no_trace() {
     let scene = Scene::new(EXTENT);
     let dark = Scene { light: 0.1, ..scene };
-    let mut s = session(&Config::new(EXTENT));
+    let mut s = session(&svgf(EXTENT));
     for i in 0..10 {
-        frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
+        frame(&mut s, &scene.frame(0, i), &scene.params(0), &svgf_tuning());
     }
     let mut error = f64::NAN;
     for i in 10..40 {
         let g = dark.frame(0, i);
-        let (_, image) = frame(&mut s, &g, &dark.params(0), &Tuning::default());
+        let (_, image) = frame(&mut s, &g, &dark.params(0), &svgf_tuning());
         error = rmse(&image, &g.clean);
     }
     assert!(error < 0.01, "{error} thirty frames after the light was dimmed");

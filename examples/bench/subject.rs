@@ -56,7 +56,8 @@ impl Subject {
     pub fn tuning(self) -> Tuning {
         match self {
             Self::Preset(preset) => Tuning::for_preset(preset),
-            Self::Own(_) => Tuning::default(),
+            // They are made of nodes as SVGF has them.
+            Self::Own(_) => Tuning::for_preset(Preset::Svgf),
         }
     }
 }

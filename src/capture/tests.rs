@@ -167,7 +167,7 @@ fn written_before(folder: &Path) -> String {
     };
     let mut writer = SequenceWriter::new(folder, &config.declare().expect("valid")).expect("a writer");
     let bytes = texels();
-    let first = Tuning { alpha: 0.05, ..Tuning::default() };
+    let first = Tuning { alpha: 0.05, ..Tuning::for_preset(Preset::Svgf) };
     let later = Tuning { sigma_l: 2.3, ..first };
     for (reset, tuning) in [(Some(crate::ResetReason::OriginShift), first), (None, later)] {
         let mut params = FrameParams { reset, jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new(EXTENT) };
@@ -178,6 +178,16 @@ fn written_before(folder: &Path) -> String {
         writer.write_frame(&frame).expect("written");
     }
     std::fs::read_to_string(folder.join("sequence.json")).expect("a file")
+}
+
+/// The default may change, and what a capture replays must not.
+#[test]
+fn a_capture_names_its_preset_and_every_number() {
+    let (config, tuning) = (Config::new(EXTENT), Tuning::default());
+    let text = sequence_json::Head::new(Some(&config), &config.conventions, &tuning).expect("JSON").with_frames([]);
+    let written: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(written["config"]["preset"], config.preset.name(), "{text}");
+    assert_eq!(written["tuning"].as_object().map(|numbers| numbers.len()), Some(Tuning::FIELDS.len()), "{text}");
 }
 
 #[test]

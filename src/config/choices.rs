@@ -36,7 +36,6 @@ choices! {
     #[non_exhaustive]
     pub enum Preset {
         /// Spatiotemporal variance-guided filtering \[SVGF\].
-        #[default]
         Svgf = 0 => "svgf",
         /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples say where history is out of date.
         Asvgf = 1 => "asvgf",
@@ -56,7 +55,9 @@ choices! {
         /// [`Preset::Percentile`]. Needs nothing of the host that SVGF does not.
         Fast = 6 => "fast",
         /// The filter of choice: [`Preset::Asvgf`] whose history follows light that changes as a whole, is not filtered and stays sharp
-        /// in motion; with the change test of [`Preset::Percentile`] wherever no gradient is known.
+        /// in motion; with the change test of [`Preset::Percentile`] wherever no gradient is known, so that it needs nothing of the
+        /// host that SVGF does not.
+        #[default]
         Best = 7 => "best",
     }
 

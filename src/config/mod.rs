@@ -31,7 +31,7 @@ pub struct Config {
     pub allocated_extent: [u32; 2],
     /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
-    /// Filter. Default: [`Preset::Svgf`].
+    /// Filter. Default: [`Preset::Best`].
     pub preset: Preset,
     /// Signals. Default: [`Signals::Together`].
     pub signals: Signals,

@@ -53,7 +53,8 @@ pub struct FrameParams {
     #[cfg_attr(feature = "serde", serde(default = "unchanged"))]
     pub exposure_ratio: f32,
     /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous
-    /// frame. Without it a preset with gradients behaves as [`crate::config::Preset::Svgf`], and logs that once. Default: false.
+    /// frame. Without it [`Preset::Best`](crate::config::Preset::Best) asks the noisy picture alone whether light changed; other
+    /// presets with gradients behave as [`Preset::Svgf`](crate::config::Preset::Svgf), and log that once. Default: false.
     #[cfg_attr(feature = "serde", serde(default))]
     pub reshaded: bool,
     /// The view that the pass `debug_view` shows, with [`crate::Config::debug_view`]. `None`: the host leaves it out of this frame.

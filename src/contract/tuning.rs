@@ -17,7 +17,7 @@ pub struct TuningField {
     pub min: f32,
     /// Largest legal value.
     pub max: f32,
-    /// Default.
+    /// Default: that of the default preset, as [`Tuning::default`] has it.
     pub default: f32,
 }
 
@@ -39,9 +39,10 @@ choices! {
 macro_rules! tuning {
     ($($(#[doc = $doc:literal])+ $name:ident: $unit:literal, $min:literal ..= $max:literal, $default:literal;)+) => {
         /// Per-frame numbers. Every field documents unit, range, default and what raising it does; see [`Tuning::FIELDS`] for the
-        /// same as data.
+        /// same as data. The defaults are those of the default preset; [`Tuning::for_preset`] has those of every other.
         ///
-        /// With the feature `serde`, what a file leaves out has its default; [`Tuning::validate`] checks what it has.
+        /// With the feature `serde`, what a file leaves out has its default, whatever the preset; [`Tuning::validate`] checks what it
+        /// has.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
         pub struct Tuning {
@@ -50,13 +51,10 @@ macro_rules! tuning {
             pub tone_curve: ToneCurve,
         }
 
-        impl Default for Tuning {
-            fn default() -> Self {
-                Self { $($name: $default,)+ tone_curve: ToneCurve::Aces }
-            }
-        }
-
         impl Tuning {
+            /// What the fields document.
+            const DOCUMENTED: Self = Self { $($name: $default,)+ tone_curve: ToneCurve::Aces };
+
             /// Every number, in order.
             pub const FIELDS: &'static [TuningField] = &[
                 $(TuningField { name: stringify!($name), doc: concat!($($doc),+), unit: $unit, min: $min, max: $max, default: $default },)+
@@ -90,10 +88,10 @@ macro_rules! tuning {
 tuning! {
     /// Smallest weight of the new sample in the accumulated irradiance (SVGF 4.1). Raising it reacts faster to changed light and
     /// leaves more noise.
-    alpha: "1", 0.0 ..= 1.0, 0.2;
+    alpha: "1", 0.0 ..= 1.0, 0.1;
     /// Smallest weight of the new sample in the moments of luminance, from which the variance comes. Raising it follows changes
     /// faster and makes the filter width unsteady.
-    alpha_moments: "1", 0.0 ..= 1.0, 0.2;
+    alpha_moments: "1", 0.0 ..= 1.0, 0.1;
     /// Cap of the history length. Raising it matters only while 1/N is above `alpha`; with `alpha` 0 it is the length of the
     /// running mean.
     max_history_length: "frames", 1.0 ..= 1024.0, 256.0;
@@ -101,18 +99,18 @@ tuning! {
     /// disocclusion.
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
     /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
-    sigma_l: "standard deviations", 0.0 ..= 128.0, 4.0;
+    sigma_l: "standard deviations", 0.0 ..= 128.0, 3.0;
     /// Normal edge stopping: sharpness of exp(−σ (1 − cos)), which is the exponent of the cosine of SVGF eq. 4 for small angles.
     /// Raising it keeps finer relief and leaves more noise on curved surfaces.
-    sigma_n: "1", 0.0 ..= 1024.0, 128.0;
+    sigma_n: "1", 0.0 ..= 1024.0, 32.0;
     /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
-    sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
+    sigma_z: "depth gradients", 0.0 ..= 64.0, 1.5;
     /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks
     /// ghosts.
-    depth_tolerance: "1", 0.0 ..= 1.0, 0.02;
+    depth_tolerance: "1", 0.0 ..= 1.0, 0.1;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy
     /// surfaces.
-    normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
+    normal_tolerance: "1", -1.0 ..= 1.0, 0.4;
     /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising
     /// it blurs more far away.
     edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
@@ -122,7 +120,7 @@ tuning! {
     percentile_up: "share of the pixels", 0.0 ..= 1.0, 0.95;
     /// Scale of the range between the percentiles, by which a luminance may leave them (PSVGF). Raising it passes more outliers and
     /// keeps more history.
-    percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 2.0;
+    percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 3.0;
     /// Share of the history that a change of the light costs; 0: the adaptive rules are off (PSVGF).
     adaptivity: "1", 0.0 ..= 1.0, 1.0;
     /// Change, in standard errors of its mean, from which history gives way; at twice as many it is gone. Raising it reacts to
@@ -174,6 +172,13 @@ tuning! {
     taa_gamma: "standard deviations", 0.0 ..= 8.0, 1.25;
 }
 
+/// Those of the default preset.
+impl Default for Tuning {
+    fn default() -> Self {
+        Self::for_preset(Preset::default())
+    }
+}
+
 impl Tuning {
     /// The name of the one tunable that is no number: a choice of curves.
     pub(crate) const TONE_CURVE: &'static str = "tone_curve";
@@ -196,26 +201,39 @@ impl Tuning {
         }
     }
 
-    /// The defaults for a preset: those that temporal gradients look after react less by themselves, with an `alpha` of 0.1
-    /// (ASVGF). What was accumulated with a lower `alpha` has less noise for the same variance of a sample,
-    /// `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has a `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.
+    /// The defaults for a preset.
+    ///
+    /// | preset | what differs from [`Preset::Best`], whose numbers the fields document |
+    /// | --- | --- |
+    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
+    /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
+    /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
+    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `edge_falloff` 0.05, `percentile_range` 2 |
+    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
+    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
+    /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `percentile_range` 2 |
+    ///
+    /// Presets that are told of changed light react less by themselves, with an `alpha` of 0.1 (ASVGF). What was accumulated with
+    /// a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has a
+    /// `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.
     pub fn for_preset(preset: Preset) -> Self {
+        let svgf = Self {
+            alpha: 0.2,
+            alpha_moments: 0.2,
+            sigma_l: 4.0,
+            sigma_n: 128.0,
+            sigma_z: 1.0,
+            depth_tolerance: 0.02,
+            normal_tolerance: 0.9,
+            percentile_range: 2.0,
+            ..Self::DOCUMENTED
+        };
         match preset {
-            Preset::Svgf | Preset::Eaw | Preset::Volume => Self::default(),
-            Preset::Fast => Self { alpha: 0.1, alpha_moments: 0.1, normal_tolerance: 0.5, ..Self::default() },
-            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..Self::default() },
-            Preset::Best => Self {
-                alpha: 0.1,
-                alpha_moments: 0.1,
-                sigma_l: 3.0,
-                sigma_n: 32.0,
-                sigma_z: 1.5,
-                depth_tolerance: 0.1,
-                normal_tolerance: 0.4,
-                percentile_range: 3.0,
-                ..Self::default()
-            },
-            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
+            Preset::Best => Self::DOCUMENTED,
+            Preset::Svgf | Preset::Eaw | Preset::Volume => svgf,
+            Preset::Fast => Self { alpha: 0.1, alpha_moments: 0.1, normal_tolerance: 0.5, ..svgf },
+            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..svgf },
+            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..svgf },
         }
     }
 
@@ -240,7 +258,19 @@ mod tests {
 
     #[test]
     fn defaults_are_in_range() {
-        Tuning::default().validate().expect("defaults");
+        for preset in Preset::ALL {
+            Tuning::for_preset(preset).validate().expect(preset.name());
+        }
+    }
+
+    #[test]
+    fn the_documented_defaults_are_those_of_the_default_preset() {
+        let default = Tuning::default();
+        assert_eq!(default, Tuning::for_preset(Preset::default()));
+        for field in Tuning::FIELDS {
+            assert_eq!(default.get(field.name), Some(field.default), "{}", field.name);
+        }
+        assert_eq!(default.tone_curve, ToneCurve::default());
     }
 
     #[test]

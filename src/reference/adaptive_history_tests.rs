@@ -15,7 +15,7 @@ fn one_sample(seed: u32) -> Image<[f32; 4]> {
 
 /// Mean confidence of both rules (published, test) where the light goes from `before` to `now`.
 fn confidence(before: f32, now: f32) -> (f32, f32) {
-    let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
+    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
     let history = Image::new(EXTENT, [before; 4]);
     let moments = Image::new(EXTENT, pack_moments(&Moments { mean: before, deviation: before, history_length: 8.0, reason: 0 }));
@@ -57,7 +57,7 @@ fn only_the_test_sees_a_light_that_comes_on() {
 
 #[test]
 fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
-    let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
+    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let moments = Image::new(EXTENT, pack_moments(&Moments { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 }));
     let history = Image::new(EXTENT, [1.0; 4]);
     let guides = HistoryGuides {
@@ -78,7 +78,7 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
 
 #[test]
 fn without_adaptivity_every_history_is_kept() {
-    let (frame, tuning) = (frame(EXTENT), Tuning { adaptivity: 0.0, ..Tuning::default() });
+    let (frame, tuning) = (frame(EXTENT), Tuning { adaptivity: 0.0, ..svgf_tuning() });
     let difference = Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0 }));
     assert!(change_test(&frame, &tuning, EXTENT, &[&difference]).texels().iter().all(|c| *c == 1.0));
     let percentiles = Percentiles { low: 0.0, up: 0.1 };

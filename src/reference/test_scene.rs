@@ -1,10 +1,16 @@
 //! Scenes that the tests of the twins have in common.
 
 use super::*;
+use crate::config::Preset;
 use crate::{Config, Counter, Flags, FrameConstants, FrameParams, FrameState, Statistics, Tuning};
 use glam::{Mat4, Vec3};
 
-/// A frame with history behind it, default tuning and conventions, identity matrices.
+/// The numbers of SVGF, for which the tests say what has to come out.
+pub(crate) fn svgf_tuning() -> Tuning {
+    Tuning::for_preset(Preset::Svgf)
+}
+
+/// A frame with history behind it, default conventions, identity matrices.
 pub(crate) fn frame(extent: [u32; 2]) -> FrameConstants {
     frame_with(&Config::new(extent), &FrameParams::new(extent), &FrameParams::new(extent))
 }
@@ -12,8 +18,8 @@ pub(crate) fn frame(extent: [u32; 2]) -> FrameConstants {
 /// The second of two frames.
 pub(crate) fn frame_with(config: &Config, before: &FrameParams, now: &FrameParams) -> FrameConstants {
     let mut state = FrameState::default();
-    state.begin(&config.setup(), before, &Tuning::default()).expect("first frame");
-    state.begin(&config.setup(), now, &Tuning::default()).expect("second frame").constants
+    state.begin(&config.setup(), before, &svgf_tuning()).expect("first frame");
+    state.begin(&config.setup(), now, &svgf_tuning()).expect("second frame").constants
 }
 
 /// The frame as one that drops all history.

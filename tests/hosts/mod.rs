@@ -38,7 +38,7 @@ pub const TESTS: &[DeviceTest] = &[
 
 /// One configuration of every preset.
 pub fn configurations() -> impl Iterator<Item = Config> {
-    let presets = [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile];
+    let presets = [Preset::Svgf, Preset::Asvgf, Preset::Stabilize, Preset::Percentile, Preset::Best];
     presets.into_iter().map(|preset| Config { preset, ..Config::new(synthetic::EXTENT) })
 }
 

@@ -1,14 +1,14 @@
 //! `debug_view`: every view of every preset.
 
 use super::run;
-use crate::support::{assert_valid, scene::Scene, session_with, upload};
+use crate::support::{assert_valid, scene::Scene, session_with, svgf, upload};
 use atrous::config::{Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, DebugView, FrameParams, Tuning};
 
 /// Every view of every preset, with values that are not finite and a change of light to show.
 pub fn every_view() {
-    let base = Config { debug_view: true, ..Config::new([40, 23]) };
+    let base = Config { debug_view: true, ..svgf([40, 23]) };
     for config in [
         base,
         Config { preset: Preset::Percentile, signals: Signals::Apart, ..base },

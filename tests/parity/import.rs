@@ -1,12 +1,12 @@
 //! `import` in every encoding of a host's guides, and with transforms of instances.
 
 use super::run;
-use crate::support::{assert_valid, pixels, scene::Guides, scene::Scene, session_with};
+use crate::support::{assert_valid, pixels, scene::Guides, scene::Scene, session_with, svgf, svgf_tuning};
 use atrous::config::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, ViewForward,
 };
 use atrous::executor::SessionOptions;
-use atrous::{Config, FrameParams, Tuning};
+use atrous::{Config, FrameParams};
 
 /// The synthetic scene, re-encoded: every encoding of every guide at least once.
 pub fn every_encoding() {
@@ -32,7 +32,7 @@ pub fn every_encoding() {
 /// buffer.
 pub fn instance_transforms() {
     let scene = Scene { speed: 0.1, ..Scene::new([41, 23]) };
-    let config = Config::new(scene.extent);
+    let config = svgf(scene.extent);
     let still = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
     let (sin, cos) = 0.2f32.sin_cos();
     let turned = [[cos, 0.0, sin, 0.6], [0.0, 1.0, 0.0, -0.1], [-sin, 0.0, cos, -0.3]];
@@ -46,7 +46,7 @@ pub fn instance_transforms() {
                 s.upload(name, texels).expect(name);
             }
             s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
-            run(&mut s, &scene.params(i), &Tuning::default());
+            run(&mut s, &scene.params(i), &svgf_tuning());
         }
     }
     assert_valid();
@@ -54,7 +54,7 @@ pub fn instance_transforms() {
 
 fn encoded(conventions: Conventions, with_motion: bool) {
     let scene = Scene { speed: 0.15, ..Scene::new([41, 23]) };
-    let config = Config { conventions, ..Config::new(scene.extent) };
+    let config = Config { conventions, ..svgf(scene.extent) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     let roughness: Vec<_> = pixels(scene.extent).map(|(x, y)| [(x + y) as f32 / 64.0; 4]).collect();
     s.upload("roughness", &roughness).expect("roughness");
@@ -69,7 +69,7 @@ fn encoded(conventions: Conventions, with_motion: bool) {
             s.upload("motion", &g.motion).expect("motion");
         }
         s.upload_ids("surface_id", &g.surface_id).expect("surface_id");
-        run(&mut s, &params, &Tuning::default());
+        run(&mut s, &params, &svgf_tuning());
     }
 }
 

@@ -12,7 +12,7 @@ mod volume;
 use super::support::{
     assert_valid,
     scene::{Guides, Scene},
-    session_with, upload,
+    session_with, svgf, svgf_tuning, upload,
 };
 use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
@@ -21,19 +21,19 @@ use atrous_harness::DeviceTest;
 use captured::{capture, Captured};
 
 pub const TESTS: &[DeviceTest] = &[
-    ("one_signal", || sequence(&Config::new([61, 35]))),
-    ("two_signals", || sequence(&Config { signals: Signals::Apart, ..Config::new([61, 35]) })),
-    ("specular", || sequence(&Config { signals: Signals::Specular, ..Config::new([61, 35]) })),
+    ("one_signal", || sequence(&svgf([61, 35]))),
+    ("two_signals", || sequence(&Config { signals: Signals::Apart, ..svgf([61, 35]) })),
+    ("specular", || sequence(&Config { signals: Signals::Specular, ..svgf([61, 35]) })),
     ("specular_in_a_larger_image", || sequence_of(&Config { signals: Signals::Specular, ..percentile([64, 40]) }, [37, 21])),
     ("specular_fast", || sequence(&Config { preset: Preset::Fast, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_eaw", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_by_f0", specular::by_f0),
     ("specular_at_other_resolutions", specular::other_resolutions),
-    ("object_normals", || sequence(&Config { object_normal: true, ..Config::new([40, 23]) })),
-    ("without_ids", || sequence(&Config { surface_id: false, ..Config::new([40, 23]) })),
-    ("one_pixel", || sequence(&Config::new([1, 1]))),
-    ("a_rect_in_a_larger_image", || sequence_of(&Config::new([64, 40]), [37, 21])),
-    ("firefly_filter", || sequence(&Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..Config::new([61, 35]) })),
+    ("object_normals", || sequence(&Config { object_normal: true, ..svgf([40, 23]) })),
+    ("without_ids", || sequence(&Config { surface_id: false, ..svgf([40, 23]) })),
+    ("one_pixel", || sequence(&svgf([1, 1]))),
+    ("a_rect_in_a_larger_image", || sequence_of(&svgf([64, 40]), [37, 21])),
+    ("firefly_filter", || sequence(&Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..svgf([61, 35]) })),
     ("percentile", || sequence(&percentile([61, 35]))),
     ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([61, 35]) })),
     ("percentile_published", || sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile([61, 35]) })),
@@ -59,17 +59,17 @@ pub const TESTS: &[DeviceTest] = &[
         sequence_of(&Config { preset: Preset::Volume, levels: Some(2), ..Config::new([64, 40]) }, [37, 21])
     }),
     ("volume_beside_svgf", || {
-        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: Some(3), ..Config::new([61, 35]) })
+        sequence(&Config { volume: true, firefly_filter: true, signals: Signals::Apart, levels: Some(3), ..svgf([61, 35]) })
     }),
     ("volume_beside_eaw", || sequence(&Config { volume: true, preset: Preset::Eaw, ..Config::new([40, 23]) })),
-    ("visibility", || sequence(&Config { visibility: true, ..Config::new([61, 35]) })),
-    ("visibility_of_one_pixel", || sequence(&Config { visibility: true, levels: Some(1), ..Config::new([1, 1]) })),
-    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: true, ..Config::new([64, 40]) }, [37, 21])),
+    ("visibility", || sequence(&Config { visibility: true, ..svgf([61, 35]) })),
+    ("visibility_of_one_pixel", || sequence(&Config { visibility: true, levels: Some(1), ..svgf([1, 1]) })),
+    ("visibility_in_a_larger_image", || sequence_of(&Config { visibility: true, ..svgf([64, 40]) }, [37, 21])),
     ("visibility_beside_best_and_volume", || {
         sequence(&Config { visibility: true, volume: true, preset: Preset::Best, ..Config::new([40, 23]) })
     }),
     ("visibility_of_a_large_light", || {
-        let tuning = Tuning { light_radius: 0.05, penumbra_blur: 1.0, visibility_alpha: 0.0, ..Tuning::default() };
+        let tuning = Tuning { light_radius: 0.05, penumbra_blur: 1.0, visibility_alpha: 0.0, ..svgf_tuning() };
         tuned_sequence(&Config { visibility: true, preset: Preset::Eaw, ..Config::new([61, 35]) }, [61, 35], tuning);
     }),
     ("volume_at_other_resolutions", volume::other_resolutions),
@@ -77,7 +77,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
     ("normals_switched_off", || {
-        tuned_sequence(&Config::new([40, 23]), [40, 23], Tuning { sigma_n: 0.0, edge_falloff: 0.3, ..Tuning::default() });
+        tuned_sequence(&svgf([40, 23]), [40, 23], Tuning { sigma_n: 0.0, edge_falloff: 0.3, ..svgf_tuning() });
     }),
     ("tone_map_curves", tone_map::curves),
     ("asvgf_forward_projected", asvgf::forward_projected),

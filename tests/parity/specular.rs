@@ -1,6 +1,6 @@
 //! Specular light with what hosts leave out, and at resolutions that change.
 
-use super::super::support::{assert_valid, scene::Scene, session_with, upload};
+use super::super::support::{assert_valid, scene::Scene, session_with, svgf, svgf_tuning, upload};
 use super::run;
 use atrous::config::{Conventions, Preset, RoughnessEncoding, Signals};
 use atrous::executor::SessionOptions;
@@ -26,12 +26,12 @@ pub fn by_f0() {
 }
 
 pub fn other_resolutions() {
-    let config = Config { signals: Signals::Specular, ..Config::new([48, 32]) };
+    let config = Config { signals: Signals::Specular, ..svgf([48, 32]) };
     let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
     for (i, extent) in (0..).zip([[48, 32], [31, 20], [40, 27], [48, 32]]) {
         let scene = Scene { speed: 0.12, allocated: [48, 32], ..Scene::new(extent) };
         upload(&mut s, &scene.frame(i, i));
-        run(&mut s, &scene.params(i), &Tuning::default());
+        run(&mut s, &scene.params(i), &svgf_tuning());
     }
     assert_valid();
 }

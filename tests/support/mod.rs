@@ -9,6 +9,7 @@ pub mod spy;
 
 pub use atrous_synthetic::scene::{self, pixels, random, rmse};
 
+use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::reference::Engine;
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
@@ -56,6 +57,16 @@ pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
 
 pub fn gpu() -> Arc<HeadlessDevice> {
     try_gpu().expect("tests that need a device are ignored without one")
+}
+
+/// SVGF, for tests of what it does and of passes that it has.
+pub fn svgf(extent: [u32; 2]) -> Config {
+    Config { preset: Preset::Svgf, ..Config::new(extent) }
+}
+
+/// The numbers of SVGF.
+pub fn svgf_tuning() -> Tuning {
+    Tuning::for_preset(Preset::Svgf)
 }
 
 /// A session with poison: transients and previous copies hold NaN before they are written.

@@ -66,7 +66,7 @@ typedef struct AtrousConfig {
   uint32_t height;
   // Frames that the host records before it waits for the oldest, 1 to 8.
   uint32_t frames_in_flight;
-  // Filter: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
+  // Filter, 7 by default: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
   uint32_t preset;
   // Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
   // `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
@@ -273,7 +273,7 @@ typedef struct AtrousTuningField {
   float min;
   // Largest legal value.
   float max;
-  // Default.
+  // Default of the default preset; others differ in some.
   float default_value;
   // Name for atrous_set_tuning.
   AtrousName name;

@@ -29,7 +29,7 @@ pub struct AtrousConfig {
     pub height: u32,
     /// Frames that the host records before it waits for the oldest, 1 to 8.
     pub frames_in_flight: u32,
-    /// Filter: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
+    /// Filter, 7 by default: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
     pub preset: u32,
     /// Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
     /// `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
@@ -284,7 +284,7 @@ pub struct AtrousTuningField {
     pub min: f32,
     /// Largest legal value.
     pub max: f32,
-    /// Default.
+    /// Default of the default preset; others differ in some.
     pub default_value: f32,
     /// Name for atrous_set_tuning.
     pub name: AtrousName,

@@ -2,6 +2,7 @@
 
 use crate::status::guard;
 use crate::*;
+use atrous::config::Preset;
 use atrous::{Config, Tuning};
 use std::ffi::CStr;
 use std::ptr::{null, null_mut};
@@ -105,7 +106,7 @@ fn choices_of_a_frame_are_those_of_the_crate() {
 
 #[test]
 fn every_choice_of_a_filter_is_reachable() {
-    use atrous::config::{AdaptiveRule, BlockSort, EawWeights, Preset, Sampling};
+    use atrous::config::{AdaptiveRule, BlockSort, EawWeights, Sampling};
     let given = AtrousConfig {
         preset: 4,
         volume: 1,
@@ -156,7 +157,7 @@ fn null_and_wrong_sizes_are_told() {
 
 #[test]
 fn names_and_uses_fit() {
-    for preset in 0..6 {
+    for preset in Preset::ALL.map(|preset| preset as u32) {
         let config = AtrousConfig { preset, object_normal: 1, ..AtrousConfig::default_for([64, 36]) }.to_config().expect("valid");
         assert_eq!(config.preset as u32, preset);
         let declaration = config.declare().expect("valid");

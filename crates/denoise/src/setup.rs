@@ -27,7 +27,7 @@ pub struct Options {
     pub signals: Option<Signals>,
     /// À-trous levels, where not the default.
     pub levels: Option<u32>,
-    /// Filter, where not that of a capture, or [`Preset::Best`].
+    /// Filter, where not that of a capture, or [`Preset::default`].
     pub preset: Option<Preset>,
     /// Side of the strata, where not the default.
     pub stratum_size: Option<u32>,
@@ -87,7 +87,7 @@ impl Setup {
         let captured = sequence.as_ref().and_then(|(_, file)| file.config.preset);
         config.levels = options.levels.or(config.levels);
         config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
-        config.preset = options.preset.or(captured).unwrap_or(Preset::Best);
+        config.preset = options.preset.or(captured).unwrap_or_default();
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.visibility = mapping.has(Role::Visibility) && mapping.has(Role::OccluderDistance);

@@ -19,7 +19,7 @@ pub fn declarations(options: &Options) -> Result<Vec<Declaration>, Error> {
 }
 
 fn configurations() -> Vec<Config> {
-    let base = Config { post_process: PostProcess::ToneMapTaa, ..Config::new(SIZE) };
+    let base = Config { preset: Preset::Svgf, post_process: PostProcess::ToneMapTaa, ..Config::new(SIZE) };
     let mut all = Vec::new();
     for preset in Preset::ALL {
         all.extend(Signals::ALL.map(|signals| Config { preset, signals, ..base }));

@@ -30,7 +30,7 @@ fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptio
 }
 
 fn with(signals: Signals) -> DenoiserOptions {
-    DenoiserOptions { signals, ..DenoiserOptions::default() }
+    DenoiserOptions { signals, ..DenoiserOptions::new(Preset::Svgf) }
 }
 
 fn assert_cleaner(noisy: Scores, denoised: Scores) {
@@ -84,7 +84,7 @@ fn two_runs_are_bit_identical() {
         let scene = built_in("pillars", SceneOptions::default());
         let tracer_options = TracerOptions { jitter: true, ..TracerOptions::default() };
         let mut tracer = PathTracer::new(&gpu.0, &scene, support::SMALL, tracer_options).expect("a path tracer");
-        let options = DenoiserOptions { taa: true, ..DenoiserOptions::default() };
+        let options = DenoiserOptions { taa: true, ..DenoiserOptions::new(Preset::Svgf) };
         let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
         for index in 0..5 {
             tracer.begin_frame(index).expect("a frame");

@@ -76,7 +76,7 @@ const EXTENT: Extent2D = Extent2D { width: 192, height: 108 };
 fn errors(gpu: &Validated, volume_motion: bool) -> [f64; 2] {
     let scene = built_in("fog", SceneOptions::default());
     let mut tracer = PathTracer::new(&gpu.0, &scene, EXTENT, TracerOptions::default()).expect("a path tracer");
-    let options = DenoiserOptions { volume_motion, ..DenoiserOptions::default() };
+    let options = DenoiserOptions { volume_motion, ..DenoiserOptions::new(Preset::Svgf) };
     let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
     for index in 0..14 {
         tracer.begin_frame(index).expect("a frame");

@@ -240,7 +240,7 @@ fn passes_stand_in_the_order_of_phases() {
 
 #[test]
 fn a_transient_lies_in_an_output_that_is_written_later() {
-    let config = Config { post_process: PostProcess::ToneMap, ..Config::new([64, 36]) };
+    let config = Config { preset: crate::config::Preset::Svgf, post_process: PostProcess::ToneMap, ..Config::new([64, 36]) };
     let declared = |share| config.graph().expect("valid").share_outputs(share).finish().expect("valid");
     let (shared, apart) = (declared(true), declared(false));
     let life = |declaration: &Declaration, name: &str| {

@@ -82,11 +82,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::test_scene::{frame, paint};
+    use crate::reference::test_scene::{frame, paint, svgf_tuning};
 
     #[test]
     fn the_largest_change_of_the_strata_around_counts() {
-        let tuning = Tuning { gradient_scale: 2.0, ..Tuning::default() };
+        let tuning = Tuning { gradient_scale: 2.0, ..svgf_tuning() };
         // One stratum of nine changed by a quarter, in either direction alike; one has nothing to compare with.
         for sign in [1.0, -1.0] {
             let gradient = paint([3, 3], |x, y| match (x, y) {
@@ -113,7 +113,7 @@ mod tests {
             });
             let input =
                 AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: Some(&ratio), other: None };
-            adaptive_alpha(&frame([9, 3]), &Tuning::default(), [9, 3], input).texels()[..9].to_vec()
+            adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input).texels()[..9].to_vec()
         };
         assert_eq!(confidence(0.5, 1.0), [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0], "none of the background");
         assert_eq!(confidence(0.5, 0.25)[..5], [0.25, 0.25, 0.25, 0.25, 1.0], "as far as samples agree");
@@ -125,14 +125,14 @@ mod tests {
         let gradient = paint([3, 1], |x, _| if x == 0 { [0.0, 1.0, 0.0, 0.0] } else { [0.0; 4] });
         let other = paint([9, 3], |_, _| 0.25);
         let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: Some(&other) };
-        let confidence = adaptive_alpha(&frame([9, 3]), &Tuning::default(), [9, 3], input);
+        let confidence = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
         assert_eq!(confidence.texels()[..9], [1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.25]);
     }
 
     #[test]
     fn what_a_host_says_is_bounded() {
         let host = paint([6, 1], |x, _| [[0.25, -1.0, 9.0, f32::NAN, f32::INFINITY, 1.0][x as usize], 0.0, 0.0, 0.0]);
-        let confidence = adaptive_alpha(&frame([6, 1]), &Tuning::default(), [6, 1], AdaptiveAlphaInput::Confidence(&host));
+        let confidence = adaptive_alpha(&frame([6, 1]), &svgf_tuning(), [6, 1], AdaptiveAlphaInput::Confidence(&host));
         assert_eq!(confidence.texels(), [0.25, 0.0, 1.0, 1.0, 1.0, 1.0]);
     }
 }

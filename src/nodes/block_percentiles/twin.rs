@@ -81,7 +81,7 @@ mod tests {
         // The right block has 3 columns: luminances 8 to 10, of which one pixel is background.
         let irradiance = paint(extent, |x, y| if x == 9 && y == 0 { [1000.0; 4] } else { [x as f32; 4] });
         let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
-        let tuning = Tuning { percentile_low: 0.0, percentile_up: 1.0, ..Tuning::default() };
+        let tuning = Tuning { percentile_low: 0.0, percentile_up: 1.0, ..svgf_tuning() };
         let blocks = block_percentiles(&frame(extent), &tuning, &inputs);
         assert_eq!(blocks.extent(), [2, 1]);
         let of = |x| unpack_percentiles(*blocks.get(x, 0).expect("inside"));
@@ -95,7 +95,7 @@ mod tests {
         let guides = guides(extent, |_, _| crate::reference::Surface::default());
         let irradiance = noise(extent, 1);
         let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &irradiance };
-        let blocks = block_percentiles(&frame(extent), &Tuning::default(), &inputs);
+        let blocks = block_percentiles(&frame(extent), &svgf_tuning(), &inputs);
         assert_eq!(unpack_percentiles(blocks.texels()[0]), Percentiles::default());
     }
 }

@@ -71,7 +71,7 @@ mod tests {
     const EXTENT: [u32; 2] = [45, 30];
 
     fn filtered(irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-        let (frame, tuning, guides) = (frame(EXTENT), Tuning::default(), guides(EXTENT, |_, _| surface(2.0)));
+        let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
         let percentiles = block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
         firefly(&frame, &tuning, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
     }

@@ -38,10 +38,10 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::test_scene::frame;
+    use crate::reference::test_scene::{frame, svgf_tuning};
 
     fn mapped(tone_curve: ToneCurve, exposure: f32, c: [f32; 3]) -> [f32; 4] {
-        let tuning = Tuning { tone_curve, exposure, ..Tuning::default() };
+        let tuning = Tuning { tone_curve, exposure, ..svgf_tuning() };
         tone_map(&frame([1, 1]), &tuning, &[&Image::new([1, 1], [c[0], c[1], c[2], 0.5])]).texels()[0]
     }
 

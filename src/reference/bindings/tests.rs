@@ -14,7 +14,7 @@ fn message<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
 
 #[test]
 fn what_is_missing_or_of_another_kind_is_named() {
-    let (frame, tuning) = (frame(EXTENT), Tuning::default());
+    let (frame, tuning) = (frame(EXTENT), svgf_tuning());
     let (guide, ids) = (Texels::Packed(Image::new(EXTENT, [0; 4])), Texels::Uint(Image::new(EXTENT, 0)));
     let mut b = Bindings::new("atrous", &frame, &tuning).with_constants(&[("KERNEL", 1)]);
     b.reads("guide", &guide);
@@ -32,7 +32,7 @@ fn what_is_missing_or_of_another_kind_is_named() {
 
 #[test]
 fn only_what_the_pass_writes_can_be_written() {
-    let (frame, tuning) = (frame(EXTENT), Tuning::default());
+    let (frame, tuning) = (frame(EXTENT), svgf_tuning());
     let mut b = Bindings::new("atrous", &frame, &tuning);
     b.writes("output_0", EXTENT);
     let other = message(b.write("output_1", Image::new(EXTENT, [0.0; 4])));
@@ -45,7 +45,7 @@ fn only_what_the_pass_writes_can_be_written() {
 
 #[test]
 fn the_second_signal_is_there_or_not() {
-    let (frame, tuning) = (frame(EXTENT), Tuning::default());
+    let (frame, tuning) = (frame(EXTENT), svgf_tuning());
     let images = [noise(EXTENT, 1), noise(EXTENT, 2)].map(Texels::Colour);
     let mut b = Bindings::new("atrous", &frame, &tuning);
     assert!(message(b.colours("input")).contains("input_0"));
@@ -57,7 +57,7 @@ fn the_second_signal_is_there_or_not() {
 
 #[test]
 fn counts_are_added_to_those_before() {
-    let (frame, tuning) = (frame([2, 1]), Tuning::default());
+    let (frame, tuning) = (frame([2, 1]), svgf_tuning());
     let counts = |counts: &[(Counter, u32)]| Texels::Bytes(counted(counts).as_bytes().to_vec());
     let before = counts(&[(Counter::Depth, 1), (Counter::Radiance, 7)]);
     let guide = Texels::Packed(Image::new([2, 1], pack_guide(&surface(2.0))));
@@ -76,7 +76,7 @@ fn counts_are_added_to_those_before() {
 
 #[test]
 fn a_constant_chooses_the_kernel_and_the_geometry() {
-    let (frame, tuning) = (frame(EXTENT), Tuning::default());
+    let (frame, tuning) = (frame(EXTENT), svgf_tuning());
     let scene = guides(EXTENT, |x, _| surface(if x < 5 { 2.0 } else { 2.3 }));
     let image = noise(EXTENT, 3).map(|t| [t[0], t[0], t[0], 0.5]);
     let (guide, depth_gradient) = (Texels::Packed(scene.guide.clone()), Texels::Uint(scene.depth_gradient.clone()));
@@ -113,7 +113,7 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
 #[test]
 fn what_is_claimed_before_stays_where_its_key_is_larger() {
     let extent = [8, 8];
-    let (frame, tuning) = (frame_with(&crate::Config::new(extent), &still(extent), &still(extent)), Tuning::default());
+    let (frame, tuning) = (frame_with(&crate::Config::new(extent), &still(extent), &still(extent)), svgf_tuning());
     let guide = Texels::Packed(Image::new(extent, [0; 4]));
     let point = VolumePoint { linear_depth: 2.0, contribution: 1 };
     let points = Texels::Packed(Image::new(extent, pack_volume_point(&point)));

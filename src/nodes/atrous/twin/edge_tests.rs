@@ -34,39 +34,39 @@ fn is_kept(row: &[f32]) -> bool {
 
 #[test]
 fn without_an_edge_the_step_blurs() {
-    let row = filtered(&Tuning::default(), 0.0, |_, _| (), |_, _| ());
+    let row = filtered(&svgf_tuning(), 0.0, |_, _| (), |_, _| ());
     assert!(row[11] > 2.0 && row[12] < 7.0, "{row:?}");
 }
 
 #[test]
 fn a_depth_step_stops() {
-    let row = filtered(&Tuning::default(), 0.0, |_, _| (), |_, s| s.linear_depth = 10.5);
+    let row = filtered(&svgf_tuning(), 0.0, |_, _| (), |_, s| s.linear_depth = 10.5);
     assert!(is_kept(&row), "{row:?}");
 }
 
 #[test]
 fn a_normal_step_stops_and_sigma_zero_lets_it_pass() {
     let step = |_: i32, s: &mut Surface| s.normal = [0.6, 0.0, 0.8];
-    let row = filtered(&Tuning::default(), 0.0, |_, _| (), step);
+    let row = filtered(&svgf_tuning(), 0.0, |_, _| (), step);
     assert!(is_kept(&row), "{row:?}");
-    let row = filtered(&Tuning { sigma_n: 0.0, ..Tuning::default() }, 0.0, |_, _| (), step);
+    let row = filtered(&Tuning { sigma_n: 0.0, ..svgf_tuning() }, 0.0, |_, _| (), step);
     assert!(row[11] > 2.0, "{row:?}");
 }
 
 #[test]
 fn a_slope_does_not_stop_where_the_gradient_explains_it() {
     let slope = |x: i32, s: &mut Surface| s.linear_depth = 4.0 + 0.5 * x as f32;
-    let row = filtered(&Tuning::default(), 0.5, slope, slope);
+    let row = filtered(&svgf_tuning(), 0.5, slope, slope);
     assert!(row[11] > 1.7, "{row:?}");
-    let row = filtered(&Tuning::default(), 0.0, slope, slope);
+    let row = filtered(&svgf_tuning(), 0.0, slope, slope);
     assert!(is_kept(&row), "without the gradient a slope is a row of steps: {row:?}");
-    let row = filtered(&Tuning { sigma_z: 0.0, ..Tuning::default() }, 0.5, slope, slope);
+    let row = filtered(&Tuning { sigma_z: 0.0, ..svgf_tuning() }, 0.5, slope, slope);
     assert!(is_kept(&row), "sigma_z 0 ignores the gradient: {row:?}");
 }
 
 #[test]
 fn the_background_is_neither_filtered_nor_used() {
-    let row = filtered(&Tuning::default(), 0.0, |_, _| (), |_, s| s.linear_depth = 0.0);
+    let row = filtered(&svgf_tuning(), 0.0, |_, _| (), |_, s| s.linear_depth = 0.0);
     assert!(row[12..].iter().all(|l| *l == 8.0), "{row:?}");
     assert!(row[..12].iter().all(|l| *l == 1.0), "{row:?}");
 }
@@ -81,7 +81,7 @@ fn luminance_stops_where_the_deviation_is_small() {
         });
         let inputs =
             AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
-        let output = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0);
+        let output = atrous(&frame(EXTENT), &svgf_tuning(), AtrousLevel::new(0), &inputs).remove(0);
         output.get(12, 4).expect("inside")[0] - output.get(11, 4).expect("inside")[0]
     };
     assert!(contrast(0.0) > 0.999);
@@ -100,7 +100,7 @@ fn the_deviation_in_the_weight_is_blurred_over_three_by_three() {
     let image = paint([5, 5], |x, y| if (x, y) == (2, 2) { [1.0, 1.0, 1.0, 0.0] } else { [2.0, 2.0, 2.0, 1.0] });
     let inputs =
         AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&image] };
-    let [l, ..] = atrous(&frame([5, 5]), &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0).at(IVec2::new(2, 2));
+    let [l, ..] = atrous(&frame([5, 5]), &svgf_tuning(), AtrousLevel::new(0), &inputs).remove(0).at(IVec2::new(2, 2));
     let (centre, w) = (9.0 / 64.0, (-1.0_f32 / (4.0 * 0.75_f32.sqrt() + 1e-4)).exp());
     let expected = (centre + (1.0 - centre) * w * 2.0) / (centre + (1.0 - centre) * w);
     assert!((l - expected).abs() < 2e-3, "{l} for {expected}");
@@ -121,7 +121,7 @@ fn a_mirror_is_not_filtered_and_the_roughest_surface_as_diffuse_light_is() {
             reflection: reflection.as_ref(),
             irradiance: &[&image],
         };
-        atrous(&frame, &Tuning::default(), AtrousLevel::new(0), &inputs).remove(0)
+        atrous(&frame, &svgf_tuning(), AtrousLevel::new(0), &inputs).remove(0)
     };
     let at = |roughness, hit_distance| filtered(Some(SeenReflection { hit_distance, roughness })).at(IVec2::new(9, 9))[0];
     let (own, diffuse) = (image.at(IVec2::new(9, 9))[0], filtered(None).at(IVec2::new(9, 9))[0]);

@@ -9,7 +9,7 @@ const EXTENT: [u32; 2] = [21, 17];
 const SPLINE: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
 
 fn run(frame: &FrameConstants, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-    tuned(frame, &Tuning::default(), level, guides, image)
+    tuned(frame, &svgf_tuning(), level, guides, image)
 }
 
 fn tuned(frame: &FrameConstants, tuning: &Tuning, level: u32, guides: &Guides, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
@@ -46,7 +46,7 @@ fn rare_light_reaches_pixels_that_it_never_hit_only_where_deviations_are_shared(
         AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&rare] };
     let light = |shared_deviation| {
         let level = AtrousLevel { smooth_deviation: false, shared_deviation, ..AtrousLevel::new(0) };
-        let output = atrous(&frame(EXTENT), &Tuning::default(), level, &inputs).remove(0);
+        let output = atrous(&frame(EXTENT), &svgf_tuning(), level, &inputs).remove(0);
         (output.get(11, 8).expect("inside")[0], output.texels().iter().map(|texel| texel[0]).sum::<f32>())
     };
     let ((refused, lost), (taken, kept)) = (light(false), light(true));
@@ -58,7 +58,7 @@ fn rare_light_reaches_pixels_that_it_never_hit_only_where_deviations_are_shared(
 
 #[test]
 fn one_bright_pixel_becomes_the_kernel() {
-    let (frame, tuning) = (frame(EXTENT), Tuning { sigma_l: 128.0, ..Tuning::default() });
+    let (frame, tuning) = (frame(EXTENT), Tuning { sigma_l: 128.0, ..svgf_tuning() });
     for level in 0..3 {
         let step = 1 << level;
         let impulse = paint(EXTENT, |x, y| {
@@ -87,7 +87,7 @@ fn the_variance_is_that_of_filtered_white_noise() {
     let extent = [96, 96];
     // The deviation of uniform noise. Weights must not depend on the noise: then eq. 1 is linear and the prediction is exact.
     let deviation = 1.0 / 12.0_f32.sqrt();
-    let (frame, tuning) = (frame(extent), Tuning { sigma_l: 128.0, ..Tuning::default() });
+    let (frame, tuning) = (frame(extent), Tuning { sigma_l: 128.0, ..svgf_tuning() });
     let guides = flat(extent);
     let mut squares = 0.0;
     let mut number = 0.0;
@@ -117,7 +117,7 @@ fn the_second_level_predicts_as_well() {
     // Level 1 reads every other pixel, and those are correlated after level 0: the prediction is that of independent taps,
     // so white noise is given to level 1 itself.
     let extent = [96, 96];
-    let (frame, tuning) = (frame(extent), Tuning { sigma_l: 128.0, ..Tuning::default() });
+    let (frame, tuning) = (frame(extent), Tuning { sigma_l: 128.0, ..svgf_tuning() });
     let deviation = 1.0 / 12.0_f32.sqrt();
     let output = tuned(&frame, &tuning, 1, &flat(extent), &with_deviation(&noise(extent, 77), deviation));
     let inner = || (8..88).flat_map(|y| (8..88).map(move |x| (x, y))).map(|(x, y)| *output.get(x, y).expect("inside"));
@@ -133,7 +133,7 @@ fn signals_share_nothing_but_geometry() {
     let guides = guides(EXTENT, |x, y| surface(4.0 + 0.01 * (x * y) as f32));
     let inputs =
         AtrousInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, reflection: None, irradiance: &[&a, &b, &c] };
-    let together = atrous(&frame(EXTENT), &Tuning::default(), AtrousLevel::new(1), &inputs);
+    let together = atrous(&frame(EXTENT), &svgf_tuning(), AtrousLevel::new(1), &inputs);
     assert_eq!(together.len(), 3);
     for (output, image) in together.iter().zip([&a, &b, &c]) {
         assert_eq!(*output, run(&frame(EXTENT), 1, &guides, image));

@@ -24,7 +24,7 @@ fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f
         reflection: None,
         albedo: None,
     };
-    debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..Tuning::default() }, &inputs, view)
+    debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..svgf_tuning() }, &inputs, view)
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn the_legend_has_the_colours_of_the_picture() {
         reflection: None,
         albedo: None,
     };
-    let tuning = Tuning { alpha: 0.0, ..Tuning::default() };
+    let tuning = Tuning { alpha: 0.0, ..svgf_tuning() };
     let colour = |inputs: &DebugViewInputs, shown| {
         let [r, g, b, _] = *debug_view(&frame(EXTENT), &tuning, inputs, shown).get(3, 3).expect("inside");
         [r, g, b]

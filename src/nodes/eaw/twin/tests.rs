@@ -16,7 +16,7 @@ struct Settings {
 }
 
 fn of(weights: u32, sampling: Sampling) -> Settings {
-    Settings { weights, sampling, tuning: Tuning::default() }
+    Settings { weights, sampling, tuning: svgf_tuning() }
 }
 
 fn run(s: &Settings, level: u32, surfaces: impl Fn(i32, i32) -> Surface, input: &Image<[f32; 4]>) -> Image<[f32; 4]> {
@@ -86,7 +86,7 @@ fn a_hole_that_sees_nothing_of_its_kind_takes_what_there_is() {
 fn extreme_depths_and_radiances_stay_finite() {
     let surfaces = |x: i32, y: i32| surface([1e-30, 1e-3, 1.0, 1e20, 3e38][(x * 3 + y) as usize % 5]);
     let input = noise(EXTENT, 2).map(|t| t.map(|v| if v > 0.5 { 65504.0 } else { 0.0 }));
-    let settings = Settings { tuning: Tuning { sigma_rt: 1e-4, ..Tuning::default() }, ..of(3, Sampling::Full) };
+    let settings = Settings { tuning: Tuning { sigma_rt: 1e-4, ..svgf_tuning() }, ..of(3, Sampling::Full) };
     for level in [0, 9] {
         assert!(all_finite(&run(&settings, level, surfaces, &input.map(|t| [t[0], t[1], t[2], 0.0]))));
     }

@@ -39,7 +39,7 @@ impl Wall {
 
     /// Runs both passes of a frame.
     fn run(&self, frame: &FrameConstants, inputs: &ForwardProjectInputs) -> (ForwardProjectOutputs, Statistics) {
-        let tuning = Tuning::default();
+        let tuning = svgf_tuning();
         let mut claims = Image::new(inputs.guide.extent().map(|side| side.div_ceil(STRATUM_SIZE)), 0);
         let statistics = forward_project_claim(frame, &tuning, inputs, &mut claims);
         let outputs = forward_project_resolve(frame, &tuning, inputs, &claims, Some(&self.ids));

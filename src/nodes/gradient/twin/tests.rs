@@ -38,7 +38,7 @@ fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) ->
         previous_red_blue: None,
         source: GradientInput::ForwardProjected { gradient_samples: &samples() },
     };
-    let outputs = gradient(frame, &Tuning::default(), 3, &inputs);
+    let outputs = gradient(frame, &svgf_tuning(), 3, &inputs);
     let [_, without] = outputs.gradient.texels() else { panic!("two strata") };
     assert_eq!(without[..2], [0.0, 0.0], "a stratum without a sample");
     // The sample stands for the left stratum, the middle pixel for the right one.
@@ -93,7 +93,7 @@ fn a_dense_image_counts_where_the_surface_was() {
             depth_gradient: &guides.depth_gradient,
         },
     };
-    let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs);
+    let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs);
     let [left, right] = outputs.gradient.texels() else { panic!("two strata") };
     assert!((left[0] - 2.0).abs() < 5e-3 && (left[1] - 4.0).abs() < 5e-3, "{left:?}");
     assert_eq!((right[0], (right[1] - 2.0).abs() < 5e-3), (0.0, true), "{right:?}");
@@ -104,7 +104,7 @@ fn a_dense_image_counts_where_the_surface_was() {
         surface_motion: &guides.surface_motion,
         depth_gradient: &guides.depth_gradient,
     };
-    let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &GradientInputs { source, ..inputs });
+    let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &GradientInputs { source, ..inputs });
     assert!(outputs.gradient.texels().iter().all(|g| g[..2] == [0.0, 0.0]), "another surface was there");
 }
 
@@ -124,7 +124,7 @@ fn a_host_s_own_differences_are_bounded() {
         previous_red_blue: None,
         source: GradientInput::Sparse(Some(&host)),
     };
-    let outputs = gradient(&frame(EXTENT), &Tuning::default(), 3, &inputs);
+    let outputs = gradient(&frame(EXTENT), &svgf_tuning(), 3, &inputs);
     let changes: Vec<_> = outputs.gradient.texels().iter().map(|g| [g[0], g[1]]).collect();
     assert_eq!(changes, [[-0.5, 1.0], [0.0, 0.0]]);
 }

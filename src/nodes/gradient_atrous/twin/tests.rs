@@ -19,7 +19,7 @@ fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surf
             light: None,
             last: false,
         };
-        gradient_atrous(&frame(EXTENT), &Tuning::default(), 3, level, &inputs).gradient
+        gradient_atrous(&frame(EXTENT), &svgf_tuning(), 3, level, &inputs).gradient
     })
 }
 

@@ -72,7 +72,7 @@ impl Wall {
 
 /// History alone, for as long as it is worth.
 fn tuning() -> Tuning {
-    Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..Tuning::default() }
+    Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() }
 }
 
 #[test]
@@ -98,7 +98,7 @@ fn rough_surfaces_and_unknown_distances_move_as_the_surface() {
 fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
     let mut wall = Wall::new(0.7, 0.0, 1.0);
     wall.noisy = noise(EXTENT, 3);
-    let tuning = Tuning::default();
+    let tuning = svgf_tuning();
     let ours = specular_accumulation(&wall.frame, &tuning, &wall.inputs());
     let signal = SignalHistory { irradiance: &wall.history, moments: &wall.moments };
     let diffuse = temporal_accumulation(

@@ -12,7 +12,7 @@ fn run(
     tone_mapped: &Image<[f32; 4]>,
     previous: Option<&Image<[f32; 4]>>,
 ) -> Image<[f32; 4]> {
-    tuned(frame, &Tuning::default(), guides, tone_mapped, previous)
+    tuned(frame, &svgf_tuning(), guides, tone_mapped, previous)
 }
 
 fn tuned(
@@ -66,7 +66,7 @@ fn alpha_is_the_weight_of_the_new_frame() {
     let current = run(&reset(frame(EXTENT)), &flat(EXTENT), &checks, None);
     let history = Image::new(EXTENT, [0.55; 4]);
     for alpha in [0.1, 0.5, 1.0] {
-        let tuning = Tuning { taa_alpha: alpha, ..Tuning::default() };
+        let tuning = Tuning { taa_alpha: alpha, ..svgf_tuning() };
         let display = tuned(&frame(EXTENT), &tuning, &flat(EXTENT), &checks, Some(&history));
         let (now, before) = (current.at(IVec2::new(5, 5))[0], 0.55);
         let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
@@ -96,13 +96,13 @@ fn history_is_clipped_to_the_neighbourhood() {
     let ghost = Image::new(EXTENT, [0.9, 0.1, 0.9, 1.0]);
     let display = run(&frame(EXTENT), &flat(EXTENT), &dark, Some(&ghost));
     assert!(largest_difference(&display, &dark) < 1e-3, "{:?}", display.texels()[0]);
-    let wide = Tuning { taa_gamma: 8.0, taa_alpha: 0.01, ..Tuning::default() };
+    let wide = Tuning { taa_gamma: 8.0, taa_alpha: 0.01, ..svgf_tuning() };
     let speckled = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.3 }; 4]);
     let ghost = Image::new(EXTENT, [0.9; 4]);
     let display = tuned(&frame(EXTENT), &wide, &flat(EXTENT), &speckled, Some(&ghost));
     assert!(display.at(IVec2::new(5, 5))[0] > 0.7, "a wide box lets it pass");
     // The box by hand: five pixels of 0.1 and four of 0.3 around (5, 5).
-    let (frame, tuning, alpha) = (frame(EXTENT), Tuning { taa_gamma: 1.25, ..Tuning::default() }, 0.1);
+    let (frame, tuning, alpha) = (frame(EXTENT), Tuning { taa_gamma: 1.25, ..svgf_tuning() }, 0.1);
     let (mean, deviation) = (1.7 / 9.0, 0.2 * (20.0_f32 / 81.0).sqrt());
     let (now, before) = (run(&reset(frame), &flat(EXTENT), &speckled, None).at(IVec2::new(5, 5))[0], mean + 1.25 * deviation);
     let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
@@ -124,7 +124,7 @@ fn history_follows_the_nearest_surface() {
         }
     }
     let columns = paint(EXTENT, |x, _| [0.05 * x as f32; 4]);
-    let (frame, tuning) = (frame(EXTENT), Tuning { taa_alpha: 0.01, taa_gamma: 8.0, ..Tuning::default() });
+    let (frame, tuning) = (frame(EXTENT), Tuning { taa_alpha: 0.01, taa_gamma: 8.0, ..svgf_tuning() });
     let speckled = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.6 }; 4]);
     let display = tuned(&frame, &tuning, &scene, &speckled, Some(&columns));
     for (x, column) in [(4, 2.0), (6, 4.0), (7, 7.0), (9, 9.0)] {

@@ -40,7 +40,7 @@ impl Scene {
     /// The history that the centre pixel (3, 3) takes, and its moments. `alpha` is 0 and the history long: nearly nothing is
     /// new.
     fn centre(&self) -> (f32, Moments) {
-        let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..Tuning::default() };
+        let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
         let columns = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 0.0]);
         let moments = paint(EXTENT, |x, y| {
             pack_moments(&Moments { mean: x as f32, deviation: 0.5, history_length: 1000.0 + y as f32, reason: 1 })
@@ -162,7 +162,7 @@ fn the_tests_are_of_what_is_expected_of_the_previous_frame() {
 fn another_render_extent_is_scaled() {
     let (now, before) = ([4, 4], [2, 2]);
     let frame = FrameConstants { previous_render_extent: before, ..frame(now) };
-    let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..Tuning::default() };
+    let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
     let guides = guides(now, |_, _| surface(4.0));
     let columns = paint(now, |x, _| [[8.0, 16.0, 99.0, 99.0][x as usize]; 4]);
     let moments = Image::new(now, pack_moments(&Moments { mean: 8.0, history_length: 1e3, ..Moments::default() }));
@@ -203,7 +203,7 @@ fn signals_are_independent_but_for_taps_and_length() {
                 before.into_iter().flatten().map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
             let next = temporal_accumulation(
                 &frame(EXTENT),
-                &Tuning::default(),
+                &svgf_tuning(),
                 &TemporalAccumulationInputs {
                     guide: &guides.guide,
                     surface_motion: &guides.surface_motion,

@@ -12,7 +12,7 @@ fn step(
     c: &Image<[f32; 4]>,
     previous: Option<&TemporalAccumulationOutputs>,
 ) -> TemporalAccumulationOutputs {
-    tuned(frame, &Tuning::default(), guides, c, previous)
+    tuned(frame, &svgf_tuning(), guides, c, previous)
 }
 
 fn tuned(
@@ -51,7 +51,7 @@ fn grey(extent: [u32; 2], l: f32) -> Image<[f32; 4]> {
 
 #[test]
 fn alpha_zero_is_the_running_mean_and_the_sample_variance() {
-    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.0, alpha_moments: 0.0, ..Tuning::default() });
+    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.0, alpha_moments: 0.0, ..svgf_tuning() });
     let guides = flat(EXTENT);
     let samples: Vec<_> = (0..20).map(|i| noise(EXTENT, i)).collect();
     let mut previous = None;
@@ -83,7 +83,7 @@ fn alpha_bounds_the_weight_of_a_new_sample() {
         moments: vec![Image::new(EXTENT, pack_moments(&moments))],
         statistics: Statistics::default(),
     };
-    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.25, alpha_moments: 0.5, ..Tuning::default() });
+    let (frame, tuning) = (frame(EXTENT), Tuning { alpha: 0.25, alpha_moments: 0.5, ..svgf_tuning() });
     let output = tuned(&frame, &tuning, &guides, &grey(EXTENT, 3.0), Some(&previous));
     assert_eq!(output.irradiance[0].texels()[7][0], 1.5);
     let moments = unpack_moments(output.moments[0].texels()[7]);

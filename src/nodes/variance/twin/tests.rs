@@ -14,7 +14,7 @@ fn deviations(frame: &FrameConstants, guides: &Guides, moments: &Image<Moments>)
         irradiance: &[&c],
         moments: &[&moments.map(pack_moments)],
     };
-    let output = variance(frame, &Tuning::default(), &inputs).remove(0);
+    let output = variance(frame, &svgf_tuning(), &inputs).remove(0);
     let kept = |a: &[f32; 4], b: &[f32; 4]| (0..3).all(|i| a[i] == crate::reference::round_to_half(b[i]));
     assert!(output.texels().iter().zip(c.texels()).all(|(a, b)| kept(a, b)), "irradiance passes");
     output.map(|t| t[3])
@@ -92,7 +92,7 @@ fn two_signals_and_a_larger_allocation_change_nothing() {
     let (a, b) = (noise(EXTENT, 3), noise(EXTENT, 4));
     let run = |frame: &FrameConstants, guides: &Guides, irradiance: &[&Image<[f32; 4]>], moments: &[&Image<[u16; 4]>]| {
         let inputs = VarianceInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance, moments };
-        variance(frame, &Tuning::default(), &inputs)
+        variance(frame, &svgf_tuning(), &inputs)
     };
     let one = run(&frame(EXTENT), &tight, &[&b], &[&moments]).remove(0);
     let flat = Image::new(EXTENT, pack_moments(&of(1.0, 0.0, 1.0)));

@@ -25,7 +25,7 @@ struct Sequence {
 impl Sequence {
     fn new() -> Self {
         // One scene unit of occluder distance is a penumbra of half a pixel to either side.
-        let tuning = Tuning { light_radius: 1.0 / 24.0, ..Tuning::default() };
+        let tuning = Tuning { light_radius: 1.0 / 24.0, ..svgf_tuning() };
         Self { guides: guides(EXTENT, |_, _| surface(1.0)), history: None, tuning }
     }
 

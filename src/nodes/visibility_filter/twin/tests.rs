@@ -12,7 +12,7 @@ fn filtered(radius: f32, deviation: f32, estimate: impl Fn(i32, i32) -> f32) -> 
     // Pixels are 2/32 scene units long.
     let history = VisibilityHistory { mean: 0.5, deviation: 0.5, history_length: 4.0, occluder_distance: radius };
     let history = Image::new(EXTENT, pack_visibility(&history));
-    let tuning = Tuning { light_radius: 2.0 / 32.0, penumbra_blur: 0.5, ..Tuning::default() };
+    let tuning = Tuning { light_radius: 2.0 / 32.0, penumbra_blur: 0.5, ..svgf_tuning() };
     (0..4).fold(paint(EXTENT, |x, y| [estimate(x, y), deviation]), |estimate, level| {
         let inputs = VisibilityFilterInputs {
             guide: &g.guide,

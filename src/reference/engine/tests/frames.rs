@@ -3,14 +3,14 @@
 use super::super::super::test_scene::*;
 use super::super::super::{round_image_to_half, round_to_half, tone_map, Reason};
 use super::*;
-use crate::config::{PostProcess, Signals};
+use crate::config::{PostProcess, Preset, Signals};
 use crate::Counter;
 use glam::Vec3;
 
 const EXTENT: [u32; 2] = [13, 9];
 
 fn config(extent: [u32; 2]) -> Config {
-    Config { surface_id: false, ..Config::new(extent) }
+    Config { preset: Preset::Svgf, surface_id: false, ..Config::new(extent) }
 }
 
 #[test]
@@ -21,7 +21,7 @@ fn the_sky_passes_untouched() {
     let depth = paint(EXTENT, |x, _| [if x < 6 { f32::INFINITY } else { 4.0 }; 4]);
     host.engine.upload("depth", depth.texels()).expect("depth");
     host.engine.upload("albedo", &[[0.5, 0.25, 0.125, 0.0]; 13 * 9]).expect("albedo");
-    host.engine.run(&camera(EXTENT, Vec3::ZERO), &Tuning::default()).expect("frame");
+    host.engine.run(&camera(EXTENT, Vec3::ZERO), &svgf_tuning()).expect("frame");
     let output = host.image("denoised_radiance");
     let mut changed = 0;
     for y in 0..9 {
@@ -73,7 +73,8 @@ fn assert_good(engine: &Engine, frame: &FrameContext, pass: usize) {
 #[test]
 fn no_bad_value_of_any_input_reaches_an_output() {
     let extent = [24, 16];
-    let config = Config { signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
+    let config =
+        Config { preset: Preset::Svgf, signals: Signals::Apart, post_process: PostProcess::ToneMapTaa, ..Config::new(extent) };
     let mut host = Host::new(&config);
     bad_inputs(&mut host.engine, extent);
     for i in 0..3 {
@@ -120,7 +121,7 @@ fn what_is_between_the_stages_and_behind_them_can_be_read() {
     let mut mapped = Host::new(&Config { post_process: PostProcess::ToneMap, ..config });
     mapped.frame(&camera(EXTENT, Vec3::ZERO), &noise(EXTENT, 1));
     let constants = frame_with(&config, &FrameParams::new(EXTENT), &FrameParams::new(EXTENT));
-    assert_eq!(mapped.image("display"), tone_map(&constants, &Tuning::default(), &[&mapped.image("denoised_radiance")]));
+    assert_eq!(mapped.image("display"), tone_map(&constants, &svgf_tuning(), &[&mapped.image("denoised_radiance")]));
     assert_eq!(mapped.image("denoised_radiance"), host.image("denoised_radiance"));
 }
 

@@ -83,7 +83,7 @@ fn after_an_error_of_a_function_the_next_frame_drops_history() {
     let params = camera(EXTENT, Vec3::ZERO);
     assert_eq!(broken.frame(&params, &noise(EXTENT, 0)).reset, Some(ResetReason::Created));
     assert_eq!(broken.frame(&params, &noise(EXTENT, 1)).reset, None);
-    let error = broken.engine.run(&params, &Tuning::default()).expect_err("the function fails");
+    let error = broken.engine.run(&params, &svgf_tuning()).expect_err("the function fails");
     assert_eq!(error, Error::NotBound("what the host lost".to_owned()));
     assert_eq!(broken.frame(&params, &noise(EXTENT, 3)).reset, Some(ResetReason::Created));
     fresh.frame(&params, &noise(EXTENT, 3));
@@ -97,7 +97,7 @@ fn what_a_function_asks_for_and_writes_is_checked() {
     let message = |twin: Twin| {
         let mut host = host(twin);
         host.upload(EXTENT, &noise(EXTENT, 0));
-        host.engine.run(&params, &Tuning::default()).expect_err("refused").to_string()
+        host.engine.run(&params, &svgf_tuning()).expect_err("refused").to_string()
     };
     let missing = message(|b| b.colour("dark").map(|_| ()));
     assert!(missing.contains("`halve`") && missing.contains("`dark`") && missing.contains("bright"), "{missing}");

@@ -96,7 +96,7 @@ fn a_required_input_that_is_missing_is_named_and_nothing_is_lost() {
         host.frame(&params, &noisy);
         for &name in names {
             host.engine.unbind(name).expect(name);
-            assert_eq!(host.engine.run(&params, &Tuning::default()), Err(Error::NotBound(name.into())));
+            assert_eq!(host.engine.run(&params, &svgf_tuning()), Err(Error::NotBound(name.into())));
             let again = match name {
                 "surface_id" => host.engine.upload_ids(name, &[1; PIXELS]),
                 _ => host.engine.upload(name, noisy.texels()),
@@ -126,11 +126,11 @@ fn a_frame_that_is_refused_leaves_the_history() {
     let good = camera(EXTENT, Vec3::ZERO);
     used.frame(&good, &noise(EXTENT, 0));
     fresh.frame(&good, &noise(EXTENT, 0));
-    let error = used.engine.run(&FrameParams::new([99, 99]), &Tuning::default()).expect_err("too large");
+    let error = used.engine.run(&FrameParams::new([99, 99]), &svgf_tuning()).expect_err("too large");
     assert_eq!(error, Error::RenderExtent { render: [99, 99], allocated: EXTENT });
-    let error = used.engine.run(&FrameParams { jitter: [0.0, 3.0], ..good }, &Tuning::default()).expect_err("too far");
+    let error = used.engine.run(&FrameParams { jitter: [0.0, 3.0], ..good }, &svgf_tuning()).expect_err("too far");
     assert_names(error, &["jitter"]);
-    let error = used.engine.run(&good, &Tuning { sigma_n: f32::NAN, ..Tuning::default() }).expect_err("not a number");
+    let error = used.engine.run(&good, &Tuning { sigma_n: f32::NAN, ..svgf_tuning() }).expect_err("not a number");
     assert_names(error, &["sigma_n is NaN"]);
     assert_eq!(used.frame(&good, &noise(EXTENT, 1)).reset, None);
     fresh.frame(&good, &noise(EXTENT, 1));

@@ -33,7 +33,7 @@ fn a_transient_has_memory_from_its_first_pass_to_its_last() {
         let mut engine = frugal().engine;
         assert!(transients(&engine).len() > 5);
         for _ in 0..2 {
-            let frame = engine.state.begin(engine.declaration.setup(), &params(debug_view), &Tuning::default()).expect("usable");
+            let frame = engine.state.begin(engine.declaration.setup(), &params(debug_view), &svgf_tuning()).expect("usable");
             for pass in 0..engine.declaration.passes().len() {
                 engine.step(&frame, pass).expect("runs");
                 for (id, first, last) in transients(&engine) {

@@ -7,7 +7,7 @@ mod memory;
 mod sequences;
 mod volumes;
 
-use super::super::test_scene::embed;
+use super::super::test_scene::{embed, svgf_tuning};
 use super::super::{unpack_moments, Moments};
 use super::*;
 use crate::config::Config;
@@ -43,13 +43,13 @@ impl Host {
 
     fn frame(&mut self, params: &FrameParams, noisy: &Image<[f32; 4]>) -> FrameContext {
         self.upload(params.render_extent, noisy);
-        self.engine.run(params, &Tuning::default()).expect("frame")
+        self.engine.run(params, &svgf_tuning()).expect("frame")
     }
 
     /// Runs a frame of the inputs that there are, with a look at what stands after each pass.
     fn frame_by_pass(&mut self, params: &FrameParams, mut look: impl FnMut(&Engine, &FrameContext, usize)) {
         let engine = &mut self.engine;
-        let frame = engine.state.begin(engine.declaration.setup(), params, &Tuning::default()).expect("usable");
+        let frame = engine.state.begin(engine.declaration.setup(), params, &svgf_tuning()).expect("usable");
         engine.frame = Some(frame);
         for pass in 0..engine.declaration.passes().len() {
             engine.step(&frame, pass).expect("runs");

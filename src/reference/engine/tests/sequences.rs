@@ -3,14 +3,14 @@
 use super::super::super::test_scene::*;
 use super::super::super::{round_to_half, Reason};
 use super::*;
-use crate::config::PostProcess;
+use crate::config::{PostProcess, Preset};
 use crate::ResetReason;
 use glam::Vec3;
 
 const EXTENT: [u32; 2] = [32, 18];
 
 fn host(allocated: [u32; 2]) -> Host {
-    Host::new(&Config { post_process: PostProcess::ToneMapTaa, surface_id: false, ..Config::new(allocated) })
+    Host::new(&Config { preset: Preset::Svgf, post_process: PostProcess::ToneMapTaa, surface_id: false, ..Config::new(allocated) })
 }
 
 /// Overwrites both copies of every history with what is not finite; but the guide, for a pixel without a surface would have no history.
