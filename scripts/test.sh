@@ -47,6 +47,8 @@ step cargo clippy --package atrous --quiet -- -D warnings
 step cargo clippy --package atrous --no-default-features --lib --example host_ash --quiet -- -D warnings
 step cargo clippy --package atrous --no-default-features --features capture --lib --quiet -- -D warnings
 step cargo test --workspace --features capture,window,hot-reload --quiet
+# Links to what a feature leaves out.
+RUSTDOCFLAGS="-D warnings" step cargo doc --package atrous --no-default-features --no-deps --quiet
 RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --features capture,window,hot-reload --no-deps --quiet
 echo
 echo "test.sh: all passed"
