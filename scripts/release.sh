@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Checks the packages that are published, as their users will get them: with the minimum Rust version, from what cargo packages, as
-# the public documentation builds them, and, from the first release on, against the last release by the rules of semantic versions.
-# Last it writes target/third-party-notices.html, which goes with every binary or C library that is handed on. Installs what is missing.
+# the public documentation builds them, from the first release on against the last release by the rules of semantic versions, and
+# what they depend on: licences, duplicates, sources, and the advisories of RustSec.
+# It also writes target/third-party-notices.html, which goes with every binary or C library that is handed on. Installs what is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 scripts/setup.sh
@@ -45,7 +46,12 @@ for name in "${names[@]}"; do
     fi
 done
 
+cargo deny --version >/dev/null 2>&1 || cargo install cargo-deny --locked
+step cargo deny --workspace check bans licenses sources
+
 cargo about --version >/dev/null 2>&1 || cargo install cargo-about --locked --features cli
 step cargo about generate --offline --locked --workspace --output-file target/third-party-notices.html scripts/notices.hbs --config scripts/notices.toml
+# Last: it fetches what is known today, and fails where it cannot.
+step cargo deny --workspace check advisories
 echo
 echo "release.sh: all passed"

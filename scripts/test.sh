@@ -47,6 +47,10 @@ step cargo clippy --package atrous --quiet -- -D warnings
 step cargo clippy --package atrous --no-default-features --lib --example host_ash --quiet -- -D warnings
 step cargo clippy --package atrous --no-default-features --features capture --lib --quiet -- -D warnings
 step cargo test --workspace --features capture,window,hot-reload --quiet
+# Without a feature there is nothing to link to what it has.
+for features in --no-default-features --features=default; do
+    RUSTDOCFLAGS="-D warnings" step cargo doc --package atrous "$features" --no-deps --quiet
+done
 RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --features capture,window,hot-reload --no-deps --quiet
 echo
 echo "test.sh: all passed"

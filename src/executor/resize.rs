@@ -8,7 +8,7 @@ impl Executor {
     /// ones exist until then; the first frame drops all history: see [`Denoiser::resize`](crate::Denoiser::resize).
     ///
     /// Buffers that the host bound stay bound. Its images do not: [`Self::begin_frame`] names one that was neither bound again nor
-    /// unbound. A capture ends here, since its frames have one extent: [`Self::finish_capture`] says so if it lacks any.
+    /// unbound. A capture ends here, since its frames have one extent: `finish_capture` says so if it lacks any.
     ///
     /// # Errors
     /// Errors of [`Denoiser::resize`](crate::Denoiser::resize); [`Error::OutOfMemory`]. Nothing is changed then.

@@ -81,9 +81,17 @@ fn match_bindings(pass: &Pass, automatic: &Automatic, resources: &[ResourceDecl]
             continue;
         };
         let id = wire.image.id;
-        check_fit(binding, wire, &resources[id.0 as usize])?;
+        let resource = &resources[id.0 as usize];
+        check_fit(binding, wire, resource)?;
+        let new = Use { resource: id, frame: wire.frame, access: access(binding.kind) };
+        // Nothing orders what happens inside of a pass.
+        let is_met = |u: &Use| u.resource == id && u.frame == new.frame && (u.access.writes() || new.access.writes());
+        if uses.iter().any(is_met) {
+            let problem = format!("`{}` is bound in the same pass already, and written; bind another image", resource.name);
+            return mismatch(&binding.name, problem);
+        }
         wired.push(Some(uses.len()));
-        uses.push(Use { resource: id, frame: wire.frame, access: access(binding.kind) });
+        uses.push(new);
     }
     let use_at = |other: &ShaderBinding| shader.bindings.iter().zip(&wired).find(|(b, _)| b.number == other.number)?.1.as_ref();
     let slot = |(binding, wired): (&ShaderBinding, &Option<usize>)| {

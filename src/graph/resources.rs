@@ -44,7 +44,7 @@ impl Graph {
     }
 
     /// An image with one texel for every `divisor` × `divisor` pixels, of the host's own use between stages of its own: see
-    /// [`super::StageCall`].
+    /// `StageCall`, which needs the feature `host-stages`.
     pub fn transient(&mut self, name: &str, format: vk::Format, divisor: u32) -> Image {
         let name = self.scoped(name, "");
         if component_of(format).is_none() {

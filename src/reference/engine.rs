@@ -9,7 +9,7 @@ use crate::contract::{
 use crate::error::Error;
 use ash::vk;
 
-/// A declaration on the CPU, from slices to slices: what [`crate::executor::Session`] is on a GPU.
+/// A declaration on the CPU, from slices to slices: what `executor::Session` is on a GPU.
 ///
 /// Slow, and the measure of what a GPU should give.
 #[derive(Clone, Debug)]

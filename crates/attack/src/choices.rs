@@ -1,6 +1,7 @@
 //! Choices that follow from bytes.
 
 /// Choices that bytes make. Behind their end each is the last one that there is, which is the usual one where that matters.
+#[derive(Clone)]
 pub struct Choices<'a> {
     bytes: &'a [u8],
 }

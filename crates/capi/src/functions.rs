@@ -8,6 +8,7 @@ use crate::{convert, GetInstanceProcAddr};
 use ash::vk::Handle;
 use atrous::contract::ResourceId;
 use atrous::{Config, Denoiser, Device, Tuning, UseFrame};
+use std::collections::BTreeMap;
 use std::ffi::{c_char, c_void, CStr};
 
 /// Fills a configuration with defaults for an extent.
@@ -72,7 +73,7 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         let loaded = Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?;
         let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
         let denoiser = Denoiser::new(host, config.declare()?)?;
-        let frames = vec![None; config.frames_in_flight as usize];
+        let frames = BTreeMap::new();
         Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })
     }
 }
@@ -98,7 +99,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
         handle::with(denoiser, |state| {
             state.denoiser.resize([width, height])?;
             state.generation += 1;
-            state.frames.fill(None);
+            state.frames.clear();
             Ok(())
         })
     })
@@ -253,9 +254,7 @@ pub unsafe extern "C" fn atrous_begin_frame(
                 read("params", params)?.to_params()?
             };
             let context = state.denoiser.begin_frame(&params, &state.tuning)?;
-            if let Some(slot) = state.frames.get_mut(context.slot as usize) {
-                *slot = Some(context);
-            }
+            state.frames.insert(context.slot, context);
             let value = AtrousFrame {
                 struct_size: size_of::<AtrousFrame>() as u32,
                 frame_slot: context.slot,

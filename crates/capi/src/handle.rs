@@ -17,7 +17,7 @@ pub(super) struct State {
     /// Counts resizes; a frame of an earlier generation is refused.
     pub generation: u64,
     /// The frame that was begun last, by slot.
-    pub frames: Vec<Option<FrameContext>>,
+    pub frames: BTreeMap<u32, FrameContext>,
 }
 
 struct Table {

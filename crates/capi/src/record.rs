@@ -59,7 +59,7 @@ fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure>
             given.index
         )));
     }
-    let begun = state.frames.get(given.frame_slot as usize).copied().flatten();
+    let begun = state.frames.get(&given.frame_slot).copied();
     begun.filter(|context| context.index == given.index).ok_or_else(|| {
         stale(format!(
             "frame {} is not the one that was begun last in slot {}; call atrous_begin_frame",
@@ -80,17 +80,19 @@ fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
     Ok(&decl.uses)
 }
 
-fn binding(index: usize, access: Access, given: &AtrousBinding) -> Result<Binding, Failure> {
-    if access == Access::Clear && !given.image.is_null() && given.buffer.is_null() {
-        return Ok(Binding::ClearedImage { image: given.image, layout: given.layout });
-    }
-    match (given.view.is_null(), given.buffer.is_null()) {
-        (false, false) => Err(Failure {
-            status: AtrousStatus::BadBindings,
-            message: format!("binding {index} has both a view and a buffer; leave one of them VK_NULL_HANDLE"),
-        }),
-        (false, true) => Ok(Binding::Image { view: given.view, layout: given.layout }),
-        (true, false) => Ok(Binding::Buffer { buffer: given.buffer, offset: given.offset, range: given.range }),
-        (true, true) => Ok(Binding::Absent),
+/// The binding that a host means, where its handles mean one thing.
+pub(super) fn binding(index: usize, access: Access, given: &AtrousBinding) -> Result<Binding, Failure> {
+    let refused =
+        |message: &str| Err(Failure { status: AtrousStatus::BadBindings, message: format!("binding {index} has {message}") });
+    let has_image = !given.image.is_null();
+    match (has_image || !given.view.is_null(), given.buffer.is_null()) {
+        (true, false) => refused("both an image and a buffer; leave the handles of one VK_NULL_HANDLE"),
+        (true, true) if has_image && access == Access::Clear => {
+            Ok(Binding::ClearedImage { image: given.image, layout: given.layout })
+        }
+        (true, true) if given.view.is_null() => refused("an image without a view; give a 2D view of its mip 0 and layer 0"),
+        (true, true) => Ok(Binding::Image { view: given.view, layout: given.layout }),
+        (false, false) => Ok(Binding::Buffer { buffer: given.buffer, offset: given.offset, range: given.range }),
+        (false, true) => Ok(Binding::Absent),
     }
 }

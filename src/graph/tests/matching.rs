@@ -65,6 +65,19 @@ fn problem(edit: impl FnOnce(Pass, &Images) -> Pass, port: &str, wanted: &[&str]
 }
 
 #[test]
+fn an_image_that_a_pass_writes_is_bound_once() {
+    let both = |from: fn(&Images) -> Image, to: fn(&Images) -> Image| {
+        finish_with(|images| {
+            let pass = Pass::new("mine", &shaders::ATROUS_SIGNALS_1).bind("output_0", to(images)).bind("input_0", from(images));
+            pass.bind("depth_gradient", images.slopes).bind("guide", images.guide).level(3)
+        })
+    };
+    both(|images| images.input, |images| images.output).expect("two images");
+    let message = both(|images| images.output, |images| images.output).expect_err("one image").to_string();
+    assert_names(&message, &["node `mine`", "port `output_0`", "`to` is bound in the same pass already", "another image"]);
+}
+
+#[test]
 fn bindings_are_ordered_by_number_and_an_unwired_one_has_no_use() {
     let declaration = finish_with(Images::modulation).expect("it fits");
     let pass = &declaration.passes()[1];
