@@ -2,10 +2,10 @@
 // What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
 // Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
 // In:  guide, surface_motion, statistics; moments, block_percentiles and irradiance_history per signal, history_confidence, gradient, noisy
-//      radiance per signal and albedo, reflection, each where the graph has it.
+//      radiance per signal and albedo, reflection, visibility_history, each where the graph has it.
 // Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
 // optional: surface_motion, moments_0, moments_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
-// optional: gradient, noisy_1, albedo, reflection
+// optional: gradient, noisy_1, albedo, reflection, visibility_history
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -16,6 +16,7 @@ layout(push_constant) uniform Push {
     float alpha;
     float percentile_range;
     float firefly_bias;
+    float light_radius;
 } push;
 
 #include "frame.glsl"
@@ -28,6 +29,7 @@ layout(push_constant) uniform Push {
 #include "firefly_limit.glsl"
 #include "strata.glsl"
 #include "reflection.glsl"
+#include "visibility.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -44,6 +46,7 @@ const uint GRADIENT = 11u;
 const uint NOISY_1 = 13u;
 const uint ALBEDO = 14u;
 const uint REFLECTION = 16u;
+const uint VISIBILITY_HISTORY = 17u;
 
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 layout(set = 0, binding = 2) uniform utexture2D guide;
@@ -61,10 +64,14 @@ layout(set = 0, binding = NOISY_1) uniform texture2D noisy_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 15, rgba16f) uniform writeonly image2D debug_view;
 layout(set = 0, binding = REFLECTION) uniform utexture2D reflection;
+layout(set = 0, binding = VISIBILITY_HISTORY) uniform utexture2D visibility_history;
+
+#include "virtual_motion.glsl"
 
 // In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; FRAME: none.
-const uint NEEDED[16] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
-                               BLOCK_PERCENTILES_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME, REFLECTION, REFLECTION);
+const uint NEEDED[20] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
+                               BLOCK_PERCENTILES_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME, REFLECTION, REFLECTION,
+                               REFLECTION, REFLECTION, VISIBILITY_HISTORY, VISIBILITY_HISTORY);
 const uint VIEW_HISTORY_LENGTH = 0u;
 const uint VIEW_VARIANCE = 1u;
 const uint VIEW_MOMENTS = 2u;
@@ -81,10 +88,15 @@ const uint VIEW_SURFACE_ID = 12u;
 const uint VIEW_BAD_VALUES = 13u;
 const uint VIEW_HIT_DISTANCE = 14u;
 const uint VIEW_LOBE_ANGLE = 15u;
+const uint VIEW_VIRTUAL_MOTION = 16u;
+const uint VIEW_REFLECTION_HISTORY = 17u;
+const uint VIEW_VISIBILITY = 18u;
+const uint VIEW_PENUMBRA = 19u;
 
 const float LONG_HISTORY = 32.0;    // frames; from here on histories look alike
 const float WIDEST_LOBE = 45.0;     // degrees
 const float LARGE_MOTION = 64.0;    // pixels; from here on motions look alike
+const float WIDE_PENUMBRA = 16.0;   // pixels
 const float VARIANCE_SCALE = 4.0;   // deviations of 1/4 are in the middle of the colours
 const uint BAD_KINDS = 12u;
 
@@ -93,6 +105,10 @@ const vec3 VIRIDIS[9] = vec3[](vec3(68, 1, 84), vec3(71, 45, 123), vec3(59, 82, 
 // Okabe and Ito's: history, off screen, background or id, depth, normal, reset.
 const vec3 REASON_COLOURS[6] = vec3[](vec3(60, 60, 60), vec3(230, 159, 0), vec3(86, 180, 233), vec3(0, 158, 115),
                                       vec3(240, 228, 66), vec3(213, 94, 0));
+
+// Pasts of a reflection, linear: where the surface was, where the image was.
+const vec3 SURFACE_PAST = vec3(0.8, 0.35, 0.02);
+const vec3 IMAGE_PAST = vec3(0.05, 0.3, 0.8);
 
 // Of a colour in sRGB, 0..255; every component is beyond the linear part of its curve or black.
 vec3 from_srgb(vec3 c) { return pow((c / 255.0 + 0.055) / 1.055, vec3(2.4)); }
@@ -155,12 +171,13 @@ vec4 gradient_at(ivec2 p) {
     return vec4(max(t, 0.0), 0.15 * abs(t), max(-t, 0.0), value.x);
 }
 
-vec4 motion_at(ivec2 p) {
-    vec2 motion = unpack_surface_motion(texelFetch(surface_motion, p, 0)).motion;
+vec4 coloured_motion(vec2 motion) {
     float pixels = length(motion), t = min(log2(1.0 + pixels) / log2(1.0 + LARGE_MOTION), 1.0);
     vec2 direction = pixels > 0.0 ? motion / pixels : vec2(0.0);
     return vec4(0.5 + 0.5 * t * direction, 0.5 - 0.5 * t, pixels);
 }
+
+vec2 motion_at(ivec2 p) { return unpack_surface_motion(texelFetch(surface_motion, p, 0)).motion; }
 
 vec4 id_at(uint id) {
     uint hash = pcg(id);
@@ -186,6 +203,29 @@ vec4 lobe_angle_at(ivec2 p) {
     return vec4(false_colour(angle / WIDEST_LOBE), angle);
 }
 
+// Of the image behind the surface; of the surface, where nothing is known of it.
+vec4 virtual_motion_at(ivec2 p, uvec4 packed) {
+    Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
+    vec2 motion = is_present(SURFACE_MOTION) ? motion_at(p) : vec2(0.0), position;
+    Mirror mirror = mirror_at(p, packed, motion);
+    float distance = image_distance(r, mean_curvature(mirror));
+    bool known = r.hit_distance > 0.0 && virtual_position(mirror, distance, mirror_share(r.roughness), position);
+    return coloured_motion(known ? position - mirror.surface_position + motion : motion);
+}
+
+vec4 reflection_history_at(ivec2 p) {
+    float share = unpack_image_share(texelFetch(reflection, p, 0).x);
+    return share < 0.0 ? vec4(from_srgb(REASON_COLOURS[5]), share) : vec4(mix(SURFACE_PAST, IMAGE_PAST, share), share);
+}
+
+// Of a surface that faces the camera: radii of the filter are measured in such pixels.
+vec4 penumbra_at(ivec2 p, uvec4 packed) {
+    float distance = unpack_visibility(texelFetch(visibility_history, p, 0).x).occluder_distance;
+    vec2 size = pixel_size(unpack_depth(packed));
+    float pixels = push.light_radius * distance / max(size.x, size.y);
+    return distance > 0.0 ? vec4(false_colour(pixels / WIDE_PENUMBRA), pixels) : vec4(0.0);
+}
+
 vec4 shown(ivec2 p, uvec4 packed, uint view) {
     float value = 0.0;
     switch (view) {
@@ -207,7 +247,11 @@ vec4 shown(ivec2 p, uvec4 packed, uint view) {
         uint reason = min(texelFetch(moments_0, p, 0).w, REASON_RESET);
         return vec4(from_srgb(REASON_COLOURS[reason]), float(reason));
     }
-    case VIEW_MOTION: return motion_at(p);
+    case VIEW_MOTION: return coloured_motion(motion_at(p));
+    case VIEW_VIRTUAL_MOTION: return virtual_motion_at(p, packed);
+    case VIEW_REFLECTION_HISTORY: return reflection_history_at(p);
+    case VIEW_VISIBILITY: value = unpack_visibility(texelFetch(visibility_history, p, 0).x).mean; return vec4(false_colour(value), value);
+    case VIEW_PENUMBRA: return penumbra_at(p, packed);
     case VIEW_HIT_DISTANCE: return hit_distance_at(p, packed);
     case VIEW_LOBE_ANGLE: return lobe_angle_at(p);
     case VIEW_NORMAL: return vec4(unpack_normal(packed) * 0.5 + 0.5, 0.0);
@@ -219,7 +263,7 @@ vec4 shown(ivec2 p, uvec4 packed, uint view) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uint view = min(push.level, VIEW_LOBE_ANGLE);
+    uint view = min(push.level, VIEW_PENUMBRA);
     uvec4 packed = texelFetch(guide, p, 0);
     vec4 value = vec4(0.0);
     if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);

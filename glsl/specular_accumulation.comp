@@ -4,7 +4,7 @@
 // that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe.
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
-// Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units) and roughness.
+// Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // optional: roughness, history_confidence
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -50,16 +50,13 @@ layout(set = 0, binding = 11, rgba16f) uniform writeonly image2D accumulated;
 layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_moments;
 layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
 
+#include "virtual_motion.glsl"
+
 // The surface of a pixel, with what is expected of it in the previous frame.
 struct Centre {
-    ivec2 p;
-    uvec4 packed;
-    vec3 position;   // world space
-    vec3 sight;      // from the eye, of unit length
-    vec3 normal;
+    Mirror mirror;
     float depth;
     Expected expected;  // of the surface in the previous frame, at its position
-    vec2 surface_position;  // in the previous frame, pixels; centres are whole numbers
 };
 
 // What the past holds at one position.
@@ -72,17 +69,9 @@ struct Past {
 };
 
 Centre centre_of(ivec2 p, uvec4 packed) {
-    Centre c;
-    c.p = p;
-    c.packed = packed;
-    c.depth = unpack_depth(packed);
-    c.position = (frame.world_from_view * vec4(view_position(p, c.depth), 1.0)).xyz;
-    c.sight = line_of_sight(p);
-    c.normal = unpack_normal(packed);
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
-    c.expected = expected_surface(packed, m, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x), m.previous_normal);
-    c.surface_position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
-    return c;
+    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
+    return Centre(mirror_at(p, packed, m.motion), unpack_depth(packed), expected_surface(packed, m, gradient, m.previous_normal));
 }
 
 // Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs.
@@ -93,66 +82,21 @@ float hit_distance_now(Centre c, float own, float roughness) {
     // Registers are scarce here: unrolled, its taps would all be in flight at once.
     [[dont_unroll]] for (int y = -1; y <= 1; ++y)
         [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
-            ivec2 q = c.p + ivec2(x, y), tap = nearest_inside(q);
+            ivec2 q = c.mirror.p + ivec2(x, y), tap = nearest_inside(q);
             float distance = texelFetch(noisy, tap, 0).a;
             uvec4 packed = texelFetch(guide, tap, 0);
-            bool same = q == tap && distance > 0.0 && unpack_depth(packed) != 0.0 && unpack_id(packed) == unpack_id(c.packed);
+            bool same = q == tap && distance > 0.0 && unpack_depth(packed) != 0.0 && unpack_id(packed) == unpack_id(c.mirror.packed);
             float weight = same ? exp2(-float(x * x + y * y) * min(sharpness, 64.0)) : 0.0;
             sum += weight * vec2(nearness_of(unpack_depth(packed), distance), 1.0);
         }
     return sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
 }
 
-// Pixels between normals of which the curvature is made: the guide's are rounded to half a degree.
-const int CURVATURE_REACH = 3;
-
-// Curvature towards one side, 1 / scene unit; positive: convex. False: another surface is there.
-bool curvature_towards(Centre c, ivec2 offset, out float curvature) {
-    ivec2 q = c.p + offset;
-    curvature = 0.0;
-    if (!is_inside(q)) return false;
-    uvec4 packed = texelFetch(guide, q, 0);
-    float z = unpack_depth(packed);
-    if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
-    vec3 way = (frame.world_from_view * vec4(view_position(q, z), 1.0)).xyz - c.position;
-    curvature = dot(unpack_normal(packed) - c.normal, way) / max(dot(way, way), 1e-20);
-    return true;
-}
-
-// The flatter side of each axis counts: where two faces meet, the other one tells of the edge.
-float curvature_along(Centre c, ivec2 axis) {
-    float before, behind;
-    bool has_before = curvature_towards(c, -CURVATURE_REACH * axis, before);
-    bool has_behind = curvature_towards(c, CURVATURE_REACH * axis, behind);
-    if (!has_before || !has_behind) return 0.0;
-    return abs(before) < abs(behind) ? before : behind;
-}
-
-float mean_curvature(Centre c) { return 0.5 * (curvature_along(c, ivec2(1, 0)) + curvature_along(c, ivec2(0, 1))); }
-
-// Where a point of the world that stands still was on the screen; false: behind the camera.
-bool previous_pixel_position(vec3 world, out vec2 position) {
-    vec4 clip = frame.previous_clip_from_world * vec4(world, 1.0);
-    vec2 extent = vec2(frame.previous_render_extent);
-    position = (clip.xy / clip.w * 0.5 + 0.5) * extent - frame.jitter * (extent / vec2(frame.render_extent)) - 0.5;
-    // What lies far outside has no pixel, and its number none either.
-    return clip.w > 0.0 && all(lessThan(abs(position), vec2(1e6)));
-}
-
-// Where the image behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
-bool virtual_position(Centre c, float distance, float share, out vec2 position) {
-    vec2 still;
-    if (!previous_pixel_position(c.position, still)) return false;
-    if (!previous_pixel_position(c.position + c.sight * distance, position)) return false;
-    position += (c.surface_position - still) * (1.0 - share);
-    return true;
-}
-
 // Of a pixel that may lie far from where the surface was: on its plane.
 bool is_same_surface(Centre c, ivec2 tap) {
     if (!is_inside_previous(tap)) return false;
     uvec4 packed = texelFetch(previous_guide, tap, 0);
-    vec2 aside = vec2(tap) - c.surface_position;
+    vec2 aside = vec2(tap) - c.mirror.surface_position;
     Expected there = c.expected;
     there.depth += dot(there.gradient, aside);
     float slack = 0.1 * length(aside) * (abs(there.gradient.x) + abs(there.gradient.y));
@@ -192,7 +136,7 @@ bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
     if (z == 0.0) return false;
     vec3 at = previous_world_position(q, z).xyz, beyond = previous_world_position(q, 2.0 * z).xyz;
     vec3 mirrored = reflect(normalize(beyond - at), unpack_normal(packed));
-    vec3 thing = c.position + reflect(c.sight, c.normal) * min(distance, 1e4 * c.depth);
+    vec3 thing = c.mirror.position + reflect(c.mirror.sight, c.mirror.normal) * min(distance, 1e4 * c.depth);
     vec3 difference = mirrored - normalize(thing - at);
     // Normals of the guide are rounded to half a degree, and a mirror doubles that.
     float tolerance = 0.06 + 2.0 * lobe_width(roughness);
@@ -211,36 +155,39 @@ Past mixed(Past a, Past b, float share) {
 }
 
 // The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-Past best_past(Centre c, float roughness, inout float hit_distance) {
-    Past surface = past_at(c, c.surface_position);
+// `image_share`: of the blend, from where the image was.
+Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share) {
+    Past surface = past_at(c, c.mirror.surface_position);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
     if (surface.weight > 0.0 && surface.nearness > 0.0 && hit_distance > 0.0) {
         // A lobe that covers pixels is blurred anyway, and its hits are noisy.
         float share = radius * radius / (1.0 + radius * radius) * surface.frames / (1.0 + surface.frames);
         hit_distance = hit_distance_of(c.depth, mix(nearness_of(c.depth, hit_distance), surface.nearness, share));
     }
-    float curvature = mean_curvature(c), share = mirror_share(roughness);
+    float curvature = mean_curvature(c.mirror), share = mirror_share(roughness);
     float tolerance = 0.5 + 0.5 * radius;
-    vec2 position = c.surface_position;
+    vec2 position = c.mirror.surface_position;
     Reflection r = Reflection(hit_distance, roughness);
     Past image = nothing();
-    bool found = hit_distance > 0.0 && virtual_position(c, image_distance(r, curvature), share, position);
+    bool found = hit_distance > 0.0 && virtual_position(c.mirror, image_distance(r, curvature), share, position);
     if (found && is_in_lobe(c, position, hit_distance, roughness)) image = past_at(c, position);
-    if (found) surface.frames = worth(surface.frames, distance(position, c.surface_position), tolerance);
+    if (found) surface.frames = worth(surface.frames, distance(position, c.mirror.surface_position), tolerance);
     if (image.weight > 0.0) {
         vec2 remembered = position;
         Reflection before = Reflection(hit_distance_of(c.depth, image.nearness), roughness);
-        bool known = virtual_position(c, image_distance(before, curvature), share, remembered);
+        bool known = virtual_position(c.mirror, image_distance(before, curvature), share, remembered);
         image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
         // Another thing is seen there now, or another finish of the surface.
         float change = abs(nearness_of(c.depth, hit_distance) - image.nearness) * share / (0.05 + lobe_width(roughness));
         change += abs(roughness - image.roughness) * 8.0;
         image.frames = worth(image.frames, change, 2.0);
     }
+    image_share = surface.weight == 0.0 ? 1.0 : 0.0;
     if (surface.weight == 0.0) return image;
     if (image.weight == 0.0) return surface;
     float a = surface.frames * surface.frames, b = image.frames * image.frames;
-    return mixed(surface, image, b / max(a + b, 1e-20));
+    image_share = b / max(a + b, 1e-20);
+    return mixed(surface, image, image_share);
 }
 
 // Frames of a past, with this one.
@@ -259,13 +206,16 @@ void main() {
     Moments moments = Moments(luminance(value.rgb), 0.0, 1.0, background ? REASON_NONE : REASON_RESET);
     Reflection seen = Reflection(0.0, rough);
     vec3 irradiance = value.rgb;
+    float image_share = NO_PAST;
     if (!background) {
         Centre c = centre_of(p, packed);
         seen.hit_distance = hit_distance_now(c, value.a, rough);
         if (!has_flag(FLAG_RESET)) {
-            Past past = best_past(c, rough, seen.hit_distance);
+            float share;
+            Past past = best_past(c, rough, seen.hit_distance, share);
             moments.reason = REASON_DEPTH;
             if (past.weight > 0.0) {
+                image_share = share;
                 float change = change_at(p), history_length = length_with(past.frames, change);
                 History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
                 irradiance = blend(irradiance, light, history_length, change, moments);
@@ -274,5 +224,5 @@ void main() {
     }
     imageStore(accumulated, p, vec4(storable(irradiance), length_or_reason(moments)));
     imageStore(new_moments, p, uvec4(pack_luminance_moments(moments)));
-    imageStore(reflection, p, uvec4(pack_reflection(seen)));
+    imageStore(reflection, p, uvec4(pack_reflection(seen, image_share)));
 }

@@ -16,7 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
 const EXTENT: [u32; 2] = [61, 35];
 const FRAMES: u32 = 4;
 
-fn configurations() -> [Config; 6] {
+fn configurations() -> [Config; 7] {
     let base = Config { debug_view: true, firefly_filter: true, ..svgf(EXTENT) };
     [
         Config { signals: Signals::Apart, ..base },
@@ -25,6 +25,7 @@ fn configurations() -> [Config; 6] {
         Config { preset: Preset::Stabilize, ..base },
         Config { preset: Preset::Eaw, ..base },
         Config { preset: Preset::Volume, ..base },
+        Config { preset: Preset::Best, signals: Signals::Specular, visibility: true, ..base },
     ]
 }
 

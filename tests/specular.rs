@@ -1,14 +1,17 @@
 //! Specular light on the GPU: bad input, and what a host may leave out.
 
-use super::support::{frame, rmse, scene::Scene, session};
+use super::support::scene::{Guides, Scene};
+use super::support::{assert_valid, frame, rmse, session};
 use atrous::config::{Preset, Signals};
-use atrous::{Config, Tuning};
+use atrous::executor::Session;
+use atrous::{Config, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
     ("roughness_and_hit_distances_out_of_range_are_counted_and_do_not_spread", out_of_range),
     ("a_black_specular_albedo_gives_a_picture", black_albedo),
     ("the_sum_of_both_lights_comes_out", both_lights),
+    ("rough_surfaces_of_which_no_distance_is_known_are_as_good_as_diffuse_ones", rough_without_distances),
 ];
 
 fn config(extent: [u32; 2]) -> Config {
@@ -71,4 +74,56 @@ fn both_lights() {
             assert!(error < 0.5 * without, "{preset}, frame {i}: {error}, without specular light {without}");
         }
     }
+}
+
+/// The same light, once as diffuse and once as specular light: of roughness 1, which is what a host says that gives none. `best` looks the
+/// past of diffuse light up by a cubic, which is sharper where the camera moves.
+fn rough_without_distances() {
+    let cases = [
+        (Preset::Svgf, 0.0, 1.0),
+        (Preset::Svgf, 0.15, 1.0),
+        (Preset::Asvgf, 0.15, 1.0),
+        (Preset::Best, 0.0, 1.0),
+        (Preset::Best, 0.15, 1.02),
+    ];
+    for (preset, speed, bound) in cases {
+        let scene = Scene { speed, ..Scene::new([64, 36]) };
+        let (mut diffuse, mut specular) =
+            (session(&Config { preset, ..Config::new(scene.extent) }), session(&Config { preset, ..config(scene.extent) }));
+        let tuning = Tuning::for_preset(preset);
+        let mut errors = [0.0, 0.0];
+        for i in 0..12 {
+            let (mut guides, params) = (scene.frame(i, i), scene.params(i));
+            let (_, as_diffuse) = frame(&mut diffuse, &guides, &params, &tuning);
+            guides.specular_albedo = guides.albedo.clone();
+            guides.noisy_specular = guides.noisy_radiance.clone();
+            guides.noisy_diffuse.fill([0.0; 4]);
+            let as_specular = frame_without_distances(&mut specular, &guides, &params, &tuning);
+            if i >= 4 {
+                errors[0] += rmse(&as_diffuse, &guides.clean);
+                errors[1] += rmse(&as_specular, &guides.clean);
+            }
+        }
+        assert!(
+            errors[1] <= bound * errors[0],
+            "{preset}, speed {speed}: {} as specular, {} as diffuse light",
+            errors[1],
+            errors[0]
+        );
+    }
+}
+
+fn frame_without_distances(s: &mut Session, guides: &Guides, params: &FrameParams, tuning: &Tuning) -> Vec<[f32; 4]> {
+    let declaration = s.executor().denoiser().declaration().clone();
+    for (name, texels) in guides.declared(&declaration) {
+        if !["roughness", "specular_hit_distance"].contains(&name) {
+            s.upload(name, texels).expect(name);
+        }
+    }
+    if declaration.find("surface_id").is_some() {
+        s.upload_ids("surface_id", &guides.surface_id).expect("surface_id");
+    }
+    s.run(params, tuning).expect("frame");
+    assert_valid();
+    s.download("denoised_radiance").expect("denoised_radiance")
 }

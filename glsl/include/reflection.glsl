@@ -7,18 +7,28 @@
 
 struct Reflection {
     float hit_distance;  // scene units; 0: unknown
-    float roughness;     // perceptual
+    float roughness;     // perceptual, 0..1
 };
 
 // Stored for what is beyond the scene.
 const float FARTHEST_HIT = 65504.0;
 
-uint pack_reflection(Reflection r) { return packHalf2x16(vec2(min(r.hit_distance, FARTHEST_HIT), r.roughness)); }
+const float NO_PAST = -1.0;
+const float ROUGHNESS_STEPS = 1023.0;
+const float SHARE_STEPS = 62.0;
+
+// `image_share`: of the past that was taken, how much comes from where the image was, or NO_PAST.
+uint pack_reflection(Reflection r, float image_share) {
+    uint share = image_share < 0.0 ? 0u : 1u + uint(image_share * SHARE_STEPS + 0.5);
+    uint roughness = uint(r.roughness * ROUGHNESS_STEPS + 0.5);
+    return packHalf2x16(vec2(min(r.hit_distance, FARTHEST_HIT), 0.0)) | roughness << 16 | share << 26;
+}
 
 Reflection unpack_reflection(uint packed) {
-    vec2 halves = unpackHalf2x16(packed);
-    return Reflection(halves.x, halves.y);
+    return Reflection(unpackHalf2x16(packed).x, float(packed >> 16 & 0x3ffu) / ROUGHNESS_STEPS);
 }
+
+float unpack_image_share(uint packed) { return packed >> 26 == 0u ? NO_PAST : float((packed >> 26) - 1u) / SHARE_STEPS; }
 
 // Width parameter of the GGX distribution.
 float lobe_width(float roughness) { return roughness * roughness; }

@@ -197,6 +197,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         ShaderBinding { number: 14, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 15, name: Cow::Borrowed("debug_view"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 16, name: Cow::Borrowed("reflection"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 17, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
@@ -204,6 +205,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         PushMember { name: Cow::Borrowed("alpha"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("percentile_range"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("firefly_bias"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("light_radius"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },

@@ -26,7 +26,7 @@ const STABLE: [(&str, u32, &str); 19] = [
     (
         "DebugView",
         0,
-        "history_length variance moments gradient lambda alpha percentiles fireflies disocclusion motion normal depth surface_id bad_values hit_distance lobe_angle",
+        "history_length variance moments gradient lambda alpha percentiles fireflies disocclusion motion normal depth surface_id bad_values hit_distance lobe_angle virtual_motion reflection_history visibility penumbra",
     ),
     ("ResetReason", 1, "created camera_cut resize scene_load origin_shift exposure_jump"),
     ("ToneCurve", 0, "aces reinhard linear"),

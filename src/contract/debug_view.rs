@@ -48,6 +48,17 @@ choices! {
         HitDistance = 14 => "hit_distance",
         /// Half the angle of the lobe of a surface, 0 to 45 degrees in false colours. a: degrees.
         LobeAngle = 15 => "lobe_angle",
+        /// Motion of what is seen in a surface, of the image behind it: coloured as [`Self::Motion`], which it is where nothing is
+        /// known of the image. a: its length, pixels.
+        VirtualMotion = 16 => "virtual_motion",
+        /// The past that specular light was blended with: orange from where the surface was, blue from where the image behind it was,
+        /// mixed by their shares; red: there is none. a: the share of the image, 0 to 1, or −1.
+        ReflectionHistory = 17 => "reflection_history",
+        /// Visibility of the light over its history, before the filter, 0 to 1 in false colours. a: the same.
+        Visibility = 18 => "visibility",
+        /// Radius of the penumbra that a shadow has at a pixel, 0 to 16 pixels in false colours; black where no occluder was found.
+        /// a: pixels of a surface that faces the camera.
+        Penumbra = 19 => "penumbra",
     }
 }
 
@@ -61,7 +72,8 @@ impl DebugView {
             Self::Lambda => Some("history_confidence"),
             Self::Gradient => Some("gradient"),
             Self::Motion => Some("surface_motion"),
-            Self::HitDistance | Self::LobeAngle => Some("reflection"),
+            Self::HitDistance | Self::LobeAngle | Self::VirtualMotion | Self::ReflectionHistory => Some("reflection"),
+            Self::Visibility | Self::Penumbra => Some("visibility_history"),
             Self::Normal | Self::Depth | Self::SurfaceId | Self::BadValues => None,
         }
     }
@@ -94,7 +106,13 @@ mod tests {
         assert!(!views(Preset::Stabilize).contains(&DebugView::Variance) && views(Preset::Stabilize).contains(&DebugView::Alpha));
         let config = Config { signals: Signals::Specular, debug_view: true, ..Config::new([16, 16]) };
         let specular = config.declare().expect("valid").debug_views();
-        assert!(specular.contains(&DebugView::LobeAngle) && !views(Preset::Svgf).contains(&DebugView::LobeAngle));
+        for view in [DebugView::LobeAngle, DebugView::VirtualMotion, DebugView::ReflectionHistory] {
+            assert!(specular.contains(&view) && !views(Preset::Svgf).contains(&view), "{view}");
+        }
+        let visibility = Config { visibility: true, debug_view: true, ..Config::new([16, 16]) }.declare().expect("valid");
+        for view in [DebugView::Visibility, DebugView::Penumbra] {
+            assert!(visibility.debug_views().contains(&view) && !specular.contains(&view), "{view}");
+        }
         assert_eq!(Config::new([16, 16]).declare().expect("valid").debug_views(), []);
     }
 }

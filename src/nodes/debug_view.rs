@@ -5,7 +5,8 @@ pub(crate) mod twin;
 
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{
-    Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, Reflection, HDR, HOST_COLOUR,
+    Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, Reflection, VisibilityAccumulated,
+    HDR, HOST_COLOUR,
 };
 use crate::shaders;
 pub use legend::{Ramp, ViewLegend};
@@ -27,6 +28,8 @@ pub struct Known {
     pub gradient: Option<Gradient>,
     /// What is seen in the surfaces.
     pub reflection: Option<Reflection>,
+    /// Visibility of a light, blended with its past.
+    pub visibility: Option<VisibilityAccumulated>,
     /// Percentiles of blocks.
     pub percentiles: Option<Percentiles>,
 }
@@ -42,6 +45,7 @@ impl Known {
             confidence: None,
             gradient: None,
             reflection: None,
+            visibility: None,
             percentiles: None,
         }
     }
@@ -60,7 +64,8 @@ impl Graph {
             .each("noisy", known.noisy.images())
             .bind("debug_view", shown)
             .bind_some("history_confidence", known.confidence.map(|confidence| confidence.image()))
-            .bind_some("reflection", known.reflection.map(|reflection| reflection.image));
+            .bind_some("reflection", known.reflection.map(|reflection| reflection.image))
+            .bind_some("visibility_history", known.visibility.map(|visibility| visibility.image()));
         if known.albedo {
             pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
         }

@@ -81,7 +81,7 @@ impl Config {
             post_process(&mut g, &guides, self.post_process, &radiance);
         }
         if let Some(shown) = shown.filter(|_| self.debug_view) {
-            let view = g.debug_view(&guides, &shown.known);
+            let view = g.debug_view(&guides, &Known { visibility: accumulated, ..shown.known });
             g.output("debug_view", &view);
         }
         Ok(g)

@@ -4,6 +4,7 @@ use super::binary16::from_half_bits;
 use super::guide::unpack_guide;
 use super::moments::unpack_moments;
 use super::octahedral::octahedral10_to_normal;
+use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
 use super::visibility::unpack_visibility;
@@ -51,6 +52,10 @@ pub enum Values {
     Difference,
     /// Mean of `visibility_history`.
     Visibility,
+    /// Hit distance and roughness of `reflection*`.
+    Reflection,
+    /// Share of the past of `reflection*` that comes from the image, −1 without a past.
+    ImageShare,
     /// Steps of the deviation, of the history length and of the distance of `visibility_history`.
     VisibilitySteps,
 }
@@ -206,6 +211,11 @@ impl Values {
             Self::DepthGradient => padded(unpack_depth_gradient(texel)),
             Self::Normal => padded(octahedral10_to_normal(texel)),
             Self::Halves => padded(parts.map(from_half_bits)),
+            Self::Reflection => {
+                let seen = unpack_reflection(texel);
+                padded([seen.hit_distance, seen.roughness])
+            }
+            Self::ImageShare => padded([unpack_image_share(texel).unwrap_or(-1.0)]),
             Self::Visibility => padded([unpack_visibility(texel).mean]),
             Self::VisibilitySteps => padded([(texel >> 12 & 0x3f) as f32, (texel >> 18 & 0x3f) as f32, (texel >> 24) as f32]),
             Self::Percentiles => {

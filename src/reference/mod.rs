@@ -50,6 +50,7 @@ pub(crate) mod surface_motion;
 #[cfg(test)]
 pub(crate) mod test_scene;
 pub(crate) mod texels;
+pub(crate) mod virtual_motion;
 pub(crate) mod visibility;
 pub(crate) mod volume;
 
@@ -110,7 +111,7 @@ pub use nearest_history::HistoryGuides;
 pub use octahedral::{octahedral10, octahedral10_to_normal, octahedral8, octahedral8_to_normal};
 pub use pass::Written;
 pub use projection::Projections;
-pub use reflection::{pack_reflection, unpack_reflection, SeenReflection, FARTHEST_HIT};
+pub use reflection::{pack_reflection, unpack_image_share, unpack_reflection, SeenReflection, FARTHEST_HIT};
 pub use reprojection::{motion_in_pixels, InstanceTransform};
 pub use stage::Stage;
 pub use strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample};

@@ -17,15 +17,26 @@ pub struct SeenReflection {
     pub roughness: f32,
 }
 
-/// A texel of `reflection*`.
-pub fn pack_reflection(reflection: &SeenReflection) -> u32 {
-    let [distance, roughness] = [reflection.hit_distance, reflection.roughness].map(|x| u32::from(half_bits(store(x))));
-    distance | roughness << 16
+const ROUGHNESS_STEPS: f32 = 1023.0;
+const SHARE_STEPS: f32 = 62.0;
+
+/// A texel of `reflection*`. `image_share`: how much of the past comes from where the image of what is seen was, 0 to 1; `None`: there
+/// is no past.
+pub fn pack_reflection(reflection: &SeenReflection, image_share: Option<f32>) -> u32 {
+    let steps = |x: f32, count: f32| (x.clamp(0.0, 1.0) * count + 0.5).floor() as u32;
+    let share = image_share.map_or(0, |share| 1 + steps(share, SHARE_STEPS));
+    u32::from(half_bits(store(reflection.hit_distance))) | steps(reflection.roughness, ROUGHNESS_STEPS) << 16 | share << 26
 }
 
 /// The content of a texel of `reflection*`.
 pub fn unpack_reflection(texel: u32) -> SeenReflection {
-    SeenReflection { hit_distance: from_half_bits(texel as u16), roughness: from_half_bits((texel >> 16) as u16) }
+    let roughness = (texel >> 16 & 0x3ff) as f32 / ROUGHNESS_STEPS;
+    SeenReflection { hit_distance: from_half_bits(texel as u16), roughness }
+}
+
+/// How much of the past comes from where the image was; `None`: there is no past.
+pub fn unpack_image_share(texel: u32) -> Option<f32> {
+    (texel >> 26).checked_sub(1).map(|steps| steps as f32 / SHARE_STEPS)
 }
 
 /// Whether a host's roughness is in range.
@@ -80,5 +91,25 @@ pub(crate) fn hit_distance_of(linear_depth: f32, nearness: f32) -> f32 {
         (linear_depth * nearness / (1.0 - nearness).max(1e-6)).clamp(1.0 / 16384.0, FARTHEST_HIT)
     } else {
         0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_reflection_survives_packing() {
+        for (hit_distance, roughness, share) in
+            [(0.0, 0.0, None), (2.0, 1.0, Some(0.0)), (FARTHEST_HIT, 0.3, Some(1.0)), (0.5, 0.7, Some(0.5))]
+        {
+            let texel = pack_reflection(&SeenReflection { hit_distance, roughness }, share);
+            let seen = unpack_reflection(texel);
+            assert_eq!((seen.hit_distance, unpack_image_share(texel)), (hit_distance, share));
+            assert!((seen.roughness - roughness).abs() < 5e-4, "{roughness}: {seen:?}");
+        }
+        let texel = pack_reflection(&SeenReflection { hit_distance: 1e9, roughness: 7.0 }, Some(9.0));
+        let seen = unpack_reflection(texel);
+        assert_eq!((seen.hit_distance, seen.roughness, unpack_image_share(texel)), (FARTHEST_HIT, 1.0, Some(1.0)));
     }
 }

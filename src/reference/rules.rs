@@ -107,8 +107,12 @@ pub(crate) const TEMPORAL_ACCUMULATION: &[Rule] = &[
 pub(crate) const SPECULAR_ACCUMULATION: &[Rule] = &[
     pixels("accumulated", TRACKED),
     rule("new_moments", Per::Pixel, Values::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
-    rule("reflection", Per::Pixel, Values::Halves, HALF),
+    rule("reflection", Per::Pixel, Values::Reflection, Tolerance { absolute: ROUGHNESS_STEP, ..HALF }),
+    rule("reflection", Per::Pixel, Values::ImageShare, Tolerance { absolute: 0.05, ..TRACKED }),
 ];
+
+/// Roughness may be rounded either way.
+const ROUGHNESS_STEP: f32 = 1.01 / 1023.0;
 
 pub(crate) const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers: 5e-3 };
 

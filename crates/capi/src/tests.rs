@@ -95,7 +95,7 @@ fn choices_of_a_frame_are_those_of_the_crate() {
     let params = given(1, 1).expect("valid");
     assert_eq!((params.reset, params.debug_view), (Some(ResetReason::Created), Some(DebugView::HistoryLength)));
     for (reset, debug_view, words) in
-        [(7, 0, ["reset is 7", "0 (none), 1 (created)"]), (0, 17, ["debug_view is 17", "16 (lobe_angle)"])]
+        [(7, 0, ["reset is 7", "0 (none), 1 (created)"]), (0, 21, ["debug_view is 21", "20 (penumbra)"])]
     {
         let failure = given(reset, debug_view).expect_err("out of range");
         assert!(words.iter().all(|word| failure.message.contains(word)), "{}", failure.message);

@@ -8,11 +8,15 @@ pub(super) const LONG_HISTORY: f32 = 32.0;
 pub(super) const WIDEST_LOBE: f32 = 45.0;
 /// Pixels at the end of the colours of motion.
 pub(super) const LARGE_MOTION: f32 = 64.0;
+/// Pixels at the end of the colours of penumbrae.
+pub(super) const WIDE_PENUMBRA: f32 = 16.0;
 /// The deviation in the middle of the colours.
 pub(super) const MIDDLE_DEVIATION: f32 = 0.25;
 /// sRGB colours of the disocclusion reasons: history, off screen, background or id, depth, normal, reset. Okabe and Ito's.
 pub(super) const REASON_COLOURS: [[u8; 3]; 6] =
     [[60, 60, 60], [230, 159, 0], [86, 180, 233], [0, 158, 115], [240, 228, 66], [213, 94, 0]];
+/// Pasts of a reflection, linear: where the surface was, where the image was.
+pub(super) const PASTS: [[f32; 3]; 2] = [[0.8, 0.35, 0.02], [0.05, 0.3, 0.8]];
 /// Viridis (van der Walt, Smith 2015) at nine places, sRGB.
 const VIRIDIS: [[u8; 3]; 9] = [
     [68, 1, 84],
@@ -92,7 +96,14 @@ impl DebugView {
                 }
             }
             Self::Fireflies => const { &[false_coloured("share of luminance taken away", UNIT)] },
-            Self::Motion => {
+            Self::ReflectionHistory => {
+                const { &[channel("past of specular light", &[(0.0, "surface"), (0.5, "half"), (1.0, "image")], past_colour)] }
+            }
+            Self::Visibility => const { &[false_coloured("visibility", UNIT)] },
+            Self::Penumbra => {
+                const { &[false_coloured("radius of the penumbra, pixels", &[(0.0, "0"), (0.25, "4"), (0.5, "8"), (1.0, "16+")])] }
+            }
+            Self::Motion | Self::VirtualMotion => {
                 const {
                     &[
                         channel("was left, right, pixels", PIXELS, |place| {
@@ -139,6 +150,8 @@ impl DebugView {
                  hit distance, visibility, occluder; 0 to all pixels, logarithmic",
             ),
             Self::HitDistance => (&[], "black: not known"),
+            Self::ReflectionHistory => (const { &[("none", REASON_COLOURS[5])] }, ""),
+            Self::Penumbra => (&[], "black: no occluder"),
             _ => (&[], ""),
         };
         ViewLegend { ramps, cases, note }
@@ -160,6 +173,12 @@ pub(super) fn false_colour(t: f32) -> [f32; 3] {
 /// Red where it became brighter, blue where it became darker; `t` from -1 to 1.
 pub(super) fn gradient_colour(t: f32) -> [f32; 3] {
     [t.max(0.0), 0.15 * t.abs(), (-t).max(0.0)]
+}
+
+/// Of a past of which this share comes from where the image was.
+pub(super) fn past_colour(share: f32) -> [f32; 3] {
+    let [surface, image] = PASTS;
+    [0, 1, 2].map(|c| surface[c] * (1.0 - share) + image[c] * share)
 }
 
 /// Of a motion with a length of `t` on the logarithmic scale, 0 to 1.

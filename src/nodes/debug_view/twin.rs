@@ -1,8 +1,8 @@
 //! The stage `debug_view`: what the denoiser knows of a pixel, as a picture.
 
 use super::legend::{
-    false_colour, from_srgb, gradient_colour, motion_colour, LARGE_MOTION, LONG_HISTORY, MIDDLE_DEVIATION, REASON_COLOURS,
-    WIDEST_LOBE,
+    false_colour, from_srgb, gradient_colour, motion_colour, past_colour, LARGE_MOTION, LONG_HISTORY, MIDDLE_DEVIATION,
+    REASON_COLOURS, WIDEST_LOBE, WIDE_PENUMBRA,
 };
 use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::nodes::demodulate::twin::divisor;
@@ -12,8 +12,11 @@ use crate::reference::blocks::block_of;
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
-use crate::reference::reflection::{lobe_width, nearness, unpack_reflection, SeenReflection};
+use crate::reference::projection::pixel_size;
+use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unpack_reflection, SeenReflection};
 use crate::reference::surface_motion::unpack_surface_motion;
+use crate::reference::virtual_motion::VirtualMotion;
+use crate::reference::visibility::{unpack_visibility, VisibilityHistory};
 use crate::reference::{Image, Moments, LARGEST_HALF};
 use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2};
@@ -53,6 +56,8 @@ pub struct DebugViewInputs<'a> {
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// What is seen in the surfaces, where specular light is filtered.
     pub reflection: Option<&'a Image<u32>>,
+    /// Visibility of a light over its history.
+    pub visibility_history: Option<&'a Image<u32>>,
     /// Albedo of the host.
     pub albedo: Option<&'a Image<[f32; 4]>>,
 }
@@ -60,6 +65,7 @@ pub struct DebugViewInputs<'a> {
 /// rgb: display-referred, linear 0 to 1; alpha: the number behind the colour. Half precision.
 pub fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &DebugViewInputs, view: DebugView) -> Image<[f32; 4]> {
     let extent = inputs.guide.extent();
+    let virtual_motion = (view == DebugView::VirtualMotion).then(|| VirtualMotion::new(frame, inputs.guide));
     let image = Image::compute(extent, frame.render_extent, |p| {
         let (rgb, value) = if !inputs.has(view) {
             ([if (p.x / 8 + p.y / 8) % 2 == 0 { 0.02 } else { 0.05 }; 3], 0.0)
@@ -67,6 +73,8 @@ pub fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &DebugViewInp
             bad_values(frame, inputs.statistics, p)
         } else if unpack_guide(inputs.guide.at(p)).is_background() {
             ([0.0; 3], 0.0)
+        } else if let Some(of) = &virtual_motion {
+            motion(inputs.virtual_motion(of, p))
         } else {
             inputs.shown(frame, tuning, view, p)
         };
@@ -83,7 +91,10 @@ impl DebugViewInputs<'_> {
             DebugView::Variance => !self.irradiance_history.is_empty(),
             DebugView::Gradient => self.gradient.is_some(),
             DebugView::Lambda => self.history_confidence.is_some(),
-            DebugView::HitDistance | DebugView::LobeAngle => self.reflection.is_some(),
+            DebugView::HitDistance | DebugView::LobeAngle | DebugView::VirtualMotion | DebugView::ReflectionHistory => {
+                self.reflection.is_some()
+            }
+            DebugView::Visibility | DebugView::Penumbra => self.visibility_history.is_some(),
             DebugView::Percentiles | DebugView::Fireflies => !self.block_percentiles.is_empty(),
             DebugView::Motion | DebugView::Normal | DebugView::Depth | DebugView::SurfaceId | DebugView::BadValues => true,
         }
@@ -100,6 +111,17 @@ impl DebugViewInputs<'_> {
             DebugView::LobeAngle => {
                 let angle = lobe_width(seen.roughness).atan().to_degrees();
                 coloured(angle / WIDEST_LOBE, angle)
+            }
+            DebugView::ReflectionHistory => match self.reflection.and_then(|reflection| unpack_image_share(reflection.at(p))) {
+                Some(share) => (past_colour(share), share),
+                None => (from_srgb(REASON_COLOURS[5].map(f32::from)), -1.0),
+            },
+            DebugView::Visibility => coloured(self.visibility(p).mean, self.visibility(p).mean),
+            DebugView::Penumbra if self.visibility(p).occluder_distance == 0.0 => ([0.0; 3], 0.0),
+            DebugView::Penumbra => {
+                let radius = tuning.light_radius * self.visibility(p).occluder_distance;
+                let pixels = radius / pixel_size(frame, surface.linear_depth).max_element();
+                coloured(pixels / WIDE_PENUMBRA, pixels)
             }
             DebugView::HistoryLength => {
                 let frames = self.moments_at(0, p).history_length;
@@ -133,7 +155,7 @@ impl DebugViewInputs<'_> {
                 let reason = self.moments_at(0, p).reason.min(5);
                 (from_srgb(REASON_COLOURS[usize::from(reason)].map(f32::from)), f32::from(reason))
             }
-            DebugView::Motion => motion(unpack_surface_motion(self.surface_motion.at(p)).motion),
+            DebugView::Motion | DebugView::VirtualMotion => motion(self.surface_motion_at(p)),
             DebugView::Normal => (surface.unit_normal().to_array().map(|c| c * 0.5 + 0.5), 0.0),
             DebugView::Depth => coloured(compressed(surface.linear_depth), surface.linear_depth),
             DebugView::SurfaceId | DebugView::BadValues => {
@@ -141,6 +163,23 @@ impl DebugViewInputs<'_> {
                 ([r, g, b].map(|c| f32::from(c) / 255.0), surface.id.into())
             }
         }
+    }
+
+    fn surface_motion_at(&self, p: IVec2) -> [f32; 2] {
+        unpack_surface_motion(self.surface_motion.at(p)).motion
+    }
+
+    /// Of the image behind a surface; of the surface, where nothing is known of it.
+    fn virtual_motion(&self, of: &VirtualMotion, p: IVec2) -> [f32; 2] {
+        let surface = self.surface_motion_at(p);
+        let seen = self.reflection.map(|reflection| unpack_reflection(reflection.at(p))).filter(|seen| seen.hit_distance > 0.0);
+        let mirror = of.mirror(p, surface);
+        let position = seen.and_then(|seen| of.image_position(&mirror, of.mean_curvature(&mirror), seen));
+        position.map_or(surface, |position| (position - mirror.surface_position + Vec2::from(surface)).into())
+    }
+
+    fn visibility(&self, p: IVec2) -> VisibilityHistory {
+        self.visibility_history.map_or(VisibilityHistory::default(), |history| unpack_visibility(history.at(p)))
     }
 
     fn moments_at(&self, signal: usize, p: IVec2) -> Moments {

@@ -5,14 +5,13 @@ use crate::reference::bindings::Bindings;
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
-use crate::reference::projection::Projections;
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
+use crate::reference::virtual_motion::{Mirror, VirtualMotion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
-use glam::{IVec2, Vec3, Vec4, Vec4Swizzles};
+use glam::IVec2;
 
-mod curvature;
 mod past;
 #[cfg(test)]
 mod tests;
@@ -68,19 +67,13 @@ struct Scene<'a> {
     tuning: &'a Tuning,
     inputs: &'a SpecularAccumulationInputs<'a>,
     rect: RenderRect,
-    projections: Projections,
-    surfaces: Image<Surface>,
+    motion: VirtualMotion<'a>,
     previous_surfaces: Image<Surface>,
 }
 
 /// The surface of a pixel, with what is expected of it in the previous frame.
 struct Centre {
-    p: IVec2,
-    surface: Surface,
-    /// World space.
-    position: Vec3,
-    /// From the eye, of unit length, world space.
-    sight: Vec3,
+    mirror: Mirror,
     reprojected: Reprojected,
 }
 
@@ -95,83 +88,72 @@ pub fn specular_accumulation(
     SpecularAccumulationOutputs {
         accumulated: texels.map(|t| t.0),
         moments: texels.map(|t| pack_moments(&t.1)),
-        reflection: texels.map(|t| pack_reflection(&t.2)),
+        reflection: texels.map(|t| pack_reflection(&t.2, t.3)),
     }
 }
 
 impl<'a> Scene<'a> {
     fn new(frame: &'a FrameConstants, tuning: &'a Tuning, inputs: &'a SpecularAccumulationInputs<'a>) -> Self {
         let extent = inputs.guide.extent();
-        let surfaces = |guide: &Image<[u16; 4]>, size| Image::compute(extent, size, |p| unpack_guide(guide.at(p)));
         Self {
             frame,
             tuning,
             inputs,
             rect: RenderRect::new(frame.render_extent),
-            projections: Projections::new(frame),
-            surfaces: surfaces(inputs.guide, frame.render_extent),
+            motion: VirtualMotion::new(frame, inputs.guide),
             previous_surfaces: match is_reset(frame) {
                 true => Image::new(extent, Surface::default()),
-                false => surfaces(inputs.previous.guide, frame.previous_render_extent),
+                false => Image::compute(extent, frame.previous_render_extent, |p| unpack_guide(inputs.previous.guide.at(p))),
             },
         }
     }
 }
 
 impl Scene<'_> {
-    fn accumulated(&self, p: IVec2) -> ([f32; 4], Moments, SeenReflection) {
+    fn accumulated(&self, p: IVec2) -> ([f32; 4], Moments, SeenReflection, Option<f32>) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
-        let surface = self.surfaces.at(p);
+        let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, 0.0];
-        let with = |(texel, moments), seen| (texel, moments, seen);
+        let with = |(texel, moments), seen, share| (texel, moments, seen, share);
         if surface.is_background() {
-            return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness });
+            return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness }, None);
         }
         let c = self.centre(p, surface);
         let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance, roughness), roughness };
         if is_reset(self.frame) {
-            return with(fresh(noisy, Reason::Reset), seen);
+            return with(fresh(noisy, Reason::Reset), seen, None);
         }
         match self.best_past(&c, &mut seen) {
-            Some(past) => with(self.blend(p, noisy, &past), seen),
-            None => with(fresh(noisy, Reason::Depth), seen),
+            Some((past, share)) => with(self.blend(p, noisy, &past), seen, Some(share)),
+            None => with(fresh(noisy, Reason::Depth), seen, None),
         }
-    }
-
-    fn world(&self, p: IVec2, linear_depth: f32) -> Vec3 {
-        Vec4::from(self.projections.world_point(p.into(), linear_depth)).xyz()
     }
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
-        let position = self.world(p, surface.linear_depth);
-        let sight = (self.world(p, 2.0 * surface.linear_depth) - position).normalize();
         let motion = unpack_surface_motion(self.inputs.surface_motion.at(p));
         let gradient = unpack_depth_gradient(self.inputs.depth_gradient.at(p));
         Centre {
-            p,
-            surface,
-            position,
-            sight,
+            mirror: self.motion.mirror(p, motion.motion),
             reprojected: Reprojected::new(self.frame, self.tuning, (surface, p), &motion, gradient),
         }
     }
 
     /// Hit distance of this frame, over as many of 3×3 pixels as the lobe blurs.
     fn hit_distance_now(&self, c: &Centre, own: f32, roughness: f32) -> f32 {
-        let radius = lobe_radius(self.frame, c.surface.linear_depth, SeenReflection { hit_distance: own, roughness });
+        let radius = lobe_radius(self.frame, c.mirror.surface.linear_depth, SeenReflection { hit_distance: own, roughness });
         let sharpness = (1.0 / (radius * radius).max(1e-6)).min(64.0);
         let (mut sum, mut weights) = (0.0, 0.0);
-        for (offset, q) in self.rect.window(c.p, 1, 1) {
-            let (tap, distance) = (self.surfaces.at(q), self.inputs.noisy.at(q)[3]);
-            if distance > 0.0 && !tap.is_background() && tap.id == c.surface.id {
+        for (offset, q) in self.rect.window(c.mirror.p, 1, 1) {
+            let (tap, distance) = (self.motion.surfaces.at(q), self.inputs.noisy.at(q)[3]);
+            if distance > 0.0 && !tap.is_background() && tap.id == c.mirror.surface.id {
                 let weight = (-(offset.length_squared() as f32) * sharpness).exp2();
                 sum += weight * nearness(tap.linear_depth, distance);
                 weights += weight;
             }
         }
         if weights > 0.0 {
-            hit_distance_of(c.surface.linear_depth, sum / weights)
+            hit_distance_of(c.mirror.surface.linear_depth, sum / weights)
         } else {
             0.0
         }

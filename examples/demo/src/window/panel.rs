@@ -187,6 +187,12 @@ fn explained(view: DebugView) -> &'static str {
         DebugView::SurfaceId => "A colour for every object",
         DebugView::HitDistance => "How far away is what is seen in a surface: dark blue touches it, yellow is the sky",
         DebugView::LobeAngle => "Width of what a surface blurs together: dark blue a mirror, yellow 45 degrees",
+        DebugView::VirtualMotion => "Where what is seen in a surface was: red to the right, green downwards",
+        DebugView::ReflectionHistory => {
+            "Past of specular light: orange where the surface was, blue where the image behind it was, red none"
+        }
+        DebugView::Visibility => "Visibility of the sun over its history, before the filter",
+        DebugView::Penumbra => "Radius of the penumbra: dark blue 0, yellow 16 pixels and more; black: nothing is in the way",
         DebugView::BadValues => {
             "Inputs that were not finite: a bar each for depth, normal, motion, radiance, albedo, emission, forward motion"
         }

@@ -114,7 +114,7 @@ fn a_mirror_is_not_filtered_and_the_roughest_surface_as_diffuse_light_is() {
     let scene = guides(extent, |_, _| surface(4.0));
     let image = noise(extent, 7).map(|t| [t[0], t[0], t[0], 4.0]);
     let filtered = |seen: Option<SeenReflection>| {
-        let reflection = seen.map(|seen| Image::new(extent, pack_reflection(&seen)));
+        let reflection = seen.map(|seen| Image::new(extent, pack_reflection(&seen, None)));
         let inputs = AtrousInputs {
             guide: &scene.guide,
             depth_gradient: &scene.depth_gradient,

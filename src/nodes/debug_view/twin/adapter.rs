@@ -21,6 +21,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         block_percentiles: &if b.has("block_percentiles_0") { b.uints("block_percentiles")? } else { Vec::new() },
         noisy: &b.colours("noisy")?,
         reflection: b.has("reflection").then(|| b.uint("reflection")).transpose()?,
+        visibility_history: b.has("visibility_history").then(|| b.uint("visibility_history")).transpose()?,
         albedo: b.optional_colour("albedo")?,
     };
     let picture = debug_view(b.frame, b.tuning, &inputs, view);

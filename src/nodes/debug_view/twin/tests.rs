@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_moments, Reason};
+use crate::reference::{pack_moments, pack_reflection, pack_surface_motion, pack_visibility, Reason};
+use crate::Config;
+use glam::Vec3;
 
 const EXTENT: [u32; 2] = [16, 14];
 
@@ -22,6 +24,7 @@ fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f
         block_percentiles: &[],
         noisy: &[],
         reflection: None,
+        visibility_history: None,
         albedo: None,
     };
     debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..svgf_tuning() }, &inputs, view)
@@ -82,6 +85,11 @@ fn the_legend_has_the_colours_of_the_picture() {
     let (two, eight) = (of(2.0), of(8.0));
     let deviation = Image::new(EXTENT, [0.0, 0.0, 0.0, 0.25]);
     let gradient = Image::new([6, 5], [-0.5, 0.5, 0.0, 0.0]);
+    let seen = SeenReflection { hit_distance: 1.0, roughness: 0.0 };
+    let [reflection, surface_past, no_past] = [Some(1.0), Some(0.0), None].map(|s| Image::new(EXTENT, pack_reflection(&seen, s)));
+    // A pixel of the plane is 2/14 scene units high: 4 of them.
+    let history = VisibilityHistory { mean: 0.5, occluder_distance: 8.0 / 14.0, ..VisibilityHistory::default() };
+    let visibility = Image::new(EXTENT, pack_visibility(&history));
     let inputs = DebugViewInputs {
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,
@@ -93,10 +101,11 @@ fn the_legend_has_the_colours_of_the_picture() {
         stratum_size: 3,
         block_percentiles: &[],
         noisy: &[],
-        reflection: None,
+        reflection: Some(&reflection),
+        visibility_history: Some(&visibility),
         albedo: None,
     };
-    let tuning = Tuning { alpha: 0.0, ..svgf_tuning() };
+    let tuning = Tuning { alpha: 0.0, light_radius: 1.0, ..svgf_tuning() };
     let colour = |inputs: &DebugViewInputs, shown| {
         let [r, g, b, _] = *debug_view(&frame(EXTENT), &tuning, inputs, shown).get(3, 3).expect("inside");
         [r, g, b]
@@ -107,9 +116,19 @@ fn the_legend_has_the_colours_of_the_picture() {
         (DebugView::Lambda, "0.5"),
         (DebugView::Alpha, "0.5"),
         (DebugView::Depth, "1"),
+        (DebugView::HitDistance, "0.5"),
+        (DebugView::ReflectionHistory, "image"),
+        (DebugView::Visibility, "0.5"),
     ] {
         assert_near(colour(&inputs, shown), of_legend(shown, 0, mark), shown.name());
     }
+    let near = |a: [f32; 3], b: [f32; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.03);
+    assert!(near(colour(&inputs, DebugView::Penumbra), of_legend(DebugView::Penumbra, 0, "4")), "4 pixels of penumbra");
+    let surface = DebugViewInputs { reflection: Some(&surface_past), ..inputs };
+    let view = DebugView::ReflectionHistory;
+    assert_near(colour(&surface, view), of_legend(view, 0, "surface"), "surface");
+    let none = DebugViewInputs { reflection: Some(&no_past), ..inputs };
+    assert_near(colour(&none, view), from_srgb(view.legend().cases[0].1.map(f32::from)), "no past");
     let longer = DebugViewInputs { moments: &[&eight], ..inputs };
     assert_near(colour(&longer, DebugView::HistoryLength), of_legend(DebugView::HistoryLength, 0, "8"), "history");
     let [mean, deviation] = [("1", 0), ("9", 1)].map(|(mark, ramp)| of_legend(DebugView::Moments, ramp, mark));
@@ -119,6 +138,39 @@ fn the_legend_has_the_colours_of_the_picture() {
     assert_near(colour(&inputs, DebugView::Disocclusion), from_srgb(reset.map(f32::from)), "reason");
     for (given, ramp, mark) in [([10.0, 0.0], 0, "10"), ([-64.0, 0.0], 0, "-64"), ([0.0, -10.0], 1, "-10")] {
         assert_near(motion(given).0, of_legend(DebugView::Motion, ramp, mark), mark);
+    }
+}
+
+/// The camera slides along a flat mirror: what is seen in it moves less than the mirror, as what lies behind a window does.
+#[test]
+fn virtual_motion_is_that_of_the_image_behind_the_mirror() {
+    let [now, before] = [0.0, 2.0].map(|x| camera(EXTENT, Vec3::new(x, 0.0, 0.0)));
+    let frame = frame_with(&Config::new(EXTENT), &now, &before);
+    let mut guides = guides(EXTENT, |_, _| surface(4.0));
+    let pixels = |depth: f32| 2.0 * 7.0 / depth;
+    guides.surface_motion = Image::new(EXTENT, pack_surface_motion([-pixels(4.0), 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
+    let length = |hit_distance, roughness| {
+        let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None));
+        let inputs = DebugViewInputs {
+            guide: &guides.guide,
+            surface_motion: &guides.surface_motion,
+            statistics: &Statistics::default(),
+            moments: &[],
+            irradiance_history: &[],
+            history_confidence: None,
+            gradient: None,
+            stratum_size: 3,
+            block_percentiles: &[],
+            noisy: &[],
+            reflection: Some(&reflection),
+            visibility_history: None,
+            albedo: None,
+        };
+        debug_view(&frame, &Tuning::default(), &inputs, DebugView::VirtualMotion).at(IVec2::new(8, 7))[3]
+    };
+    for (hit_distance, roughness, depth) in [(4.0, 0.0, 8.0), (12.0, 0.0, 16.0), (0.0, 0.0, 4.0), (4.0, 1.0, 4.0)] {
+        let (given, wanted) = (length(hit_distance, roughness), pixels(depth));
+        assert!((given - wanted).abs() < 0.02, "{hit_distance}, roughness {roughness}: {given} for {wanted}");
     }
 }
 

@@ -4,12 +4,11 @@ use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::SMALLEST_WEIGHT_SUM;
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
-use crate::reference::projection::{extent_ratio, sample_offset};
 use crate::reference::reflection::{
-    hit_distance_of, image_distance, lobe_radius, lobe_width, mirror_share, nearness, unpack_reflection, SeenReflection,
+    hit_distance_of, lobe_radius, lobe_width, mirror_share, nearness, unpack_reflection, SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
-use glam::{IVec2, Vec2, Vec3, Vec4Swizzles};
+use glam::{IVec2, Vec2, Vec4Swizzles};
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -48,24 +47,25 @@ fn worth(frames: f32, error: f32, tolerance: f32) -> f32 {
 }
 
 impl Scene<'_> {
-    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
-    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<Past> {
-        let depth = c.surface.linear_depth;
-        let mut surface = self.past_at(c, c.reprojected.s);
+    /// The better of two pasts, or a blend of both, with the share of the second: of where the image was. `seen` is of this frame,
+    /// then with its past.
+    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<(Past, f32)> {
+        let depth = c.mirror.surface.linear_depth;
+        let mut surface = self.past_at(c, c.mirror.surface_position);
         let radius = lobe_radius(self.frame, depth, *seen);
         if let Some(past) = surface.filter(|past| past.nearness > 0.0 && seen.hit_distance > 0.0) {
             let share = radius * radius / (1.0 + radius * radius) * past.frames / (1.0 + past.frames);
             let now = nearness(depth, seen.hit_distance);
             seen.hit_distance = hit_distance_of(depth, now + share * (past.nearness - now));
         }
-        let (curvature, share) = (self.mean_curvature(c), mirror_share(seen.roughness));
+        let (curvature, share) = (self.motion.mean_curvature(&c.mirror), mirror_share(seen.roughness));
         let tolerance = 0.5 + 0.5 * radius;
-        let position_of = |seen| self.virtual_position(c, image_distance(seen, curvature), share);
+        let position_of = |seen| self.motion.image_position(&c.mirror, curvature, seen);
         let position = Some(*seen).filter(|seen| seen.hit_distance > 0.0).and_then(position_of);
         let image = position.filter(|position| self.is_in_lobe(c, *position, *seen));
         let mut image = image.and_then(|position| self.past_at(c, position));
         if let Some(past) = &mut surface {
-            let moved = position.map_or(0.0, |position| position.distance(c.reprojected.s));
+            let moved = position.map_or(0.0, |position| position.distance(c.mirror.surface_position));
             past.frames = worth(past.frames, moved, tolerance);
         }
         if let (Some(past), Some(position)) = (&mut image, position) {
@@ -79,25 +79,12 @@ impl Scene<'_> {
         match (surface, image) {
             (Some(surface), Some(image)) => {
                 let [a, b] = [surface, image].map(|past| past.frames * past.frames);
-                Some(surface.blend(&image, b / (a + b).max(1e-20)))
+                let share = b / (a + b).max(1e-20);
+                Some((surface.blend(&image, share), share))
             }
-            (surface, image) => surface.or(image),
+            (Some(surface), None) => Some((surface, 0.0)),
+            (None, image) => image.map(|image| (image, 1.0)),
         }
-    }
-
-    /// Where a point of the world that stands still was on the screen; `None`: behind the camera.
-    fn previous_pixel_position(&self, world: Vec3) -> Option<Vec2> {
-        let at = Vec2::from(self.projections.previous_position(world.extend(1.0).into())?);
-        let position = at - sample_offset(self.frame) * extent_ratio(self.frame) - 0.5;
-        // What lies far outside has no pixel.
-        position.abs().cmplt(Vec2::splat(1e6)).all().then_some(position)
-    }
-
-    /// Where the image at a distance behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
-    fn virtual_position(&self, c: &Centre, distance: f32, share: f32) -> Option<Vec2> {
-        let still = self.previous_pixel_position(c.position)?;
-        let position = self.previous_pixel_position(c.position + c.sight * distance)?;
-        Some(position + (c.reprojected.s - still) * (1.0 - share))
     }
 
     /// The mean of the tested 2×2 taps around a position.
@@ -126,7 +113,7 @@ impl Scene<'_> {
         let [r, g, b, _] = previous.history.at(q);
         Past {
             frames: moments.history_length,
-            nearness: nearness(c.surface.linear_depth, seen.hit_distance),
+            nearness: nearness(c.mirror.surface.linear_depth, seen.hit_distance),
             roughness: seen.roughness,
             irradiance: [r, g, b],
             mean: moments.mean,
@@ -147,8 +134,8 @@ impl Scene<'_> {
         let at = |depth| previous_world_position(self.frame, q, depth).xyz();
         let position = at(tap.linear_depth);
         let sight = (at(2.0 * tap.linear_depth) - position).normalize();
-        let reach = seen.hit_distance.min(1e4 * c.surface.linear_depth);
-        let thing = c.position + c.sight.reflect(c.surface.unit_normal()) * reach;
+        let reach = seen.hit_distance.min(1e4 * c.mirror.surface.linear_depth);
+        let thing = c.mirror.position + c.mirror.sight.reflect(c.mirror.surface.unit_normal()) * reach;
         let difference = sight.reflect(tap.unit_normal()) - (thing - position).normalize();
         // Normals of the guide are rounded to half a degree, and a mirror doubles that.
         let tolerance = 0.06 + 2.0 * lobe_width(seen.roughness);

@@ -6,6 +6,7 @@ use crate::reference::reflection::unpack_reflection;
 use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;
 use crate::Config;
+use glam::Vec3;
 
 const EXTENT: [u32; 2] = [32, 16];
 /// Pixels from one side of the image to the other side of a square one: the focal length of the test's camera.
@@ -39,7 +40,7 @@ impl Wall {
             roughness: Image::new(EXTENT, [roughness; 4]),
             history: paint(EXTENT, |x, _| [x as f32; 4]),
             moments: Image::new(EXTENT, pack_moments(&moments)),
-            reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness })),
+            reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
         }
     }
 
@@ -131,7 +132,7 @@ fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
     assert!(length(&same) > 900.0, "{}", length(&same));
     for before in [SeenReflection { hit_distance: 0.5, roughness: 0.0 }, SeenReflection { hit_distance: 4.0, roughness: 0.8 }] {
         let mut other = Wall::new(0.0, 4.0, 0.0);
-        other.reflection = Image::new(EXTENT, pack_reflection(&before));
+        other.reflection = Image::new(EXTENT, pack_reflection(&before, None));
         other.guides.surface_motion = Image::new(EXTENT, pack_surface_motion([100.0, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
         assert!(length(&other) < 10.0, "{before:?}: {}", length(&other));
     }
@@ -177,7 +178,7 @@ fn a_ball_is_as_curved_as_its_radius_says() {
     };
     let tuning = tuning();
     let scene = Scene::new(&frame, &tuning, &inputs);
-    let curvature = |p: IVec2| scene.mean_curvature(&scene.centre(p, scene.surfaces.at(p)));
+    let curvature = |p: IVec2| scene.motion.mean_curvature(&scene.motion.mirror(p, [0.0; 2]));
     for p in [IVec2::new(32, 32), IVec2::new(26, 35)] {
         assert!((curvature(p) * radius - 1.0).abs() < 0.2, "{p}: {}", curvature(p));
     }
@@ -185,7 +186,7 @@ fn a_ball_is_as_curved_as_its_radius_says() {
     let inputs = flat.inputs();
     let scene = Scene::new(&flat.frame, &tuning, &inputs);
     let p = IVec2::new(10, 8);
-    assert_eq!(scene.mean_curvature(&scene.centre(p, scene.surfaces.at(p))), 0.0);
+    assert_eq!(scene.motion.mean_curvature(&scene.motion.mirror(p, [0.0; 2])), 0.0);
 }
 
 #[test]
