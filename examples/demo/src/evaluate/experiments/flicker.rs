@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use atrous::config::{Preset, Signals};
 use atrous_demo::{FrameDenoiser, Result, Scene, SceneOptions, TracerOptions};
+use atrous_picture::Picture;
 use atrous_quality::{rmse, Rgb};
 
 use super::{Figures, Findings};
@@ -25,7 +26,7 @@ const WINDOW: i32 = 3;
 /// λ from which on history counts as lost.
 const LOST: f32 = 0.1;
 
-pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
+pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let options = SceneOptions { static_objects: true, ..SceneOptions::default() };
     let scene = Arc::new(Scene::load("lamps", &options)?);
     // One period, behind as many frames as it takes for histories to be long.
@@ -59,7 +60,25 @@ pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
             measured.errors.push(error(&denoised.radiance, reference, &inside)?);
         }
     }
+    write_maps(folder, pictures[0].extent, &contenders, &measured, &change)?;
     Ok(report(&contenders, &measured, &change, frames))
+}
+
+/// Grey values of λ in the first frame, in which the lamp steps, and ten times the change of light.
+fn write_maps(
+    folder: &Path,
+    [width, height]: [u32; 2],
+    contenders: &[Contender],
+    measured: &[Measured],
+    change: &[f32],
+) -> Result<()> {
+    let write = |name: &str, values: &[f32], scale: f32| -> Result<()> {
+        let grey = values.iter().map(|value| [(255.0 * (scale * value).clamp(0.0, 1.0) + 0.5) as u8; 3]);
+        Ok(Picture::from_pixels(width, height, grey.collect())?.write_png(folder.join(format!("{name}.png")))?)
+    };
+    write("change", change, 10.0)?;
+    let with_lambda = contenders.iter().zip(measured).filter(|(_, measured)| !measured.lambda[0].is_empty());
+    with_lambda.map(|(contender, measured)| write(&format!("lambda_{}", contender.name), &measured.lambda[0], 1.0)).collect()
 }
 
 /// What is measured of a filter, for each frame.
@@ -115,13 +134,8 @@ fn error(image: &[[f32; 3]], reference: &[[f32; 3]], pixels: &[usize]) -> Result
 
 /// Share of the pixels for which something holds, among those that count.
 fn share(values: &[f32], counts: impl Fn(usize) -> bool, holds: impl Fn(f32) -> bool) -> f64 {
-    let (mut held, mut counted) = (0.0, 0.0);
-    for (pixel, value) in values.iter().enumerate().filter(|(pixel, _)| counts(*pixel)) {
-        let _ = pixel;
-        counted += 1.0;
-        held += f64::from(u8::from(holds(*value)));
-    }
-    held / counted
+    let counted: Vec<_> = values.iter().enumerate().filter(|(pixel, _)| counts(*pixel)).collect();
+    counted.iter().filter(|(_, value)| holds(**value)).count() as f64 / counted.len() as f64
 }
 
 fn report(contenders: &[Contender], measured: &[Measured], change: &[f32], frames: Range<u32>) -> Findings {
