@@ -6,6 +6,7 @@ use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
 use atrous::{Config, DebugView, Declaration, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
+use crate::tracer::barriers::general_barrier;
 use crate::tracer::Reshading;
 use crate::{PathTracer, Result};
 
@@ -25,6 +26,10 @@ pub struct DenoiserOptions {
     pub signals: Signals,
     /// Edge-stopping functions of the preset `Eaw`.
     pub eaw_weights: EawWeights,
+    /// Levels of the filter, 1 to 10; `None`: as many as the preset has.
+    pub levels: Option<u32>,
+    /// Side of the blocks of pixels that have a gradient sample each, 2 to 4.
+    pub stratum_size: u32,
     /// Whether fog has motion of its own; else it moves as the surfaces behind it.
     pub volume_motion: bool,
     /// Tone map and temporal anti-aliasing after it.
@@ -50,6 +55,8 @@ impl DenoiserOptions {
             preset,
             signals,
             eaw_weights: EawWeights::default(),
+            levels: None,
+            stratum_size: 3,
             volume_motion: true,
             taa: false,
             debug_view: false,
@@ -65,6 +72,8 @@ impl DenoiserOptions {
             preset: self.preset,
             signals: self.signals,
             eaw_weights: self.eaw_weights,
+            levels: self.levels,
+            stratum_size: self.stratum_size,
             volume: tracer.volume().is_some(),
             visibility: tracer.sun().is_some(),
             debug_view: self.debug_view,
@@ -96,6 +105,8 @@ pub struct FrameDenoiser {
     tuning: Tuning,
     reset: Option<ResetReason>,
     frame: Option<FrameContext>,
+    /// What another denoiser writes, and this one reads.
+    followed: Option<Image>,
 }
 
 impl FrameDenoiser {
@@ -129,7 +140,7 @@ impl FrameDenoiser {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;
         }
-        Ok(Self { executor, preset: options.preset, reshading, gpu: gpu.clone(), tuning, reset: None, frame: None })
+        Ok(Self { executor, preset: options.preset, reshading, gpu: gpu.clone(), tuning, reset: None, frame: None, followed: None })
     }
 
     /// Renders and denoises the frame that the tracer was set to, and waits for it.
@@ -236,6 +247,22 @@ impl FrameDenoiser {
     /// A name that does not exist, another format, or an image that is too small.
     pub fn bind_output(&mut self, name: &str, image: &Image) -> Result<()> {
         Ok(self.executor.bind_image(name, host_image(image, vk::AccessFlags2::SHADER_STORAGE_WRITE))?)
+    }
+
+    /// Has it filter the picture of another one, which is recorded before it in every frame: for [`Preset::Stabilize`].
+    ///
+    /// # Errors
+    /// A preset that filters the noisy picture, or no memory.
+    pub fn follow(&mut self, other: &mut FrameDenoiser, extent: vk::Extent2D) -> Result<()> {
+        let picture = Image::new(&self.gpu, "followed", vk::Format::R16G16B16A16_SFLOAT, extent)?;
+        self.gpu.submit(|cmd| {
+            general_barrier(self.gpu.device(), cmd, &[&picture]);
+            Ok(())
+        })?;
+        other.bind_output("denoised_radiance", &picture)?;
+        self.executor.bind_image("other_denoised_radiance", host_image(&picture, vk::AccessFlags2::SHADER_STORAGE_WRITE))?;
+        self.followed = Some(picture);
+        Ok(())
     }
 
     /// The filter.

@@ -2,6 +2,7 @@
 
 use atrous_demo::measure::Scores;
 use atrous_picture::{Column, PictureError, TextTable};
+use serde::{Deserialize, Serialize};
 
 use super::contenders::{ASVGF, BEST, EAW_ACCUMULATED, NOISY, SVGF};
 use super::results::{Row, SceneResult};
@@ -12,6 +13,7 @@ const CHANGING: [&str; 3] = ["cornell", "pillars", "lamps"];
 const STEPPING: [&str; 2] = ["cornell", "lamps"];
 
 /// A claim on one scene: a ratio that must not be above a bound.
+#[derive(Clone, Serialize, Deserialize)]
 pub struct Claim {
     /// The claim, with its source.
     pub text: String,
@@ -102,8 +104,8 @@ mod tests {
             name: name.into(),
             frames: vec![Scores { rmse, ssim, ..Scores::default() }],
             energy,
-            milliseconds: None,
-            bytes_per_pixel: None,
+            stages: Vec::new(),
+            memory: None,
         };
         SceneResult { settings: Settings::default(), scene: scene.into(), content: 0, rows: rows.iter().map(row).collect() }
     }

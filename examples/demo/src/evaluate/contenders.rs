@@ -1,9 +1,10 @@
 //! The filters that are compared: the presets as a host gets them, and two more that comparisons of the papers want.
 
-use atrous::config::{Preset, Signals};
-use atrous::graph::{Feedback, Graph, Irradiance};
-use atrous::nodes::{Accumulation, Eaw, Import, Modulate, Variance};
+use atrous::config::{EawWeights, Preset, Signals};
+use atrous::graph::{Estimate, Feedback, Graph, Guides, History, Irradiance, Value};
+use atrous::nodes::{Accumulation, Atrous, Eaw, Import, Modulate, Variance};
 use atrous::{presets, Config, Declaration};
+use atrous_demo::denoiser::GraphOfConfig;
 use atrous_demo::DenoiserOptions;
 
 /// A filter with its name in tables.
@@ -12,6 +13,24 @@ pub struct Contender {
     pub name: &'static str,
     /// The denoiser.
     pub options: DenoiserOptions,
+    /// Name of the filter before it whose picture it takes instead of the noisy one.
+    pub over: Option<&'static str>,
+}
+
+impl Contender {
+    /// A preset as a host gets it.
+    pub fn new(name: &'static str, preset: Preset) -> Self {
+        Self { name, options: DenoiserOptions::new(preset), over: None }
+    }
+
+    /// The same with a number set.
+    ///
+    /// # Errors
+    /// A number that does not exist, or is out of range.
+    pub fn with(mut self, number: &str, value: f32) -> atrous_demo::Result<Self> {
+        self.options.tuning.set(number, value)?;
+        Ok(self)
+    }
 }
 
 /// Name of the noisy picture in tables.
@@ -25,40 +44,83 @@ pub const ASVGF: &str = "A-SVGF";
 /// The filter of choice, with reflections apart.
 pub const BEST: &str = "best";
 
-/// All of them, in the order of tables. A-SVGF, which has lighting of its own, is not the last: then the noisy picture is the one that all
-/// others had.
+/// The filter of choice, and the sun's visibility filtered by itself.
+pub const BEST_AND_SUN: &str = "best, visibility apart";
+/// Wavelets that stop at no edge, of accumulated light.
+pub const PLAIN: &str = "plain à-trous, accumulated";
+/// A bilateral filter by normals and depth alone, of accumulated light.
+pub const JOINT: &str = "joint bilateral, accumulated";
+
+/// Those of every scene, in the order of tables. A-SVGF, which has lighting of its own, is not the last: then the noisy picture is the one that
+/// all others had.
 pub fn all() -> Vec<Contender> {
-    let of = |name, preset| Contender { name, options: DenoiserOptions::new(preset) };
     let together = |contender: Contender| Contender {
         options: DenoiserOptions { signals: Signals::Together, ..contender.options },
         ..contender
     };
-    let mut accumulated = of(EAW_ACCUMULATED, Preset::Eaw);
-    accumulated.options.graph = Some(eaw_accumulated);
+    let graph = |name, preset, graph: GraphOfConfig| {
+        let contender = together(Contender::new(name, preset));
+        Contender { options: DenoiserOptions { graph: Some(graph), ..contender.options }, ..contender }
+    };
     vec![
-        of("EAW", Preset::Eaw),
-        accumulated,
-        together(of(SVGF, Preset::Svgf)),
-        of("SVGF, direct and indirect apart", Preset::Svgf),
-        of(ASVGF, Preset::Asvgf),
-        of("percentile", Preset::Percentile),
-        of("fast", Preset::Fast),
-        together(of("best, one signal", Preset::Best)),
-        of(BEST, Preset::Best),
+        Contender::new("EAW", Preset::Eaw),
+        graph(PLAIN, Preset::Eaw, plain),
+        graph(JOINT, Preset::Svgf, joint_bilateral),
+        graph(EAW_ACCUMULATED, Preset::Eaw, eaw_accumulated),
+        together(Contender::new(SVGF, Preset::Svgf)),
+        Contender::new("SVGF, direct and indirect apart", Preset::Svgf),
+        Contender::new(ASVGF, Preset::Asvgf),
+        Contender::new("percentile", Preset::Percentile),
+        Contender::new("fast", Preset::Fast),
+        together(Contender::new("best, one signal", Preset::Best)),
+        Contender::new(BEST, Preset::Best),
     ]
 }
 
+/// Those of scenes with a sun, which is rendered apart from all other light for them.
+pub fn of_sun() -> Vec<Contender> {
+    vec![Contender::new(BEST_AND_SUN, Preset::Best)]
+}
+
+/// Wavelets without edge-stopping functions. Their history is not filtered: it would blur without end.
+fn plain(config: &Config) -> Result<Declaration, atrous::Error> {
+    accumulated(config, Feedback::Accumulated, |g, guides, estimate, _| {
+        let spatial = Eaw { levels: config.levels(), weights: EawWeights::first(0), ..Eaw::default() };
+        g.eaw(guides, &Irradiance::of(estimate.image()), spatial)
+    })
+}
+
+/// The wavelets of SVGF with its weights by normal and depth, and none by luminance: level by level as wide as one of a hundred taps a side,
+/// which is no public node.
+fn joint_bilateral(config: &Config) -> Result<Declaration, atrous::Error> {
+    accumulated(config, Feedback::Accumulated, |g, guides, estimate, _| {
+        let spatial = Atrous { levels: config.levels(), sigma_l: Value::Fixed(1.0e6), ..Atrous::default() };
+        g.atrous(guides, estimate, spatial).into()
+    })
+}
+
 fn eaw_accumulated(config: &Config) -> Result<Declaration, atrous::Error> {
+    // As in SVGF, so that the spatial filter is all that differs.
+    accumulated(config, Feedback::Filtered, |g, guides, estimate, history| {
+        let spatial = Eaw { levels: config.levels(), weights: config.eaw_weights, feedback: Some(history), ..Eaw::default() };
+        g.eaw(guides, &Irradiance::of(estimate.image()), spatial)
+    })
+}
+
+/// The accumulation of SVGF, with another filter behind it.
+fn accumulated(
+    config: &Config,
+    feedback: Feedback,
+    spatial: impl FnOnce(&mut Graph, &Guides, &Estimate, History) -> Irradiance,
+) -> Result<Declaration, atrous::Error> {
     let mut g = Graph::new(config.allocated_extent).conventions(config.conventions).frames_in_flight(config.frames_in_flight);
     let guides = g.import(Import { surface_id: config.surface_id, ..Import::default() });
     let noisy = presets::noisy(&mut g, config.signals);
     let irradiance = g.demodulate(&guides, &noisy, Default::default());
-    // As in SVGF, so that the spatial filter is all that differs.
-    let history = g.history(&irradiance, Feedback::Filtered);
+    let history = g.history(&irradiance, feedback);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
-    let spatial = Eaw { levels: config.levels(), weights: config.eaw_weights, feedback: Some(history), ..Eaw::default() };
-    let filtered = g.eaw(&guides, &Irradiance::of(estimate.image()), spatial);
+    let filtered = spatial(&mut g, &guides, &estimate, history);
     let denoised = g.modulate(&guides, &filtered, Modulate::default());
     g.output("denoised_radiance", &denoised);
     if config.volume {

@@ -10,7 +10,9 @@ use atrous_picture::{Column, Picture, Region, Strip, TextTable};
 
 use super::claims::{self, Claim};
 use super::contenders::{ASVGF, BEST, NOISY, SVGF};
-use super::results::SceneResult;
+use super::experiments::Findings;
+use super::figures;
+use super::results::{mean_of, Memory, SceneResult};
 use super::scene::{picture, REFERENCE};
 use crate::files::write;
 
@@ -100,31 +102,47 @@ pub fn mean_table(result: &SceneResult) -> Result<TextTable> {
 /// # Errors
 /// None in practice.
 pub fn cost_table(results: &[SceneResult]) -> Result<TextTable> {
-    let mut table = TextTable::new("cost", [Column::new("ms a frame", 1), Column::new("bytes a pixel", 1)]);
+    let columns = [("ms a frame", 1), ("history, bytes a pixel", 1), ("transient", 1), ("both", 1)];
+    let mut table = TextTable::new("cost", columns.map(|(name, decimals)| Column::new(name, decimals)));
     for name in names(results).into_iter().filter(|name| *name != NOISY) {
         let rows: Vec<_> = results.iter().filter_map(|result| result.row(name)).collect();
-        let mean = |values: Vec<f64>| values.iter().sum::<f64>() / values.len() as f64;
-        let milliseconds = mean(rows.iter().filter_map(|row| row.milliseconds).collect());
-        table.row(name, &[milliseconds, mean(rows.iter().filter_map(|row| row.bytes_per_pixel).collect())])?;
+        let mean = |values: Vec<f64>| mean_of(&values).unwrap_or(f64::NAN);
+        let memory = |of: fn(&Memory) -> f64| mean(rows.iter().filter_map(|row| row.memory.as_ref()).map(of).collect());
+        let milliseconds = mean(rows.iter().filter_map(|row| row.milliseconds()).collect());
+        table.row(name, &[milliseconds, memory(|m| m.history), memory(|m| m.transient), memory(|m| m.history + m.transient)])?;
     }
     Ok(table)
 }
 
-/// Names of the rows, in order.
+/// Names of the rows, in order. A scene may have rows of its own, behind the others.
 pub fn names(results: &[SceneResult]) -> Vec<&str> {
-    results.first().map_or(Vec::new(), |result| result.rows.iter().map(|row| row.name.as_str()).collect())
+    let mut names: Vec<&str> = Vec::new();
+    for row in results.iter().flat_map(|result| &result.rows) {
+        if !names.contains(&row.name.as_str()) {
+            names.push(&row.name);
+        }
+    }
+    names
 }
 
 /// All tables.
 ///
 /// # Errors
 /// None in practice.
-pub fn text(results: &[SceneResult], claims: &[Claim]) -> Result<String> {
-    let mut text = format!("{}\n", conditions(results));
-    for metric in &METRICS {
-        text += &format!("\n{}", metric_table(results, metric)?);
+pub fn text(results: &[SceneResult], findings: &[Findings], claims: &[Claim]) -> Result<String> {
+    let mut text = String::new();
+    if !results.is_empty() {
+        text += &format!("{}\n", conditions(results));
+        for metric in &METRICS {
+            text += &format!("\n{}", metric_table(results, metric)?);
+        }
+        text += &format!("\n{}\n", cost_table(results)?);
     }
-    text += &format!("\n{}\n{}", cost_table(results)?, claims::table(claims)?);
+    text += &claims::table(claims)?.to_string();
+    let of_scenes = figures::of_scenes(results);
+    for found in findings.iter().chain(&of_scenes) {
+        text += &format!("\n{}", found.markdown()?);
+    }
     Ok(text)
 }
 

@@ -2,6 +2,8 @@
 
 mod claims;
 mod contenders;
+mod experiments;
+mod figures;
 mod markdown;
 mod page;
 mod references;
@@ -11,13 +13,17 @@ mod settings;
 
 pub use settings::EvaluateOptions;
 
+use std::path::Path;
 use std::sync::Arc;
 
 use crate::{files, progress};
-use atrous_demo::{Error, Gpu, GpuOptions, Result, Scene, SceneOptions};
+use atrous_demo::scene::Lamp;
+use atrous_demo::{Error, Gpu, GpuOptions, Result, Scene, SceneOptions, TracerOptions};
 use claims::Claim;
+use experiments::Findings;
 use references::References;
 use results::SceneResult;
+use scene::Lab;
 
 /// Gives the number of validation messages.
 ///
@@ -35,28 +41,15 @@ pub fn run(options: &EvaluateOptions) -> Result<usize> {
     let references = out.join("references");
     files::make(&references)?;
     let references = References::new(references, &settings);
-    let bar = progress::bar(scene::steps(&settings) * scenes.len() as u64, "");
-    let mut results = Vec::new();
-    for (number, scene) in (1..).zip(&scenes) {
-        bar.set_message(scene.name.clone());
-        let folder = out.join(&scene.name);
-        files::make(&folder)?;
-        let content = references::content(scene, 0);
-        let result = match SceneResult::read(&folder, &settings, content) {
-            Some(kept) => kept,
-            None => {
-                let rows = scene::measure(&gpu, scene, &settings, &references, &folder, &bar)?;
-                let result = SceneResult { settings: settings.clone(), scene: scene.name.clone(), content, rows };
-                result.write(&folder)?;
-                result
-            }
-        };
-        results.push(result);
-        bar.set_position(scene::steps(&settings) * number);
-    }
+    let bar = progress::bar(0, "");
+    let lab = Lab { gpu: &gpu, settings: &settings, references: &references, bar: &bar };
+    let results = scenes.iter().map(|scene| of_scene(&lab, scene, out)).collect::<Result<Vec<_>>>()?;
+    let experiments = options.experiments();
+    let findings = experiments.iter().map(|experiment| experiment.findings(&lab, out)).collect::<Result<Vec<_>>>()?;
     bar.finish();
-    let claims: Vec<_> = results.iter().flat_map(claims::of_scene).collect();
-    report(options, &results, &claims)?;
+    let mut claims: Vec<_> = results.iter().flat_map(claims::of_scene).collect();
+    claims.extend(findings.iter().flat_map(|found| found.claims.iter().cloned()));
+    report(options, &results, &findings, &claims)?;
     let messages = gpu.validation_messages();
     messages.iter().for_each(|message| eprintln!("{message}"));
     if options.quick {
@@ -65,21 +58,53 @@ pub fn run(options: &EvaluateOptions) -> Result<usize> {
     Ok(messages.len())
 }
 
-fn report(options: &EvaluateOptions, results: &[SceneResult], claims: &[Claim]) -> Result<()> {
-    let text = markdown::text(results, claims)?;
+/// The results of a scene: those that are kept, or measured anew.
+fn of_scene(lab: &Lab, scene: &Arc<Scene>, out: &Path) -> Result<SceneResult> {
+    lab.bar.set_message(scene.name.clone());
+    let folder = out.join(&scene.name);
+    files::make(&folder)?;
+    let (settings, content) = (lab.settings, references::content(scene, 0));
+    if let Some(kept) = SceneResult::read(&folder, settings, content) {
+        return Ok(kept);
+    }
+    let of_all = settings.wanted(contenders::all());
+    let mut rows = scene::measure(lab, scene, TracerOptions::default(), &of_all, &folder)?;
+    let of_sun = settings.wanted(contenders::of_sun());
+    if scene.lamps.iter().any(|lamp| matches!(lamp, Lamp::Sun { .. })) && !of_sun.is_empty() {
+        let options = TracerOptions { sun_apart: true, ..TracerOptions::default() };
+        // Noise is the same, but for that of the sun.
+        rows.extend(scene::measure(lab, scene, options, &of_sun, &folder)?.into_iter().skip(1));
+    }
+    let result = SceneResult { settings: settings.clone(), scene: scene.name.clone(), content, rows };
+    result.write(&folder)?;
+    Ok(result)
+}
+
+fn report(options: &EvaluateOptions, results: &[SceneResult], findings: &[Findings], claims: &[Claim]) -> Result<()> {
+    let text = markdown::text(results, findings, claims)?;
     println!("\n{text}");
+    let out = &options.out;
+    if results.is_empty() {
+        files::write(&out.join("quality.md"), text.as_bytes())?;
+    } else {
+        write_with_details(options, results, &text)?;
+    }
+    page::write(&out.join("quality.html"), results, findings, claims, out)?;
+    println!("page, table and pictures: quality.html, quality.md and quality.png in {}", options.out.display());
+    Ok(())
+}
+
+fn write_with_details(options: &EvaluateOptions, results: &[SceneResult], text: &str) -> Result<()> {
     let (out, sheet) = (&options.out, markdown::sheet(results, &options.out)?);
     let linked = |picture: &str| format!("{text}\n{}", markdown::picture_of_details(picture));
     files::write(&out.join("quality.md"), linked("quality.png").as_bytes())?;
     sheet.write_png(out.join("quality.png"))?;
-    page::write(&out.join("quality.html"), results, claims, out)?;
     if let Some(file) = &options.markdown {
         markdown::renew(file, &linked("images/quality.png"))?;
         let images = file.with_file_name("images");
         files::make(&images)?;
         sheet.write_png(images.join("quality.png"))?;
     }
-    println!("page, table and pictures: quality.html, quality.md and quality.png in {}", options.out.display());
     Ok(())
 }
 

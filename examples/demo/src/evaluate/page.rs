@@ -8,6 +8,8 @@ use atrous_picture::Picture;
 
 use super::claims::Claim;
 use super::contenders::{BEST, NOISY};
+use super::experiments::Findings;
+use super::figures;
 use super::markdown::{conditions, cost_table, mean_table, metric_table, Metric, METRICS};
 use super::results::SceneResult;
 use super::scene::{picture, read_error, REFERENCE};
@@ -16,20 +18,29 @@ use super::scene::{picture, read_error, REFERENCE};
 ///
 /// # Errors
 /// A picture that cannot be read, or a page that cannot be written.
-pub fn write(path: &Path, results: &[SceneResult], claims: &[Claim], out: &Path) -> Result<()> {
+pub fn write(path: &Path, results: &[SceneResult], findings: &[Findings], claims: &[Claim], out: &Path) -> Result<()> {
     let mut page = Page::new("Denoisers on the scenes of the demo");
     page.introduction(conditions(results));
-    let summary = page.section("All scenes");
+    if !results.is_empty() {
+        summary(page.section("All scenes"), results)?;
+    }
+    page.section("What is claimed").table(claim_table(claims)?);
+    for found in findings.iter().chain(&figures::of_scenes(results)) {
+        found.show(page.section(found.title.as_str()))?;
+    }
+    for result in results {
+        of_scene(page.section(result.scene.as_str()), result, &out.join(&result.scene))?;
+    }
+    Ok(page.write(path)?)
+}
+
+fn summary(summary: &mut Section, results: &[SceneResult]) -> Result<()> {
     summary.text("Means over the measured frames. RMSE and relMSE of linear radiance, SSIM and temporal error of tone-mapped values, HDR-FLIP.");
     for metric in &METRICS {
         summary.table(table_of(results, metric)?);
     }
     summary.table(&cost_table(results)?);
-    page.section("What is claimed").table(claim_table(claims)?);
-    for result in results {
-        of_scene(page.section(result.scene.as_str()), result, &out.join(&result.scene))?;
-    }
-    Ok(page.write(path)?)
+    Ok(())
 }
 
 /// The table of a metric, with the best of each scene.

@@ -1,4 +1,4 @@
-//! The results of a scene, as they are kept in a file.
+//! Results, as they are kept in files.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use atrous_demo::measure::Scores;
 use atrous_demo::report::mean;
 use atrous_demo::{Error, Result};
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::settings::Settings;
@@ -33,10 +34,20 @@ pub struct Row {
     pub frames: Vec<Scores>,
     /// Light of all measured frames, as a share of the references'.
     pub energy: f64,
-    /// GPU time of a frame in milliseconds; `None` for the noisy picture, and on devices without timestamps.
-    pub milliseconds: Option<f64>,
-    /// Memory of history and transients; `None` for the noisy picture.
-    pub bytes_per_pixel: Option<f64>,
+    /// GPU time of each stage in milliseconds, one for each frame behind the first two; none for the noisy picture, and on devices without
+    /// timestamps.
+    pub stages: Vec<(String, Vec<f64>)>,
+    /// Memory; `None` for the noisy picture.
+    pub memory: Option<Memory>,
+}
+
+/// Memory of a filter, bytes a pixel.
+#[derive(Clone, Copy, Serialize, Deserialize)]
+pub struct Memory {
+    /// What is kept from frame to frame.
+    pub history: f64,
+    /// What another use may have between frames.
+    pub transient: f64,
 }
 
 impl Row {
@@ -44,6 +55,27 @@ impl Row {
     pub fn mean(&self) -> Scores {
         mean(&self.frames)
     }
+
+    /// Milliseconds of each frame; none where nothing was measured.
+    pub fn frame_times(&self) -> Vec<f64> {
+        let frames = self.stages.first().map_or(0, |(_, times)| times.len());
+        (0..frames).map(|frame| self.stages.iter().map(|(_, times)| times[frame]).sum()).collect()
+    }
+
+    /// Milliseconds of a frame, the mean.
+    pub fn milliseconds(&self) -> Option<f64> {
+        mean_of(&self.frame_times())
+    }
+
+    /// Milliseconds of a stage, the mean; 0 for one that the filter does not have.
+    pub fn stage(&self, name: &str) -> f64 {
+        self.stages.iter().find(|(stage, _)| stage == name).and_then(|(_, times)| mean_of(times)).unwrap_or(0.0)
+    }
+}
+
+/// The mean, where there are values.
+pub fn mean_of(values: &[f64]) -> Option<f64> {
+    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
 impl SceneResult {
@@ -52,10 +84,9 @@ impl SceneResult {
         self.rows.iter().find(|row| row.name == name)
     }
 
-    /// What a folder holds, if it is of these settings and this scene. A file that cannot be read counts as none: it is of another version.
+    /// What a folder holds, if it is of these settings and this scene.
     pub fn read(folder: &Path, settings: &Settings, content: u64) -> Option<Self> {
-        let text = fs::read_to_string(file(folder)).ok()?;
-        serde_json::from_str::<Self>(&text).ok().filter(|result| result.settings == *settings && result.content == content)
+        read::<Self>(&file(folder)).filter(|result| result.settings == *settings && result.content == content)
     }
 
     /// Writes it, behind the pictures that belong to it: what is there is complete.
@@ -63,10 +94,23 @@ impl SceneResult {
     /// # Errors
     /// A folder that cannot be written.
     pub fn write(&self, folder: &Path) -> Result<()> {
-        let problem = |problem: String| Error::Folder { path: file(folder), problem };
-        let text = serde_json::to_string_pretty(self).map_err(|e| problem(e.to_string()))?;
-        write(&file(folder), text.as_bytes())
+        keep(&file(folder), self)
     }
+}
+
+/// What a file holds. One that cannot be read counts as none: it is of another version.
+pub fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
+    serde_json::from_str(&fs::read_to_string(path).ok()?).ok()
+}
+
+/// Writes a file for [`read`].
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn keep<T: Serialize>(path: &Path, value: &T) -> Result<()> {
+    let text = serde_json::to_string_pretty(value);
+    let text = text.map_err(|e| Error::Folder { path: path.to_owned(), problem: e.to_string() })?;
+    write(path, text.as_bytes())
 }
 
 fn file(folder: &Path) -> PathBuf {

@@ -9,9 +9,9 @@ use atrous_picture::{Picture, PictureError};
 use atrous_quality::{flip_map, Rgb};
 use indicatif::ProgressBar;
 
-use super::contenders::{self, NOISY};
+use super::contenders::{Contender, NOISY};
 use super::references::References;
-use super::results::Row;
+use super::results::{Memory, Row};
 use super::settings::Settings;
 use crate::running::{self, Running};
 
@@ -26,80 +26,89 @@ struct Measured {
     reference_light: f64,
 }
 
-/// Steps that [`measure`] reports: one for each frame, and one for each measured frame again.
-pub fn steps(settings: &Settings) -> u64 {
-    u64::from(settings.frames + settings.measured)
+/// Where and how is measured.
+pub struct Lab<'a> {
+    /// The device.
+    pub gpu: &'a Gpu,
+    /// Sizes, frames, seed.
+    pub settings: &'a Settings,
+    /// References.
+    pub references: &'a References,
+    /// Gets longer by the steps of what is measured.
+    pub bar: &'a ProgressBar,
+}
+
+impl Lab<'_> {
+    /// A path tracer of a scene.
+    ///
+    /// # Errors
+    /// A scene that is too large, or no memory.
+    pub fn tracer(&self, scene: &Arc<Scene>, options: TracerOptions) -> Result<PathTracer> {
+        let (width, height) = self.settings.size;
+        let options = TracerOptions { seed: self.settings.seed, ..options };
+        PathTracer::new(self.gpu, scene, ash::vk::Extent2D { width, height }, options)
+    }
+
+    /// Filters that read the images of a tracer.
+    ///
+    /// # Errors
+    /// A device without what a filter needs, or no memory.
+    pub fn start(&self, tracer: &PathTracer, contenders: &[Contender]) -> Result<Vec<Running>> {
+        let mut filters: Vec<Running> = Vec::new();
+        for contender in contenders {
+            let mut filter = Running::new(self.gpu, tracer, contender.name, &contender.options)?;
+            if let Some(other) = filters.iter_mut().find(|other| contender.over == Some(other.name)) {
+                filter.denoiser.follow(&mut other.denoiser, tracer.extent())?;
+            }
+            filters.push(filter);
+        }
+        Ok(filters)
+    }
 }
 
 /// Renders, denoises and measures a scene, and leaves the pictures of its last frame in a folder, which exists.
-pub fn measure(
-    gpu: &Gpu,
-    scene: &Arc<Scene>,
-    settings: &Settings,
-    references: &References,
-    folder: &Path,
-    bar: &ProgressBar,
-) -> Result<Vec<Row>> {
-    let (width, height) = settings.size;
-    let options = TracerOptions { seed: settings.seed, ..TracerOptions::default() };
-    let mut tracer = PathTracer::new(gpu, scene, ash::vk::Extent2D { width, height }, options)?;
-    let wanted = contenders::all().into_iter().filter(|c| settings.filters.iter().any(|name| name == c.name));
-    let start = |c: contenders::Contender| Running::new(gpu, &tracer, c.name, &c.options);
-    let mut filters = wanted.map(start).collect::<Result<Vec<_>>>()?;
-    let frames = sequence(gpu, settings, &mut tracer, &mut filters, bar)?;
-    let names = names(settings);
-    let measured = score(frames, scene, &mut tracer, references, &names, folder, bar)?;
-    let row = |(index, name): (usize, &String)| {
+///
+/// # Errors
+/// A lost device, or a folder that cannot be written.
+pub fn measure(lab: &Lab, scene: &Arc<Scene>, options: TracerOptions, contenders: &[Contender], folder: &Path) -> Result<Vec<Row>> {
+    lab.bar.inc_length(u64::from(lab.settings.frames + lab.settings.measured));
+    let mut tracer = lab.tracer(scene, options)?;
+    let mut filters = lab.start(&tracer, contenders)?;
+    let frames = sequence(lab, &mut tracer, &mut filters)?;
+    let names: Vec<_> = std::iter::once(NOISY).chain(contenders.iter().map(|c| c.name)).collect();
+    let measured = score(lab, frames, scene, &mut tracer, &names, folder)?;
+    let row = |(index, name): (usize, &&str)| {
         let filter = index.checked_sub(1).map(|i| &filters[i]);
         Row {
-            name: name.clone(),
+            name: (*name).to_owned(),
             frames: measured.scores.iter().map(|of_frame| of_frame[index]).collect(),
             energy: measured.light[index] / measured.reference_light,
-            milliseconds: filter.map(|f| f.times.of_a_frame()).filter(|ms| ms.is_finite()),
-            bytes_per_pixel: filter.map(|f| bytes_per_pixel(&f.denoiser)),
+            stages: filter.map_or(Vec::new(), |f| f.times.stages()),
+            memory: filter.map(|f| memory(&f.denoiser)),
         }
     };
     Ok(names.iter().enumerate().map(row).collect())
 }
 
-/// Names of the pictures in the order of [`Frame::pictures`].
-fn names(settings: &Settings) -> Vec<String> {
-    std::iter::once(NOISY.to_owned()).chain(settings.filters.iter().cloned()).collect()
-}
-
 /// Runs the animation; gives the frames that are measured.
-fn sequence(
-    gpu: &Gpu,
-    settings: &Settings,
-    tracer: &mut PathTracer,
-    filters: &mut [Running],
-    bar: &ProgressBar,
-) -> Result<Vec<Frame>> {
+fn sequence(lab: &Lab, tracer: &mut PathTracer, filters: &mut [Running]) -> Result<Vec<Frame>> {
     let mut measured = Vec::new();
-    for index in 0..settings.frames {
-        running::render(gpu, tracer, filters, index)?;
-        if settings.measured_frames().contains(&index) {
-            measured.push(running::read(gpu, tracer, filters)?);
+    for index in 0..lab.settings.frames {
+        running::render(lab.gpu, tracer, filters, index)?;
+        if lab.settings.measured_frames().contains(&index) {
+            measured.push(running::read(lab.gpu, tracer, filters)?);
         }
-        bar.inc(1);
+        lab.bar.inc(1);
     }
     Ok(measured)
 }
 
-fn score(
-    frames: Vec<Frame>,
-    scene: &Scene,
-    tracer: &mut PathTracer,
-    references: &References,
-    names: &[String],
-    folder: &Path,
-    bar: &ProgressBar,
-) -> Result<Measured> {
+fn score(lab: &Lab, frames: Vec<Frame>, scene: &Scene, tracer: &mut PathTracer, names: &[&str], folder: &Path) -> Result<Measured> {
     let mut measured = Measured::default();
     let mut previous: Option<Frame> = None;
     let last = frames.len() - 1;
     for (number, mut frame) in frames.into_iter().enumerate() {
-        let reference = references.of_frame(tracer, scene, frame.index)?;
+        let reference = lab.references.of_frame(tracer, scene, frame.index)?;
         measured.reference_light += light(&reference);
         let of_pictures: Vec<_> = frame.pictures().map(light).collect();
         measured.light.resize(of_pictures.len(), 0.0);
@@ -110,7 +119,7 @@ fn score(
             write_pictures(&frame, names, folder)?;
         }
         previous = Some(frame);
-        bar.inc(1);
+        lab.bar.inc(1);
     }
     Ok(measured)
 }
@@ -119,14 +128,15 @@ fn light(pixels: &[[f32; 3]]) -> f64 {
     pixels.iter().flatten().map(|value| f64::from(*value)).sum()
 }
 
-fn bytes_per_pixel(denoiser: &FrameDenoiser) -> f64 {
+fn memory(denoiser: &FrameDenoiser) -> Memory {
     let declaration = denoiser.executor().denoiser().declaration();
     let ([width, height], memory) = (declaration.allocated_extent(), declaration.memory());
-    (memory.history + memory.transient) as f64 / (f64::from(width) * f64::from(height))
+    let per_pixel = |bytes: u64| bytes as f64 / (f64::from(width) * f64::from(height));
+    Memory { history: per_pixel(memory.history), transient: per_pixel(memory.transient) }
 }
 
 /// Every picture, the reference, and the FLIP of each against it as grey values.
-fn write_pictures(frame: &Frame, names: &[String], folder: &Path) -> Result<()> {
+fn write_pictures(frame: &Frame, names: &[&str], folder: &Path) -> Result<()> {
     let [width, height] = frame.extent;
     let Some(reference) = &frame.reference else { return Ok(()) };
     Picture::from_linear(width, height, reference, 1.0)?.write_png(picture(folder, REFERENCE))?;

@@ -10,7 +10,8 @@ use clap::builder::PossibleValuesParser;
 use clap::Args;
 use serde::{Deserialize, Serialize};
 
-use super::contenders;
+use super::contenders::{self, Contender};
+use super::experiments::{self, Experiment};
 use crate::options::parse_size;
 
 /// Scenes of `--quick`: light of a lamp that steps, shadows that wander, mirrors and a moving camera, light that steps in a part of the picture.
@@ -25,8 +26,11 @@ pub struct EvaluateOptions {
     #[arg(long = "scene")]
     scenes: Vec<String>,
     /// Filters by their names in the tables; may be given several times. Default: all
-    #[arg(long = "filter", value_parser = PossibleValuesParser::new(contenders::all().iter().map(|c| c.name)))]
+    #[arg(long = "filter", value_parser = PossibleValuesParser::new(contenders::all().iter().chain(&contenders::of_sun()).map(|c| c.name)))]
     filters: Vec<String>,
+    /// Experiments beside the scenes, by name; may be given several times. Default: all, or none where scenes or filters are given
+    #[arg(long = "experiment", value_parser = PossibleValuesParser::new(experiments::ALL.map(|e| e.name)))]
+    experiments: Vec<String>,
     /// Small pictures, few frames, four scenes, minutes; claims that do not hold are an error
     #[arg(long)]
     pub quick: bool,
@@ -85,13 +89,22 @@ impl EvaluateOptions {
     pub fn scenes(&self) -> Vec<String> {
         let names: &[&str] = if self.quick { &QUICK } else { &BUILT_IN };
         match self.scenes.is_empty() {
+            // An experiment alone.
+            true if !self.experiments.is_empty() => Vec::new(),
             true => names.iter().map(|name| name.to_string()).collect(),
             false => self.scenes.clone(),
         }
     }
 
+    /// The experiments in the order of the report.
+    pub fn experiments(&self) -> Vec<Experiment> {
+        let is_whole = self.experiments.is_empty() && self.scenes.is_empty() && self.filters.is_empty();
+        let wanted = |name: &str| self.experiments.iter().any(|given| given == name);
+        experiments::ALL.into_iter().filter(|e| wanted(e.name) || (is_whole && (!self.quick || e.is_quick))).collect()
+    }
+
     fn filters(&self) -> Vec<String> {
-        let names = contenders::all().into_iter().map(|c| c.name.to_owned());
+        let names = contenders::all().into_iter().chain(contenders::of_sun()).map(|c| c.name.to_owned());
         names.filter(|name| self.filters.is_empty() || self.filters.contains(name)).collect()
     }
 
@@ -119,6 +132,11 @@ impl EvaluateOptions {
 }
 
 impl Settings {
+    /// Those of some filters that are wanted.
+    pub fn wanted(&self, contenders: Vec<Contender>) -> Vec<Contender> {
+        contenders.into_iter().filter(|c| self.filters.iter().any(|name| name == c.name)).collect()
+    }
+
     /// Indices of the frames that are measured.
     pub fn measured_frames(&self) -> std::ops::Range<u32> {
         self.frames - self.measured..self.frames

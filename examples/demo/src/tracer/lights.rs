@@ -1,4 +1,7 @@
 //! Materials and the list of lights at one time: each light is chosen with a probability in proportion to its power.
+//!
+//! It is the power that the light has in the scene's description, not that of the moment: a lamp that flickers would change which light
+//! every random number chooses, and a sample that is shaded again would change where its light did not.
 
 use std::f32::consts::PI;
 
@@ -34,7 +37,7 @@ fn material_data(material: &Material, emission: Vec3) -> MaterialData {
     MaterialData {
         base_color_roughness: with(material.base_color, material.roughness),
         checker_color_scale: with(other, squares),
-        emission_weight: with(emission, side * luminance(emission) * PI),
+        emission_weight: with(emission, side * luminance(material.emission) * PI),
         metallic: material.metallic,
         specular: material.specular,
         base_color_texture: texture,
@@ -96,7 +99,7 @@ fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {
                 radiance_material: with(irradiance * scale, 0.0),
                 ..Default::default()
             };
-            (light, luminance(irradiance * scale) * 0.25 * PI * diagonal * diagonal)
+            (light, luminance(irradiance) * 0.25 * PI * diagonal * diagonal)
         }
         Lamp::Point { position, intensity, spot } => {
             let (direction, inner, outer) = spot.unwrap_or((Vec3::NEG_Y, 1.0, -1.0));
@@ -106,7 +109,7 @@ fn lamp_data(lamp: &Lamp, scale: f32, diagonal: f32) -> (LightData, f32) {
                 edge2_probability: [inner, outer, 0.0, 0.0],
                 radiance_material: with(intensity * scale, 0.0),
             };
-            (light, luminance(intensity * scale) * 4.0 * PI)
+            (light, luminance(intensity) * 4.0 * PI)
         }
     }
 }
@@ -127,4 +130,23 @@ fn fill_distribution(data: &mut [LightData], weights: &[f32]) -> f32 {
 
 fn luminance(radiance: Vec3) -> f32 {
     radiance.dot(glam::vec3(0.2126, 0.7152, 0.0722))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lamp_that_flickers_changes_no_choice_of_a_light() {
+        let scene = Scene::load("lamps", &Default::default()).expect("a scene");
+        let (transforms, triangles) = (scene.transforms(0.0), vec![0; scene.meshes.len()]);
+        let at = |frame| lights(&scene, &transforms, &triangles, frame, 10.0);
+        let (bright, dim) = (at(0), at(6));
+        assert_ne!(
+            materials(&scene, 0).iter().map(|m| m.emission_weight[0]).sum::<f32>(),
+            materials(&scene, 6).iter().map(|m| m.emission_weight[0]).sum()
+        );
+        let choices = |lights: &Lights| lights.data.iter().map(|l| [l.edge1_cdf[3], l.edge2_probability[3]]).collect::<Vec<_>>();
+        assert_eq!((choices(&bright), bright.total_weight), (choices(&dim), dim.total_weight));
+    }
 }
