@@ -259,7 +259,7 @@ mod tests {
     #[test]
     fn defaults_are_in_range() {
         for preset in Preset::ALL {
-            Tuning::for_preset(preset).validate().expect(preset.name());
+            assert_eq!(Tuning::for_preset(preset).validate(), Ok(()), "{preset}");
         }
     }
 

@@ -104,8 +104,13 @@ impl Passes {
 
     /// The passes on a device that is open.
     pub fn on(gpu: Arc<HeadlessDevice>, config: &Config) -> Result<Self> {
+        Self::of(gpu, config.declare()?)
+    }
+
+    /// The passes of any graph on a device that is open.
+    pub fn of(gpu: Arc<HeadlessDevice>, declaration: Declaration) -> Result<Self> {
         let name = gpu.name().to_owned();
-        let session = Session::new(gpu, config.declare()?, SessionOptions::default())?;
+        let session = Session::new(gpu, declaration, SessionOptions::default())?;
         Ok(Self { runner: Box::new(session), name, next: None, watch: HistoryWatch::default() })
     }
 
@@ -117,7 +122,8 @@ impl Passes {
         Ok(Self { runner: Box::new(engine), name: "the CPU reference".into(), next: None, watch: HistoryWatch::default() })
     }
 
-    fn upload(&mut self, frame: &FrameInputs) -> Result<()> {
+    /// Gives the next frame's inputs, as far as the graph has them.
+    pub fn upload(&mut self, frame: &FrameInputs) -> Result<()> {
         for (name, shape, optional) in inputs(self.runner.declaration()) {
             let is_image = matches!(shape, Shape::Image { .. });
             let transforms = frame.instance_transforms.as_ref().filter(|_| name == TRANSFORMS);
@@ -132,6 +138,26 @@ impl Passes {
         }
         Ok(())
     }
+
+    /// Runs the frame that was uploaded, and waits for it.
+    pub fn run(&mut self, frame: &FrameInputs) -> Result<()> {
+        if self.next != Some(frame.index) {
+            self.runner.restart_at(frame.index);
+        }
+        self.next = Some(frame.index.wrapping_add(1));
+        Ok(self.runner.run(&frame.params, &frame.tuning)?)
+    }
+
+    /// Denoised radiance of the frame that ran: surfaces and volume are the picture together.
+    pub fn radiance(&mut self, frame: &FrameInputs) -> Result<Vec<[f32; 3]>> {
+        let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
+        for name in ["denoised_radiance", "denoised_volume"] {
+            if self.runner.declaration().find(name).is_some() {
+                add(&mut radiance, &self.runner.download(name)?);
+            }
+        }
+        Ok(radiance)
+    }
 }
 
 impl Backend for Passes {
@@ -141,18 +167,8 @@ impl Backend for Passes {
 
     fn denoise(&mut self, frame: &FrameInputs, views: bool) -> Result<FrameOutputs> {
         self.upload(frame)?;
-        if self.next != Some(frame.index) {
-            self.runner.restart_at(frame.index);
-        }
-        self.next = Some(frame.index.wrapping_add(1));
-        self.runner.run(&frame.params, &frame.tuning)?;
-        let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
-        // Surfaces and volume are the picture together.
-        for name in ["denoised_radiance", "denoised_volume"] {
-            if self.runner.declaration().find(name).is_some() {
-                add(&mut radiance, &self.runner.download(name)?);
-            }
-        }
+        self.run(frame)?;
+        let radiance = self.radiance(frame)?;
         let loss = self.watch.look(&self.runner.statistics()?);
         let mut outputs = FrameOutputs { radiance, views: Vec::new(), loss };
         if views {

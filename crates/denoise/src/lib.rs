@@ -1,6 +1,6 @@
 //! Denoises a sequence of EXR frames: `cargo run --release -p atrous-denoise -- FRAMES -o FOLDER`. See docs/denoise.md.
 //!
-//! [`tool::run`] is the whole run. The modules are public for the tests of this package: nothing else builds on them.
+//! [`tool::run`] is the whole run. The modules are public for the tests and examples of this package: nothing else builds on them.
 
 #![forbid(unsafe_code)]
 

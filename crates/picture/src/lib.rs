@@ -2,7 +2,7 @@
 //!
 //! [`Picture`] is an 8-bit image made of radiance or of colours for a display, and read from and written to
 //! PNG. [`Strip`] puts labelled pictures side by side, with enlarged insets. [`Legend`] says what colours stand for. [`LinePlot`] draws one line for each
-//! denoiser over the frames, [`StackedBars`] one bar for each with a segment for each part, and [`TextTable`] prints
+//! denoiser over the frames, [`Scatter`] sets one value against another, [`StackedBars`] one bar for each with a segment for each part, and [`TextTable`] prints
 //! numbers that can be pasted into Markdown. All text is drawn with bitmap fonts, so that no font has to be installed and
 //! the same input gives the same bytes everywhere.
 #![forbid(unsafe_code)]
@@ -15,6 +15,7 @@ mod picture;
 mod plot;
 mod plot_canvas;
 mod png_file;
+mod scatter;
 mod strip;
 mod strip_layout;
 mod table;
@@ -26,5 +27,6 @@ pub use error::PictureError;
 pub use legend::{ColourBar, Legend};
 pub use picture::{Picture, Region};
 pub use plot::{value_axis, LinePlot, Series};
+pub use scatter::Scatter;
 pub use strip::Strip;
 pub use table::{Column, TextTable};

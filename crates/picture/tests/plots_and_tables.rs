@@ -1,6 +1,6 @@
-//! Line plots, stacked bars and text tables.
+//! Line plots, points, stacked bars and text tables.
 
-use atrous_picture::{Column, LinePlot, Picture, PictureError, StackedBars, TextTable};
+use atrous_picture::{Column, LinePlot, Picture, PictureError, Scatter, StackedBars, TextTable};
 
 const WHITE: [u8; 3] = [255; 3];
 /// First and second colour of the lines.
@@ -61,6 +61,45 @@ fn a_plot_without_values_or_room_is_an_error() {
     assert!(matches!(nan, Err(PictureError::NothingToPlot(_))));
     let small = LinePlot::new("x").size(100, 100).series("s", vec![1.0]).render();
     assert!(matches!(small, Err(PictureError::PlotSize { .. })));
+}
+
+fn point(name: &str, across: f64, up: f64) -> (String, [f64; 2]) {
+    (name.to_owned(), [across, up])
+}
+
+#[test]
+fn points_stand_where_their_values_are() {
+    let scatter = Scatter::new("RMSE", "ms").group("a", [point("", 1.0, 0.1)]).group("b", [point("", 2.0, 0.01)]);
+    let picture = scatter.render().unwrap();
+    // Below the legend.
+    let middle = |colour| {
+        let places = (60..picture.height()).flat_map(|y| (0..picture.width()).map(move |x| [x, y]));
+        let found: Vec<_> = places.filter(|[x, y]| picture.pixel(*x, *y) == Some(colour)).collect();
+        assert!(found.len() > 20, "{}", found.len());
+        [0, 1].map(|c| found.iter().map(|place| place[c]).sum::<u32>() / found.len() as u32)
+    };
+    let ([left, high], [right, low]) = (middle(BLUE), middle(RED));
+    assert!(left + 100 < right && high + 100 < low, "{left}, {high} and {right}, {low}");
+    let ink = |picture: &Picture| picture.pixels().iter().filter(|p| **p != WHITE).count();
+    let named = Scatter::new("RMSE", "ms").group("a", [point("name", 1.0, 0.1)]).group("b", [point("", 2.0, 0.01)]);
+    assert!(ink(&named.render().unwrap()) > ink(&picture) + 20);
+    let joined = scatter.clone().front([[1.0, 0.1], [2.0, 0.01]]);
+    assert!(ink(&joined.render().unwrap()) > ink(&picture) + 100);
+}
+
+#[test]
+fn points_that_cannot_be_shown_are_left_out() {
+    let bad = [point("x", f64::NAN, 1.0), point("y", 1.0, 0.0), point("z", 1.0, f64::INFINITY)];
+    let none = Scatter::new("x", "ms").group("a", bad.clone()).render();
+    assert!(matches!(none, Err(PictureError::NothingToPlot(_))));
+    let one = |points: Vec<_>| Scatter::new("x", "ms").group("a", points).render().unwrap();
+    let plain = one(vec![point("", 1.0, 1.0)]);
+    assert!(one([&bad[..], &[point("", 1.0, 1.0)]].concat()).pixels() == plain.pixels());
+    let small = Scatter::new("x", "ms").size(100, 100).group("a", [point("", 1.0, 1.0)]).render();
+    assert!(matches!(small, Err(PictureError::PlotSize { .. })));
+    for up in [1e-300, 1e-12, 1e12, 1e300] {
+        Scatter::new("x", "ms").group("a", [point("far", 1e-9, up), point("", 1e9, up)]).render().unwrap();
+    }
 }
 
 #[test]

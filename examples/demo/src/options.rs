@@ -28,13 +28,13 @@ pub struct Options {
     /// Frames of the animation
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: u32,
-    /// Filter; default: svgf, in a window asvgf
+    /// Filter; default: best, in a window asvgf
     #[arg(long, value_parser = choice(&FILTERS))]
     pub preset: Option<Preset>,
     /// Every filter on the same frames: one strip and one table. A-SVGF has lighting of its own, since it has some samples shaded again
     #[arg(long, conflicts_with = "preset")]
     pub compare: bool,
-    /// Direct and indirect light filtered apart, or their sum; default: apart for svgf, together for the others
+    /// Direct and indirect light filtered apart, diffuse and specular light apart, or all of it together; default: apart for svgf, specular for best, together for the others
     #[arg(long, value_parser = choice(&Signals::ALL))]
     pub signals: Option<Signals>,
     /// Edge-stopping functions of the filter eaw: some of rt (radiance), normal and position, separated by commas, or none

@@ -40,7 +40,9 @@ fn assert_files(out: &Path) {
 #[test]
 fn a_run_of_each_preset_leaves_strips_a_sequence_and_a_table() {
     let Some(_gpu) = Validated::new() else { return };
-    for (preset, pass) in [("svgf", "atrous_4"), ("asvgf", "gradient_atrous_4"), ("percentile", "firefly"), ("eaw", "eaw_4")] {
+    for (preset, pass) in
+        [("svgf", "atrous_4"), ("asvgf", "gradient_atrous_4"), ("percentile", "firefly"), ("eaw", "eaw_4"), ("best", "firefly")]
+    {
         let (out, stdout) = run(&format!("cli_{preset}"), &["--preset", preset]);
         for word in ["RMSE", "SSIM", "temporal error", "bytes/pixel", pass] {
             assert!(stdout.contains(word), "{preset}: no {word} in {stdout}");
