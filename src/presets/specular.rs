@@ -1,8 +1,8 @@
 //! The filter of specular light, which presets have beside that of diffuse light.
 
 use crate::config::{Config, Signals};
-use crate::graph::{Confidence, Feedback, Graph, Guides, Irradiance, Radiance, Reflection};
-use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, Modulate, SpecularAccumulation, Variance};
+use crate::graph::{Confidence, Feedback, Gradient, Graph, Guides, Irradiance, Radiance, Reflection};
+use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Gradients, Kernel, Modulate, SpecularAccumulation, Variance};
 
 /// Parameters of [`specular`]: what differs from preset to preset.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +17,10 @@ pub struct Specular {
     pub shared_deviation: bool,
     /// Confidence in the history.
     pub confidence: Option<Confidence>,
+    /// Source of gradients of specular light alone, from which it then has a confidence of its own in place of `confidence`: light that
+    /// changes only what is seen in a mirror leaves diffuse light its history, where that has gradients of its own, too. Samples that the
+    /// host shades again alone are a source: the others are of all light. Costs 8 bytes a pixel. Default: none.
+    pub gradients: Option<Gradients>,
 }
 
 impl Default for Specular {
@@ -27,6 +31,7 @@ impl Default for Specular {
             kernel: Kernel::Box,
             shared_deviation: false,
             confidence: None,
+            gradients: None,
         }
     }
 }
@@ -36,8 +41,11 @@ impl Default for Specular {
 /// It reads `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, ..Demodulate::default() });
-    let Specular { feedback, variance, kernel, shared_deviation, confidence } = specular;
+    let Specular { feedback, variance, kernel, shared_deviation, confidence, gradients } = specular;
+    let gradient = gradients.map(|source| own_gradient(g, guides, &noisy, source));
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, gradient, ..Demodulate::default() });
+    let own = gradient.map(|gradient| g.scope(SCOPE, |g| g.adaptive_alpha(&gradient)));
+    let confidence = own.or(confidence);
     let parameters = SpecularAccumulation { feedback, confidence, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, parameters);
     let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
@@ -45,6 +53,19 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let shape = Atrous { levels: config.levels(), kernel, shared_deviation, ..Atrous::default() };
     let atrous = Atrous { feedback, reflection: Some(found.reflection), ..shape };
     (g.atrous(guides, &estimate, atrous).into(), found.reflection)
+}
+
+/// Behind the names of nodes that diffuse light has, too.
+const SCOPE: &str = "specular";
+
+fn own_gradient(g: &mut Graph, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
+    if !matches!(source, Gradients::ForwardProjected(_)) {
+        g.fail(SCOPE, "gradients", "an image of all light was given; allowed are forward-projected samples".to_owned());
+    }
+    g.scope(SCOPE, |g| {
+        let gradient = g.gradient(guides, noisy, source);
+        g.gradient_atrous(guides, &gradient)
+    })
 }
 
 /// Radiance of what a preset filtered, with specular light beside it where [`Signals::Specular`] asks for it, and what is seen in the

@@ -5,6 +5,7 @@ mod host_stages;
 mod inputs;
 mod memory;
 mod sequences;
+mod specular;
 mod volumes;
 
 use super::super::test_scene::{embed, svgf_tuning};

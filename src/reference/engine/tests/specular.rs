@@ -1,0 +1,64 @@
+//! Specular light beside diffuse light: what of the one the other learns.
+
+use super::*;
+use crate::config::{Preset, Signals};
+use crate::graph::{Feedback, Graph};
+use crate::nodes::{Accumulation, Demodulate, Gradients, Import, Modulate, Variance};
+use crate::{presets, Declaration, Error};
+
+const EXTENT: [u32; 2] = [24, 24];
+
+/// Both lights, each with gradients of its own from the same samples.
+fn apart(source: Option<Gradients>) -> Result<Declaration, Error> {
+    let config = Config { preset: Preset::Asvgf, signals: Signals::Specular, surface_id: false, ..Config::new(EXTENT) };
+    let mut g = Graph::of_config(&config);
+    let guides = g.import(Import { surface_id: false, ..Import::default() });
+    let samples = presets::gradient_samples(&mut g, &guides, &config).expect("forward-projected");
+    let noisy = g.radiance("noisy_diffuse");
+    let change = presets::change_of_light(&mut g, &guides, &noisy, Some(samples));
+    let irradiance = g.demodulate(&guides, &noisy, Demodulate { gradient: change.gradient, ..Demodulate::default() });
+    let history = g.history(&irradiance, Feedback::Accumulated);
+    let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
+    let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, accumulation);
+    let diffuse = g.variance(&guides, &accumulated, &history, Variance::default());
+    let parameters = presets::Specular { gradients: Some(source.unwrap_or(samples)), ..presets::Specular::default() };
+    let (specular, _) = presets::specular(&mut g, &guides, &config, parameters);
+    let both = g.pair(&diffuse.into(), &specular);
+    let denoised = g.modulate(&guides, &both, Modulate { specular: true, ..Modulate::default() });
+    g.output("denoised_radiance", &denoised);
+    g.finish()
+}
+
+/// The least confidence in each history, diffuse and specular, in a frame in which their light is so many times brighter.
+fn confidence_after([diffuse, specular]: [f32; 2]) -> [f32; 2] {
+    let mut engine = Engine::new(apart(None).expect("valid")).expect("twins").keep_transients();
+    for i in 0..5 {
+        let light = |scale| Image::new(EXTENT, if i == 4 { [scale, scale, scale, 0.0] } else { [1.0, 1.0, 1.0, 0.0] });
+        for (name, image) in [
+            ("depth", Image::new(EXTENT, [4.0; 4])),
+            ("normal", Image::new(EXTENT, [0.0, 0.0, 1.0, 0.0])),
+            ("noisy_diffuse", light(diffuse)),
+            ("noisy_specular", light(specular)),
+        ] {
+            engine.upload(name, image.texels()).expect(name);
+        }
+        engine.run(&FrameParams { reshaded: true, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("frame");
+    }
+    ["history_confidence", "history_confidence_specular"].map(|name| match engine.texels(name, UseFrame::Current).expect(name) {
+        Texels::Scalar(image) => image.texels().iter().copied().fold(f32::INFINITY, f32::min),
+        other => panic!("{name} is {}", other.kind()),
+    })
+}
+
+#[test]
+fn light_that_changes_in_reflections_alone_leaves_diffuse_light_its_history() {
+    assert_eq!(confidence_after([1.0, 1.0]), [1.0, 1.0]);
+    assert_eq!(confidence_after([1.0, 4.0]), [1.0, 0.0]);
+    assert_eq!(confidence_after([4.0, 1.0]), [0.0, 1.0]);
+}
+
+#[test]
+fn gradients_of_all_light_are_none_of_specular_light() {
+    let message = apart(Some(Gradients::Sparse { stratum_size: 3 })).expect_err("of all light").to_string();
+    assert!(message.contains("gradients") && message.contains("forward-projected samples"), "{message}");
+}
