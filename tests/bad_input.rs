@@ -2,7 +2,7 @@
 
 use super::support::{self, assert_valid, frame, gpu, scene::Guides, scene::Scene, session};
 use atrous::config::{Conventions, Signals};
-use atrous::executor::{HeadlessDevice, HeadlessOptions, Validation};
+use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous::graph::Graph;
 use atrous::{Binding, Config, Counter, Denoiser, Error, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
@@ -138,7 +138,7 @@ fn a_background_depth_that_is_no_distance_is_named() {
 
 fn a_device_that_does_not_exist_lists_those_that_do() {
     for wanted in ["no such device", "99"] {
-        let options = HeadlessOptions { device: Some(wanted.into()), validation: Validation::Off };
+        let options = HeadlessOptions { device: Some(wanted.into()), ..Default::default() };
         let error = HeadlessDevice::new(&options).err().expect("refused").to_string();
         assert!(error.contains(wanted) && error.contains(&format!("0: {}", gpu().name())), "{error}");
     }

@@ -12,6 +12,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_capture_can_end_early_and_another_can_follow", a_capture_can_end_early_and_another_can_follow),
     ("a_failure_ends_the_capture_and_not_the_frame", a_failure_ends_the_capture_and_not_the_frame),
     ("a_resize_ends_a_capture", a_resize_ends_a_capture),
+    ("a_frame_that_ends_in_the_middle_is_not_written", a_frame_that_ends_in_the_middle_is_not_written),
     ("a_frame_that_was_only_begun_is_not_waited_for", a_frame_that_was_only_begun_is_not_waited_for),
     ("what_is_outstanding_is_written_when_the_session_ends", what_is_outstanding_is_written_when_the_session_ends),
 ];
@@ -132,6 +133,27 @@ fn a_frame_that_was_only_begun_is_not_waited_for() {
     assert_eq!(unsafe { rig.executor.finish_capture() }, Ok(2));
     assert_eq!(frames_in(folder.path()), 2);
     assert!(folder.path().join("frame_0000.exr").exists());
+    assert_valid();
+}
+
+fn a_frame_that_ends_in_the_middle_is_not_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut rig = Rig::new(gpu(), &Config::new(EXTENT), 1);
+    rig.fill_inputs();
+    rig.executor.capture(folder.path(), 3).expect("a capture");
+    for phases in [&Phase::ALL[..], &Phase::ALL[..1]] {
+        let frame = rig.executor.begin_frame(&FrameParams::new(EXTENT), &Tuning::default()).expect("a frame");
+        rig.submit(|rig, cmd| {
+            for phase in phases {
+                // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
+                unsafe { rig.executor.record(cmd, &frame, *phase) }.expect("recorded");
+            }
+        });
+    }
+    // SAFETY: every submission was waited for.
+    let message = unsafe { rig.executor.finish_capture() }.expect_err("half a frame").to_string();
+    assert!(message.contains("frame 1 was begun") && message.contains("record each phase"), "{message}");
+    assert_eq!(frames_in(folder.path()), 1);
     assert_valid();
 }
 

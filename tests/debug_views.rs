@@ -1,6 +1,8 @@
 //! Views behind a frame, on the GPU and by the CPU's chain of stages: both have to show the same images of each preset.
 
+use super::support::rig::Rig;
 use super::support::{assert_valid, gpu, scene::Scene, session, session_with, svgf, svgf_tuning, upload, upload_to_engine};
+use ash::vk;
 use atrous::config::{Preset, Signals};
 use atrous::executor::SessionOptions;
 use atrous::reference::Engine;
@@ -11,6 +13,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("are_those_of_the_cpu", are_those_of_the_cpu),
     ("do_not_depend_on_what_was_shown_before", do_not_depend_on_what_was_shown_before),
     ("are_left_out_where_none_is_asked_for", are_left_out_where_none_is_asked_for),
+    ("nothing_is_recorded_once_more_without_a_view", nothing_is_recorded_once_more_without_a_view),
 ];
 
 const EXTENT: [u32; 2] = [61, 35];
@@ -68,6 +71,17 @@ fn are_those_of_the_cpu() {
         }
     }
     assert_valid();
+}
+
+fn nothing_is_recorded_once_more_without_a_view() {
+    for (debug_view, view) in [(true, None), (false, Some(DebugView::Alpha))] {
+        let mut rig = Rig::new(gpu(), &Config { debug_view, ..Config::new(EXTENT) }, 1);
+        let params = FrameParams { debug_view: view, ..FrameParams::new(EXTENT) };
+        let frame = rig.executor.begin_frame(&params, &Tuning::default()).expect("a frame");
+        // SAFETY: nothing is recorded, so that the null command buffer is never used.
+        let recorded = unsafe { rig.executor.record_debug_view(vk::CommandBuffer::null(), &frame) };
+        assert_eq!(recorded, Ok(()), "a pass: {debug_view}, a view: {view:?}");
+    }
 }
 
 /// Differences of one stage grow in the next and in the next frame, so a few pixels may differ.

@@ -1,6 +1,7 @@
 //! Inputs in the formats of a declaration, and sets of them that stay on the device.
 
 use super::support::{assert_valid, gpu, scene::Scene, session, session_with, upload};
+use atrous::config::Signals;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, InputSet, Session, SessionOptions};
 use atrous::{Config, Error, Lifetime, Shape, Tuning};
 use atrous_harness::DeviceTest;
@@ -11,6 +12,7 @@ use std::sync::Arc;
 pub const TESTS: &[DeviceTest] = &[
     ("frames_of_sets_give_the_bits_of_uploads", frames_of_sets_give_the_bits_of_uploads),
     ("uploads_leave_a_set_alone", uploads_leave_a_set_alone),
+    ("a_set_may_have_more_than_a_declaration_asks_for", a_set_may_have_more_than_a_declaration_asks_for),
     ("inputs_of_the_wrong_size_or_device_are_refused", inputs_of_the_wrong_size_or_device_are_refused),
 ];
 
@@ -90,6 +92,25 @@ fn uploads_leave_a_set_alone() {
     upload(&mut one, &frame(0));
     one.invalidate();
     assert_eq!(run(&mut one, 0), expected);
+    assert_valid();
+}
+
+fn a_set_may_have_more_than_a_declaration_asks_for() {
+    let config = Config::new(EXTENT);
+    let (mut one, mut apart) = (session(&config), session(&Config { signals: Signals::Apart, ..config }));
+    upload(&mut one, &frame(0));
+    upload(&mut apart, &frame(0));
+    let mut set = InputSet::new(gpu());
+    set.add(&one).expect("the same device");
+    set.add(&apart).expect("the same device");
+    assert!(set.contains("noisy_radiance") && set.contains("noisy_direct"));
+    let mut bound = session(&config);
+    bound.bind_inputs(&set).expect("the inputs that it has");
+    assert_eq!(run(&mut bound, 0), run(&mut one, 0));
+    // What it does not have is not kept alive by it either.
+    let mut taken = InputSet::new(gpu());
+    taken.add(&bound).expect("the same device");
+    assert!(taken.contains("noisy_radiance") && !taken.contains("noisy_direct"));
     assert_valid();
 }
 

@@ -11,6 +11,7 @@ mod binding;
 mod capture;
 mod checksums;
 mod contract;
+mod counters;
 mod debug_views;
 mod declarations;
 mod defaults;
@@ -73,6 +74,7 @@ fn main() {
         #[cfg(feature = "capture")]
         Group { name: "capture", tests: capture::TESTS, needs_device: true },
         Group { name: "checksums", tests: checksums::TESTS, needs_device: true },
+        Group { name: "counters", tests: counters::TESTS, needs_device: true },
         Group { name: "debug_views", tests: debug_views::TESTS, needs_device: true },
         Group { name: "eaw", tests: eaw::TESTS, needs_device: true },
         Group { name: "faults", tests: faults::TESTS, needs_device: true },

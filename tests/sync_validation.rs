@@ -11,7 +11,7 @@ pub const TESTS: &[DeviceTest] =
 
 fn errors_with(omit: Option<&str>) -> Vec<String> {
     let scene = Scene::new([32, 18]);
-    let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device: None, validation: Validation::On }).expect("device"));
+    let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).expect("device"));
     let config = Config::new(scene.extent);
     let declaration = config.declare().expect("valid");
     let omit_barriers_before = omit.map(|name| declaration.passes().iter().position(|p| p.name == name).expect("a pass"));

@@ -77,7 +77,9 @@ impl Executor {
     pub(super) unsafe fn copy_counters(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) -> Result<(), Error> {
         self.counters.collect(frame.slot);
         let is_lent = self.memory.storages.is_lent(self.denoiser.declaration().named(STATISTICS)?);
-        if !std::mem::replace(&mut self.counters.is_filled, true) || is_lent {
+        // What this frame writes into a buffer of the host is not in ours.
+        let was_filled = std::mem::replace(&mut self.counters.is_filled, !is_lent);
+        if is_lent || !was_filled {
             return Ok(());
         }
         let slot = &mut self.counters.slots[frame.slot as usize];

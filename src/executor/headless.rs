@@ -23,6 +23,9 @@ pub struct HeadlessOptions {
     pub device: Option<String>,
     /// Validation.
     pub validation: Validation,
+    /// The highest version of Vulkan to use, for tests; `None`: all that is known.
+    #[doc(hidden)]
+    pub vulkan: Option<u32>,
 }
 
 /// Instance, device and one queue with `COMPUTE`.
@@ -38,6 +41,7 @@ pub struct HeadlessDevice {
     queue_family: u32,
     timestamps: bool,
     timeline_semaphores: bool,
+    synchronization2: bool,
     name: String,
 }
 
@@ -53,14 +57,16 @@ impl HeadlessDevice {
         let entry = unsafe { ash::Entry::load() }.map_err(|e| Error::NoDevice(format!("the Vulkan loader was not found ({e})")))?;
         let errors = Arc::new(Mutex::new(Vec::new()));
         let validate = options.validation == Validation::On;
-        let instance = create_instance(&entry, validate)?;
+        let version = options.vulkan.unwrap_or(vk::API_VERSION_1_3);
+        let instance = create_instance(&entry, validate, version)?;
         let mut this = PartialDevice { instance: Some(instance), messenger: None };
         let instance = this.instance.clone().ok_or_else(|| Error::NoDevice("no instance".into()))?;
         if validate {
             this.messenger = Some(create_messenger(&entry, &instance, &errors)?);
         }
         let (physical_device, name) = choose(&instance, options.device.as_deref())?;
-        let Opened { device, queue_family, timestamps, timeline_semaphores } = create_device(&instance, physical_device)?;
+        let opened = create_device(&instance, physical_device, version)?;
+        let Opened { device, queue_family, timestamps, timeline_semaphores, synchronization2 } = opened;
         // SAFETY: the family was asked for with one queue.
         let queue = Mutex::new(unsafe { device.get_device_queue(queue_family, 0) });
         let messenger = this.messenger.take();
@@ -76,6 +82,7 @@ impl HeadlessDevice {
             queue_family,
             timestamps,
             timeline_semaphores,
+            synchronization2,
             name,
         })
     }
@@ -109,6 +116,12 @@ impl HeadlessDevice {
     /// Whether timeline semaphores are enabled: where the device has Vulkan 1.2.
     pub fn has_timeline_semaphores(&self) -> bool {
         self.timeline_semaphores
+    }
+
+    /// Whether synchronization2 is enabled: where the device has Vulkan 1.3. Without it barriers are those of Vulkan 1.0:
+    /// [`super::ExecutorOptions::legacy_barriers`].
+    pub fn has_synchronization2(&self) -> bool {
+        self.synchronization2
     }
 
     /// Whether the queue can write timestamps.
@@ -192,7 +205,7 @@ impl Drop for PartialDevice {
     }
 }
 
-fn create_instance(entry: &ash::Entry, validate: bool) -> Result<ash::Instance, Error> {
+fn create_instance(entry: &ash::Entry, validate: bool, version: u32) -> Result<ash::Instance, Error> {
     let no_device = |what: String| Error::NoDevice(what);
     if validate {
         // SAFETY: the loader is live.
@@ -202,7 +215,7 @@ fn create_instance(entry: &ash::Entry, validate: bool) -> Result<ash::Instance, 
             return Err(no_device("the Khronos validation layer is not installed (Debian: vulkan-validationlayers)".into()));
         }
     }
-    let application = vk::ApplicationInfo::default().application_name(c"atrous").api_version(vk::API_VERSION_1_3);
+    let application = vk::ApplicationInfo::default().application_name(c"atrous").api_version(version);
     let (layers, extensions): (Vec<_>, Vec<_>) = if validate {
         (vec![VALIDATION_LAYER.as_ptr()], vec![vk::EXT_DEBUG_UTILS_NAME.as_ptr(), vk::EXT_VALIDATION_FEATURES_NAME.as_ptr()])
     } else {
@@ -218,7 +231,12 @@ fn create_instance(entry: &ash::Entry, validate: bool) -> Result<ash::Instance, 
         info = info.push_next(&mut features);
     }
     // SAFETY: every pointer in `info` lives until the call returns.
-    unsafe { entry.create_instance(&info, None) }.map_err(|e| no_device(format!("vkCreateInstance failed with {e}")))
+    unsafe { entry.create_instance(&info, None) }.map_err(|e| match e {
+        vk::Result::ERROR_INCOMPATIBLE_DRIVER => {
+            no_device("no Vulkan driver was found; install one (Debian: mesa-vulkan-drivers has a software one)".into())
+        }
+        _ => no_device(format!("vkCreateInstance failed with {e}")),
+    })
 }
 
 type Errors = Mutex<Vec<String>>;
@@ -296,29 +314,35 @@ struct Opened {
     queue_family: u32,
     timestamps: bool,
     timeline_semaphores: bool,
+    synchronization2: bool,
 }
 
-fn create_device(instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<Opened, Error> {
+/// `version` is that of the instance, beyond which no device goes.
+fn create_device(instance: &ash::Instance, physical_device: vk::PhysicalDevice, version: u32) -> Result<Opened, Error> {
     // SAFETY: the instance is live and the device was listed by it; every pointer lives until its call returns.
     unsafe {
         let families = instance.get_physical_device_queue_family_properties(physical_device);
         let family = families.iter().position(|f| f.queue_flags.contains(vk::QueueFlags::COMPUTE));
         let family = family.ok_or_else(|| Error::NoDevice("the device has no queue with COMPUTE".into()))?;
         let timestamps = families[family].timestamp_valid_bits > 0;
-        let version = instance.get_physical_device_properties(physical_device).api_version;
-        let extensions = if version < vk::API_VERSION_1_3 { vec![vk::KHR_SYNCHRONIZATION2_NAME.as_ptr()] } else { vec![] };
+        let version = instance.get_physical_device_properties(physical_device).api_version.min(version);
+        // Mandatory from these versions on.
+        let timeline_semaphores = version >= vk::API_VERSION_1_2;
+        let synchronization2 = version >= vk::API_VERSION_1_3;
         let priorities = [1.0];
         let queues = [vk::DeviceQueueCreateInfo::default().queue_family_index(family as u32).queue_priorities(&priorities)];
-        // Mandatory from 1.2 on.
-        let timeline_semaphores = version >= vk::API_VERSION_1_2;
         let mut timeline = vk::PhysicalDeviceTimelineSemaphoreFeatures::default().timeline_semaphore(true);
         let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default().synchronization2(true);
-        let info =
-            vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions).push_next(&mut sync2);
-        let info = if timeline_semaphores { info.push_next(&mut timeline) } else { info };
+        let mut info = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+        if timeline_semaphores {
+            info = info.push_next(&mut timeline);
+        }
+        if synchronization2 {
+            info = info.push_next(&mut sync2);
+        }
         let device = instance
             .create_device(physical_device, &info, None)
-            .map_err(|e| Error::NoDevice(format!("vkCreateDevice failed with {e}; it needs synchronization2")))?;
-        Ok(Opened { device, queue_family: family as u32, timestamps, timeline_semaphores })
+            .map_err(|e| Error::NoDevice(format!("vkCreateDevice failed with {e}")))?;
+        Ok(Opened { device, queue_family: family as u32, timestamps, timeline_semaphores, synchronization2 })
     }
 }

@@ -57,11 +57,11 @@ impl Session {
             poison: options.poison,
             no_aliasing: options.keep_transients,
             timestamps: options.timestamps && gpu.has_timestamps(),
-            legacy_barriers: false,
+            legacy_barriers: !gpu.has_synchronization2(),
             debug_labels: gpu.validates(),
             omit_barriers_before: options.omit_barriers_before,
         };
-        // SAFETY: the device is live, has synchronization2, and is kept alive by `gpu`, which is dropped last.
+        // SAFETY: the device is live, has synchronization2 where it is used, and is kept alive by `gpu`, which is dropped last.
         let (executor, commands) = unsafe {
             (Executor::new(gpu.host(), declaration, executor_options)?, Commands::new(gpu.device(), gpu.queue_family())?)
         };
@@ -71,7 +71,7 @@ impl Session {
             buffers: BTreeMap::new(),
             staging: None,
             commands,
-            barriers: Barriers::new(false),
+            barriers: Barriers::new(!gpu.has_synchronization2()),
             frame: None,
             is_pending: false,
             gpu,

@@ -48,7 +48,7 @@ struct Faulty {
 impl Faulty {
     fn new() -> Self {
         let _first = gpu();
-        let mut gpu = HeadlessDevice::new(&HeadlessOptions { device: None, validation: Validation::On }).expect("a device");
+        let mut gpu = HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).expect("a device");
         let faults = Faults::new(gpu.device());
         // SAFETY: the functions have the signatures of those that they stand for, and call them or fail as they may.
         unsafe { gpu.replace_functions(replacement) };

@@ -10,6 +10,7 @@ pub mod random;
 use super::parity;
 use super::support::{assert_valid, gpu, scene::Scene};
 use atrous::executor::{Session, SessionOptions};
+use atrous::graph::Graph;
 use atrous::reference::{Engine, Texels};
 use atrous::{DebugView, Declaration, FrameParams, ImageFormat, Lifetime, ResetReason, ResourceDecl, Shape, Tuning, UseFrame};
 use atrous_harness::DeviceTest;
@@ -20,6 +21,7 @@ use std::panic::{catch_unwind, resume_unwind};
 
 pub const TESTS: &[DeviceTest] = &[
     ("seeds_reach_every_stage", seeds_reach_every_stage),
+    ("a_graph_without_transient_images_runs", a_graph_without_transient_images_runs),
     // Two tests, so that two threads share the work.
     ("even_seeds", || for_each_seed(0)),
     ("odd_seeds", || for_each_seed(1)),
@@ -61,6 +63,29 @@ fn seeds_reach_every_stage() {
     for part in ["temporal_accumulation_again", "atrous_other_0", "temporal_accumulation_ao", "forward_project_resolve", "taa"] {
         assert!(declarations.iter().any(|d| d.passes().iter().any(|pass| pass.name == part)), "no graph has {part}");
     }
+}
+
+fn a_graph_without_transient_images_runs() {
+    let mut g = Graph::new(EXTENT);
+    let noisy = g.radiance("noisy_radiance");
+    let display = g.tone_map(&noisy);
+    g.output("display", &display);
+    let declaration = g.finish().expect("a graph");
+    let is_image = |r: &&ResourceDecl| matches!(r.shape, Shape::Image { .. }) && r.lifetime == Lifetime::Transient;
+    assert_eq!(declaration.resources().iter().filter(is_image).count(), 0);
+    let display = declaration.resource(declaration.find("display").expect("an output"));
+    let (mut s, mut engine) = (session(&declaration, false), Engine::new(declaration.clone()).expect("twins"));
+    for i in 0..2 {
+        let radiance = scene(i).frame(i, i).noisy_radiance;
+        s.upload("noisy_radiance", &radiance).expect("an input");
+        engine.upload("noisy_radiance", &radiance).expect("an input");
+        s.run(&params(0, i), &Tuning::default()).expect("frame");
+        engine.run(&params(0, i), &Tuning::default()).expect("frame");
+        let bytes = s.download_bytes("display", UseFrame::Current).expect("an output");
+        let cpu = engine.texels("display", UseFrame::Current).expect("an output");
+        assert_alike(&texels(display, bytes), cpu, &format!("frame {i}"));
+    }
+    assert_valid();
 }
 
 fn session(declaration: &Declaration, keep_transients: bool) -> Session {

@@ -1,8 +1,11 @@
 //! A host whose device has less than the executor asks for: the nodes run (`host_ash` is such a host), and the executor says what it misses.
 
 use ash::vk;
-use atrous::executor::{Executor, ExecutorOptions};
+use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::{Config, Denoiser, Device, Error, Requirements};
+use atrous_synthetic as synthetic;
+use std::process::Command;
+use std::sync::Arc;
 
 /// A device without any feature, of an instance of this version, on the physical device that the tests use.
 fn with_a_plain_device(version: u32, body: impl FnOnce(Device<'_>)) {
@@ -44,6 +47,39 @@ pub fn a_device_without_synchronization2_runs_the_nodes_and_not_the_executor() {
             }
         }
     });
+}
+
+/// Barriers, timestamps and semaphores are those that the version has; the picture is the same.
+pub fn a_session_runs_on_each_version_of_vulkan() {
+    let expected = super::of_executor();
+    let versions = [(vk::API_VERSION_1_1, [false; 2]), (vk::API_VERSION_1_2, [true, false]), (vk::API_VERSION_1_3, [true; 2])];
+    for (version, features) in versions {
+        let options = HeadlessOptions { validation: Validation::On, vulkan: Some(version), ..Default::default() };
+        let gpu = Arc::new(HeadlessDevice::new(&options).expect("a device"));
+        assert_eq!([gpu.has_timeline_semaphores(), gpu.has_synchronization2()], features);
+        let options = SessionOptions { timestamps: true, ..Default::default() };
+        let mut s = Session::new(gpu.clone(), Config::new(synthetic::EXTENT).declare().expect("valid"), options).expect("session");
+        assert_eq!(super::executor_frames(&mut s), expected, "{features:?}");
+        assert_eq!(s.times().is_empty(), !gpu.has_timestamps());
+        drop(s);
+        assert_eq!(gpu.validation_errors(), [] as [String; 0], "{features:?}");
+    }
+}
+
+/// Layers and drivers are looked for where the environment says, so it is a process of its own that finds none.
+pub fn a_machine_without_a_layer_or_a_driver_is_told_so() {
+    let said = |host: &str, missing: &[&str]| {
+        let mut command = Command::new(std::env::current_exe().expect("this program"));
+        let nowhere = missing.iter().map(|variable| (*variable, "/nowhere"));
+        let output = command.env(super::VARIABLE, host).envs(nowhere).output().expect("a process");
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!output.status.success() && !text.contains("panicked"), "{host}: {text}");
+        text
+    };
+    let text = said("a validated device", &["VK_LAYER_PATH"]);
+    assert!(text.contains("validation layer is not installed (Debian: vulkan-validationlayers)"), "{text}");
+    let text = said("a device", &["VK_ICD_FILENAMES", "VK_DRIVER_FILES"]);
+    assert!(text.contains("no Vulkan driver was found") && text.contains("mesa-vulkan-drivers"), "{text}");
 }
 
 pub fn an_instance_of_vulkan_1_0_is_told_what_to_ask_for() {

@@ -9,7 +9,7 @@ mod submissions;
 
 use super::support::{assert_valid, examples, session};
 use atrous::config::Preset;
-use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
+use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions, Validation};
 use atrous::{Config, FrameParams, Tuning};
 use atrous_harness::DeviceTest;
 use atrous_synthetic as synthetic;
@@ -31,6 +31,8 @@ pub const TESTS: &[DeviceTest] = &[
         "a_device_without_synchronization2_runs_the_nodes_and_not_the_executor",
         fewer_features::a_device_without_synchronization2_runs_the_nodes_and_not_the_executor,
     ),
+    ("a_session_runs_on_each_version_of_vulkan", fewer_features::a_session_runs_on_each_version_of_vulkan),
+    ("a_machine_without_a_layer_or_a_driver_is_told_so", fewer_features::a_machine_without_a_layer_or_a_driver_is_told_so),
     ("an_instance_of_vulkan_1_0_is_told_what_to_ask_for", fewer_features::an_instance_of_vulkan_1_0_is_told_what_to_ask_for),
     ("a_device_with_everything_is_told_nothing", fewer_features::a_device_with_everything_is_told_nothing),
     ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
@@ -42,13 +44,19 @@ pub fn configurations() -> impl Iterator<Item = Config> {
     presets.into_iter().map(|preset| Config { preset, ..Config::new(synthetic::EXTENT) })
 }
 
-/// Set where a process of this program is a host that makes a mistake instead of the tests.
+/// Set where a process of this program is a host instead of the tests.
 const VARIABLE: &str = "ATROUS_TEST_HOST";
 
-/// Runs the host with the mistake where the environment asks for it; `None`: the tests are to be run.
+/// Runs the host that the environment asks for; `None`: the tests are to be run.
 pub fn run_as_host() -> Option<i32> {
-    std::env::var_os(VARIABLE)?;
-    Some(missing_barrier().map_or_else(
+    let host = std::env::var(VARIABLE).ok()?;
+    let open = |validation| HeadlessDevice::new(&HeadlessOptions { validation, ..Default::default() });
+    let result: Result<(), Box<dyn std::error::Error>> = match host.as_str() {
+        "a device" => open(Validation::Off).map(drop).map_err(Into::into),
+        "a validated device" => open(Validation::On).map(drop).map_err(Into::into),
+        _ => missing_barrier(),
+    };
+    Some(result.map_or_else(
         |error| {
             eprintln!("{error}");
             1

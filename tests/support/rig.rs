@@ -172,8 +172,12 @@ impl Rig {
 
     /// A mapped buffer that copies read and write.
     pub fn staging(&mut self, size: usize) -> (vk::Buffer, *mut u8) {
+        self.buffer(size, vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST)
+    }
+
+    /// A mapped buffer.
+    pub fn buffer(&mut self, size: usize, usage: vk::BufferUsageFlags) -> (vk::Buffer, *mut u8) {
         let gpu = self.gpu.clone();
-        let usage = vk::BufferUsageFlags::TRANSFER_SRC | vk::BufferUsageFlags::TRANSFER_DST;
         // SAFETY: the device is live; the buffer and its memory are destroyed with the rig.
         unsafe {
             let info = vk::BufferCreateInfo::default().size(size as u64).usage(usage);

@@ -17,7 +17,7 @@ fn a_call_that_fails_is_named_and_the_next_frame_is_good() {
     let scene = Scene { speed: 0.05, ..Scene::new([16, 9]) };
     capture(folder.path(), &Config::new([16, 9]), &Tuning::default(), &scene, |_, _| {});
     let (setup, frames) = load(folder.path());
-    let mut gpu = HeadlessDevice::new(&HeadlessOptions { device: None, validation: Validation::On }).expect("a device");
+    let mut gpu = HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).expect("a device");
     let faults = Faults::new(gpu.device());
     // SAFETY: the functions have the signatures of those that they stand for, and call them or fail as they may.
     unsafe { gpu.replace_functions(replacement) };

@@ -9,7 +9,7 @@ static GPU: OnceLock<Result<Arc<HeadlessDevice>, Error>> = OnceLock::new();
 
 /// The device, under validation.
 pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
-    let open = || HeadlessDevice::new(&HeadlessOptions { device: None, validation: Validation::On }).map(Arc::new);
+    let open = || HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).map(Arc::new);
     GPU.get_or_init(open).clone()
 }
 
