@@ -144,7 +144,7 @@ mod tests {
         let (bright, dim) = (at(0), at(6));
         assert_ne!(
             materials(&scene, 0).iter().map(|m| m.emission_weight[0]).sum::<f32>(),
-            materials(&scene, 6).iter().map(|m| m.emission_weight[0]).sum()
+            materials(&scene, 6).iter().map(|m| m.emission_weight[0]).sum::<f32>()
         );
         let choices = |lights: &Lights| lights.data.iter().map(|l| [l.edge1_cdf[3], l.edge2_probability[3]]).collect::<Vec<_>>();
         assert_eq!((choices(&bright), bright.total_weight), (choices(&dim), dim.total_weight));
