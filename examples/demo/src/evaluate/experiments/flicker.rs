@@ -77,8 +77,8 @@ fn write_maps(
         Ok(Picture::from_pixels(width, height, grey.collect())?.write_png(folder.join(format!("{name}.png")))?)
     };
     write("change", change, 10.0)?;
-    let with_lambda = contenders.iter().zip(measured).filter(|(_, measured)| !measured.lambda[0].is_empty());
-    with_lambda.map(|(contender, measured)| write(&format!("lambda_{}", contender.name), &measured.lambda[0], 1.0)).collect()
+    let mut with_lambda = contenders.iter().zip(measured).filter(|(_, measured)| !measured.lambda[0].is_empty());
+    with_lambda.try_for_each(|(contender, measured)| write(&format!("lambda_{}", contender.name), &measured.lambda[0], 1.0))
 }
 
 /// What is measured of a filter, for each frame.
