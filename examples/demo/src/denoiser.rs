@@ -324,8 +324,11 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
         ("normal", &outputs.normal),
         ("motion", &outputs.motion),
         ("surface_id", &outputs.surface_id),
-        ("emission", &outputs.emission),
     ];
+    // Another denoiser's picture has it already.
+    if options.preset != Preset::Stabilize {
+        inputs.push(("emission", &outputs.emission));
+    }
     let albedo = if options.signals == Signals::Specular { &outputs.diffuse_albedo } else { &outputs.albedo };
     inputs.push(("albedo", albedo));
     match options.signals {

@@ -75,6 +75,29 @@ fn a_run_leaves_a_page_tables_and_pictures_and_keeps_its_results() {
 }
 
 #[test]
+fn experiments_and_the_rows_of_some_scenes_stand_in_the_report() {
+    let Some(_gpu) = Validated::new() else { return };
+    let out = empty("evaluate_experiments");
+    let of_sun = ["--scene", "hall", "--filter", "best", "--filter", "best, visibility apart"];
+    let arguments = [&of_sun[..], &["--experiment", "flicker", "--experiment", "other"]].concat();
+    succeeded(evaluate(&out, &arguments));
+    let table = fs::read_to_string(out.join("quality.md")).expect("a table");
+    for word in
+        ["| best, visibility apart", "### A lamp that flickers", "% of the pixels", "[ASVGF] Fig. 6", "| EAW, then stabilize"]
+    {
+        assert!(table.contains(word), "no {word} in {table}");
+    }
+    assert!(!table.contains("[SVGF] Fig. 10"), "an experiment that was not asked for: {table}");
+    let page = fs::read_to_string(out.join("quality.html")).expect("a page");
+    assert!(page.contains("RMSE inside") && page.contains("A lamp that flickers"), "no experiments in the page");
+
+    fs::remove_file(out.join("experiments/flicker/change.png")).expect("a map");
+    succeeded(evaluate(&out, &arguments));
+    assert!(!out.join("experiments/flicker/change.png").exists(), "a finished experiment was done again");
+    assert_eq!(fs::read_to_string(out.join("quality.md")).expect("a table"), table);
+}
+
+#[test]
 fn references_are_kept_and_a_broken_one_is_rendered_again() {
     let Some(_gpu) = Validated::new() else { return };
     let out = empty("evaluate_references");

@@ -11,10 +11,8 @@ const FLIGHTS: [&str; 3] = ["hall", "fog", "tiles"];
 
 /// All of them.
 pub fn of_scenes(results: &[SceneResult]) -> Vec<Findings> {
-    if results.is_empty() {
-        return Vec::new();
-    }
-    vec![quality(results), stages(results), flight(results), breakdown(results)]
+    let all = [quality(results), stages(results), flight(results), breakdown(results)];
+    all.into_iter().filter(|found| found.tables.iter().any(Figures::has_values) || !found.curves.is_empty()).collect()
 }
 
 /// What the papers compare by SSIM and RMSE, as ratios.
@@ -122,5 +120,41 @@ fn breakdown(results: &[SceneResult]) -> Findings {
         text: "On the page, as curves; their means are the column of A-SVGF in the table of stages.".into(),
         curves: lines.collect(),
         ..Findings::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluate::results::Row;
+    use atrous_demo::measure::Scores;
+
+    #[test]
+    fn figures_are_made_of_what_was_measured() {
+        let row = |name: &str, rmse: f64, stages: &[(&str, [f64; 3])]| Row {
+            name: name.into(),
+            frames: vec![Scores { rmse, ssim: 1.0 - rmse, ..Scores::default() }],
+            energy: 1.0,
+            stages: stages.iter().map(|(name, times)| ((*name).to_owned(), times.to_vec())).collect(),
+            memory: None,
+        };
+        let rows = vec![
+            row("noisy", 1.0, &[]),
+            row("EAW", 0.1, &[("eaw", [1.0; 3])]),
+            row(SVGF, 0.5, &[("atrous", [1.0, 2.0, 6.0]), ("variance", [1.0; 3])]),
+            row(ASVGF, 0.25, &[("gradient", [2.0; 3]), ("atrous", [1.0; 3])]),
+        ];
+        let result = SceneResult { settings: Default::default(), scene: "hall".into(), content: 0, rows };
+        let [quality, stages, flight, breakdown] = &of_scenes(&[result])[..] else { panic!("four of them") };
+        let shown = |found: &Findings| found.markdown().expect("a table").split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(shown(quality).contains("| hall | - | 0.500 | 0.750 | 0.500 | 1.00 |"), "{}", shown(quality));
+        assert!(
+            shown(stages).contains("| atrous | 3.0 | 1.0 | | variance | 1.0 | 0.0 | | gradient | 0.0 | 2.0 |"),
+            "{}",
+            shown(stages)
+        );
+        assert!(shown(flight).contains("| hall, SVGF | 2.0 | 3.0 | 7.0 |"), "{}", shown(flight));
+        assert_eq!(breakdown.curves[0].series.len(), 2);
+        assert!(of_scenes(&[]).is_empty());
     }
 }

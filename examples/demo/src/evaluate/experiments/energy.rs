@@ -42,7 +42,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     Ok(Findings {
         title: "Where light is lost".into(),
         text: "With `firefly_bias` 65504 no outlier is cut, and with `sigma_l` 128 none is refused by its neighbours. What is missing then is \
-               rounding: this device stores half floats towards zero."
+               no choice of the filter's: software Vulkan stores half floats towards zero."
             .into(),
         tables: vec![table],
         ..Findings::default()

@@ -84,6 +84,11 @@ impl Figures {
         self.rows.push((name.to_owned(), values.iter().map(|value| value.is_finite().then_some(*value)).collect()));
     }
 
+    /// Whether anything in it was measured.
+    pub fn has_values(&self) -> bool {
+        self.rows.iter().flat_map(|(_, values)| values).any(Option::is_some)
+    }
+
     /// To be shown.
     ///
     /// # Errors

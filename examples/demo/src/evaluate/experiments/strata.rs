@@ -10,7 +10,7 @@ use crate::evaluate::contenders::Contender;
 use crate::evaluate::scene::Lab;
 
 /// Scenes whose light changes.
-const SCENES: [&str; 3] = ["cornell", "pillars", "lamps"];
+const SCENES: [&str; 2] = ["cornell", "pillars"];
 
 pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let sizes = [
