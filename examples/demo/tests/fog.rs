@@ -5,6 +5,7 @@ mod support;
 use std::sync::Arc;
 
 use ash::vk::Extent2D;
+use atrous::config::Preset;
 use atrous_demo::measure::Frame;
 use atrous_demo::scene::{Material, Medium, View};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, Scene, SceneOptions, TracerOptions};
