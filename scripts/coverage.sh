@@ -25,7 +25,7 @@ if [ "${1:-}" != report ]; then
     cargo test --quiet --package atrous --features capture,hot-reload --lib
     # The groups that are about these parts; the others run the same passes for their pictures.
     for group in allocation attack::a_ bad_input binding capture contract counters debug_views declarations faults frame_life graphs hazards \
-        history_loss host_header hosts hot_reload input_sets one_call pipelines readback resize schedules; do
+        history_loss host_header hosts hot_reload input_sets one_call pipelines readback resize schedules sync_validation; do
         cargo test --quiet --package atrous --features capture,hot-reload --test suite -- "$group"
     done
     cargo test --quiet --package atrous-capi --package atrous-attack
