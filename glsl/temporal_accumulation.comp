@@ -269,12 +269,13 @@ void main() {
 #endif
     Moments moments[SIGNALS];
     vec3 ratio = light_ratio_at(p);
+    vec2 least = adapted(vec2(push.alpha, push.alpha_moments), change);
     for (int i = 0; i < SIGNALS; ++i) {
         moments[i] = Moments(luminance(irradiance[i]), 0.0, 1.0, reason);
         if (sum.weight > 0.0) {
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
-            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, change, moments[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, least, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));
