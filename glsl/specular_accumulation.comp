@@ -62,6 +62,12 @@ struct Centre {
     Expected expected;  // of the surface in the previous frame, at its position
 };
 
+// Pixels: a picture that moves by as much from frame to frame does not stand still.
+const float STILL = 0.01;
+// Of a past that is sure, the smallest weight of the new sample, as a share of that of others: a mirror is accumulated and not filtered, so that
+// all noise of what it shows is left to its history.
+const float STEADY_ALPHA = 0.4;
+
 // What the past holds at one position.
 struct Past {
     float weight;
@@ -157,9 +163,17 @@ Past mixed(Past a, Past b, float share) {
     return Past(1.0, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share), light);
 }
 
+// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and half as much of a picture that stands
+// still, where light may change that a wide lobe gathers.
+float steadiness_of(Centre c, float radius, vec2 image_position) {
+    vec2 still = previous_position(c.mirror.p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
+    float moved = max(distance(image_position, still), distance(c.mirror.surface_position, still));
+    return max(1.0 - radius, 0.5 - 0.5 * moved / STILL);
+}
+
 // The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
-// `image_share`: of the blend, from where the image was.
-Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share) {
+// `image_share`: of the blend, from where the image was. `steadiness`: see steadiness_of.
+Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
     if (surface.weight > 0.0 && surface.nearness > 0.0 && hit_distance > 0.0) {
@@ -173,6 +187,7 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     Reflection r = Reflection(hit_distance, roughness);
     Past image = nothing();
     bool found = hit_distance > 0.0 && virtual_position(c.mirror, image_distance(r, curvature), share, position);
+    steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
     if (found && is_in_lobe(c, position, hit_distance, roughness)) image = past_at(c, position);
     if (found) surface.frames = worth(surface.frames, distance(position, c.mirror.surface_position), tolerance);
     if (image.weight > 0.0) {
@@ -193,10 +208,10 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     return mixed(surface, image, image_share);
 }
 
-// Frames of a past, with this one.
-float length_with(float frames, float worth, float change) {
+// Frames of a past, with this one, which is worth `worth` of them and whose weight is at least `least`.
+float length_with(float frames, float worth, float least) {
     float history_length = min(frames + worth, push.max_history_length);
-    return is_present(HISTORY_CONFIDENCE) ? min(history_length, 1.0 / max(adapted(push.alpha, change), 1e-6)) : history_length;
+    return is_present(HISTORY_CONFIDENCE) ? min(history_length, 1.0 / max(least, 1e-6)) : history_length;
 }
 
 void main() {
@@ -214,15 +229,16 @@ void main() {
         Centre c = centre_of(p, packed);
         seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
         if (!has_flag(FLAG_RESET)) {
-            float share;
-            Past past = best_past(c, rough, seen.hit_distance, share);
+            float share, steadiness;
+            Past past = best_past(c, rough, seen.hit_distance, share, steadiness);
             moments.reason = REASON_DEPTH;
             if (past.weight > 0.0) {
                 image_share = share;
                 float change = change_at(p), worth = HOLES ? sample_worth(value.a) : 1.0;
-                float history_length = length_with(past.frames, worth, change);
+                vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));
+                float history_length = length_with(past.frames, worth, adapted(floors.x, change));
                 History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
-                irradiance = blend(irradiance, light, history_length, worth, change, moments);
+                irradiance = blend(irradiance, light, history_length, worth, adapted(floors * worth, change), moments);
             }
         }
     }

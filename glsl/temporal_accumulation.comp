@@ -285,7 +285,8 @@ void main() {
             float history_length = min(sum.history_lengths[HOLES ? i : 0] * inverse + worth, longest);
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
-            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, worth, change, moments[i]);
+            vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);
+            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, worth, least, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));

@@ -1,5 +1,4 @@
 // Blends a pixel with its past. Source: [SVGF] 4.1; by pixel [ASVGF] 3.5. Twin: src/nodes/temporal_accumulation/twin/blend.rs.
-// Needs `float alpha` and `float alpha_moments` in the shader's block `push`.
 #ifndef HISTORY_BLEND_GLSL
 #define HISTORY_BLEND_GLSL
 #include "frame.glsl"
@@ -20,6 +19,7 @@ void add_history(inout History sum, vec3 irradiance, Moments m, float weight) {
 
 // How far light changed, 0 to 1, raises the weight of the new sample.
 float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
+vec2 adapted(vec2 alpha, float change) { return alpha + change * (1.0 - alpha); }
 
 // The history in the light of this frame, with its variance in the place of the second moment. A ratio of exposures may be as large as a
 // float: the clamps keep infinity minus infinity away.
@@ -32,15 +32,15 @@ History in_light(History history, vec3 ratio, float scale) {
 // Frames that the light of a pixel is worth: what was filled in for a sample is that of neighbours.
 float sample_worth(float alpha) { return alpha < 0.0 ? 0.5 : 1.0; }
 
-// `worth`: frames that this one counts for.
-vec3 blend(vec3 irradiance, History history, float history_length, float worth, float change, out Moments moments) {
-    float alpha_moments = max(adapted(push.alpha_moments * worth, change), worth / history_length);
+// `worth`: frames that this one counts for. `least`: smallest weights of this frame, in the irradiance and in its moments.
+vec3 blend(vec3 irradiance, History history, float history_length, float worth, vec2 least, out Moments moments) {
+    float alpha_moments = max(least.y, worth / history_length);
     float difference = luminance(irradiance) - history.mean;
     moments.mean = history.mean + alpha_moments * difference;
     moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    float alpha = max(adapted(push.alpha * worth, change), worth / history_length);
+    float alpha = max(least.x, worth / history_length);
     // What is dropped leaves no rounding error behind.
     return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;
 }

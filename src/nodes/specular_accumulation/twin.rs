@@ -16,7 +16,11 @@ mod past;
 #[cfg(test)]
 mod tests;
 
-use past::Past;
+use past::BestPast;
+
+/// The smallest weight of the new sample where the past is sure, as a share of that elsewhere: a mirror is accumulated and not filtered,
+/// so that all noise of what it shows is left to its history.
+const STEADY_ALPHA: f32 = 0.4;
 
 /// Images that the previous frame left.
 #[derive(Clone, Copy, Debug)]
@@ -127,7 +131,7 @@ impl Scene<'_> {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
         match self.best_past(&c, &mut seen) {
-            Some((past, share)) => with(self.blend(p, noisy, &past), seen, Some(share)),
+            Some(best) => with(self.blend(p, noisy, &best), seen, Some(best.image_share)),
             None => with(fresh(noisy, Reason::Depth), seen, None),
         }
     }
@@ -161,10 +165,14 @@ impl Scene<'_> {
         }
     }
 
-    fn blend(&self, p: IVec2, noisy: [f32; 4], past: &Past) -> ([f32; 4], Moments) {
+    fn blend(&self, p: IVec2, noisy: [f32; 4], best: &BestPast) -> ([f32; 4], Moments) {
+        let past = &best.past;
         let confidence = self.inputs.history_confidence;
         let change = confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
-        let bounds = AlphaBounds::new(self.tuning, confidence.is_some(), false, change);
+        let scale = 1.0 + (STEADY_ALPHA - 1.0) * best.steadiness;
+        let Tuning { alpha, alpha_moments, .. } = *self.tuning;
+        let tuning = Tuning { alpha: alpha * scale, alpha_moments: alpha_moments * scale, ..*self.tuning };
+        let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
         let worth = if self.inputs.has_holes { worth_of(noisy) } else { 1.0 };
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
         let before = Moments { mean: past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };

@@ -4,11 +4,15 @@ use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::SMALLEST_WEIGHT_SUM;
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
+use crate::reference::projection::extent_ratio;
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, lobe_width, mirror_share, nearness, unpack_reflection, SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
 use glam::{IVec2, Vec2, Vec4Swizzles};
+
+/// Pixels: a picture that moves by as much from frame to frame does not stand still.
+const STILL: f32 = 0.01;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -21,6 +25,16 @@ pub(super) struct Past {
     pub irradiance: [f32; 3],
     pub mean: f32,
     pub second_moment: f32,
+}
+
+/// The past that a pixel is blended with.
+#[derive(Clone, Copy)]
+pub(super) struct BestPast {
+    pub past: Past,
+    /// How much of it comes from where the image was.
+    pub image_share: f32,
+    /// How sure it is that it shows what is seen now.
+    pub steadiness: f32,
 }
 
 impl Past {
@@ -47,9 +61,8 @@ fn worth(frames: f32, error: f32, tolerance: f32) -> f32 {
 }
 
 impl Scene<'_> {
-    /// The better of two pasts, or a blend of both, with the share of the second: of where the image was. `seen` is of this frame,
-    /// then with its past.
-    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<(Past, f32)> {
+    /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
+    pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<BestPast> {
         let depth = c.mirror.surface.linear_depth;
         let mut surface = self.past_at(c, c.mirror.surface_position);
         let radius = lobe_radius(self.frame, depth, *seen);
@@ -62,6 +75,7 @@ impl Scene<'_> {
         let tolerance = 0.5 + 0.5 * radius;
         let position_of = |seen| self.motion.image_position(&c.mirror, curvature, seen);
         let position = Some(*seen).filter(|seen| seen.hit_distance > 0.0).and_then(position_of);
+        let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));
         let image = position.filter(|position| self.is_in_lobe(c, *position, *seen));
         let mut image = image.and_then(|position| self.past_at(c, position));
         if let Some(past) = &mut surface {
@@ -76,15 +90,24 @@ impl Scene<'_> {
             let change = distance * share / (0.05 + lobe_width(seen.roughness)) + (seen.roughness - past.roughness).abs() * 8.0;
             past.frames = worth(past.frames, change, 2.0);
         }
-        match (surface, image) {
+        let (past, image_share) = match (surface, image) {
             (Some(surface), Some(image)) => {
                 let [a, b] = [surface, image].map(|past| past.frames * past.frames);
                 let share = b / (a + b).max(1e-20);
-                Some((surface.blend(&image, share), share))
+                (surface.blend(&image, share), share)
             }
-            (Some(surface), None) => Some((surface, 0.0)),
-            (None, image) => image.map(|image| (image, 1.0)),
-        }
+            (Some(surface), None) => (surface, 0.0),
+            (None, image) => (image?, 1.0),
+        };
+        Some(BestPast { past, image_share, steadiness })
+    }
+
+    /// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and half as much of a
+    /// picture that stands still, where light may change that a wide lobe gathers.
+    fn steadiness(&self, c: &Centre, radius: f32, image_position: Vec2) -> f32 {
+        let still = (c.mirror.p.as_vec2() + 0.5) * extent_ratio(self.frame) - 0.5;
+        let moved = image_position.distance(still).max(c.mirror.surface_position.distance(still));
+        (1.0 - radius).max(0.5 - 0.5 * moved / STILL).max(0.0)
     }
 
     /// The mean of the tested 2×2 taps around a position.

@@ -153,6 +153,28 @@ fn a_lobe_takes_the_distance_of_its_surroundings_and_a_mirror_its_own() {
 }
 
 #[test]
+fn where_a_past_is_sure_the_new_sample_weighs_less() {
+    let weight = |step, hit_distance, roughness| {
+        let mut wall = Wall::new(step, hit_distance, roughness);
+        wall.history = Image::new(EXTENT, [1.0; 4]);
+        let tuning = Tuning { alpha: 0.2, alpha_moments: 0.2, ..tuning() };
+        1.0 - specular_accumulation(&wall.frame, &tuning, &wall.inputs()).accumulated.at(IVec2::new(15, 8))[0]
+    };
+    let rough_but_still = 0.2 * (1.0 - 0.3 * crate::reference::reflection::mirror_share(0.5));
+    for (step, hit_distance, roughness, expected) in [
+        (0.0, 4.0, 0.0, 0.08),
+        (STEP, 4.0, 0.0, 0.08),
+        (0.0, 4.0, 0.5, rough_but_still),
+        (STEP, 4.0, 0.5, 0.2),
+        (0.0, 4.0, 1.0, 0.2),
+        (0.0, 0.0, 0.0, 0.2),
+    ] {
+        let given = weight(step, hit_distance, roughness);
+        assert!((given - expected).abs() < 2e-3, "step {step}, {hit_distance}, {roughness}: {given} for {expected}");
+    }
+}
+
+#[test]
 fn a_ball_is_as_curved_as_its_radius_says() {
     let (radius, middle, extent) = (2.0, Vec3::new(0.0, 0.0, -5.0), [64, 64]);
     let at = camera(extent, Vec3::ZERO);
