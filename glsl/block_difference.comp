@@ -2,6 +2,7 @@
 // How far the light of this frame departs from its own history, block by block: mean and deviation of the paired differences.
 // Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (docs/stages.md).
 // In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance (filter_ping), irradiance_history, moments (previous).
+//      Pixels without a sample (alpha -1) do not count.
 // Out: block_difference, four half floats a block: mean, deviation, pixels, mean luminance of the brighter side.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -43,7 +44,9 @@ Sums sums_of(ivec2 p) {
     ivec2 tap;
     if (!is_inside(p)) return result;
     if (!nearest_history(p, texelFetch(guide, p, 0), surface_motion, depth_gradient, previous_guide, tap)) return result;
-    float now = luminance(texelFetch(irradiance, p, 0).rgb);
+    vec4 texel = texelFetch(irradiance, p, 0);
+    if (texel.a < 0.0) return result;
+    float now = luminance(texel.rgb);
     float before = min(luminance(texelFetch(history, tap, 0).rgb) * frame.exposure_ratio, 65504.0);
     float history_length = unpack_moments(texelFetch(previous_moments, tap, 0)).history_length;
     return Sums(1.0, now, before, (now - before) * (now - before), 1.0 / max(history_length, 1.0));

@@ -2,7 +2,7 @@
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
 // Source: [PSVGF], block percentiles. Deviation: ranks by counting; the published odd-even sort is there to compare, and gives the same.
 // In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block.
-// Pixels outside the render extent and background do not take part. Without any: 0, 0. 
+// Pixels outside the render extent, background and pixels without a sample (alpha -1) do not take part. Without any: 0, 0.
 // Constants: VOLUME: the background takes part, since fog lies before it. ODD_EVEN: the published sort.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -68,7 +68,8 @@ float percentile(float share, uint count) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     uint i = gl_LocalInvocationIndex;
-    keys[i] = takes_part(p) ? luminance(texelFetch(irradiance, p, 0).rgb) : NO_PIXEL;
+    vec4 texel = takes_part(p) ? texelFetch(irradiance, p, 0) : vec4(-1.0);
+    keys[i] = texel.a >= 0.0 ? luminance(texel.rgb) : NO_PIXEL;
     barrier();
     if (ODD_EVEN) sort_odd_even(i);
     else sort_by_counting(i);

@@ -4,8 +4,8 @@
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Specular light has specular_f0 in place of an albedo where the
 //      host has none, and specular_hit_distance. Out: filter_ping per signal: irradiance; alpha: 0 (-1 in holes), or the hit distance
 //      (scene units; 0: unknown; 65504: beyond the scene).
-//      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared`, and of the albedo, for the
-//      temporal gradients of the next frame; and noisy_red_blue, for its ratio of light.
+//      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared` (-1: not finite), and of the albedo,
+//      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light.
 // Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
 // optional: albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue
 // variants: LUMINANCE=0 LUMINANCE=1
@@ -91,20 +91,22 @@ void main() {
     vec3 divisor = divisor_at(p);
     vec3 radiance = texelFetch(noisy_0, p, 0).rgb;
     vec4 irradiance = demodulated(radiance, divisor);
-    if (is_present(SPECULAR_HIT_DISTANCE)) irradiance.a = hit_distance_at(p);
+    if (is_present(SPECULAR_HIT_DISTANCE) && irradiance.a >= 0.0) irradiance.a = hit_distance_at(p);
     imageStore(irradiance_0, p, irradiance);
-    vec3 kept = kept_radiance(radiance);
+    KeptRadiance kept = nothing_kept();
+    keep(kept, radiance);
     if (is_present(NOISY_1)) {
         radiance = texelFetch(noisy_1, p, 0).rgb;
         imageStore(irradiance_1, p, demodulated(radiance, divisor));
-        kept += kept_radiance(radiance);
+        keep(kept, radiance);
     }
 #if LUMINANCE
     if (is_present(COMPARED_0)) {
-        kept = kept_radiance(texelFetch(compared_0, p, 0).rgb);
-        if (is_present(COMPARED_1)) kept += kept_radiance(texelFetch(compared_1, p, 0).rgb);
+        kept = nothing_kept();
+        keep(kept, texelFetch(compared_0, p, 0).rgb);
+        if (is_present(COMPARED_1)) keep(kept, texelFetch(compared_1, p, 0).rgb);
     }
-    imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance(kept), albedo_luminance(divisor)))));
-    if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, p, uvec4(pack_halves(kept.rb)));
+    imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance_or_hole(kept), albedo_luminance(divisor)))));
+    if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, p, uvec4(pack_halves(kept.radiance.rb)));
 #endif
 }

@@ -75,9 +75,10 @@ struct Sum {
     vec3 now;
 };
 
-vec3 noisy_at(ivec2 p) {
-    vec3 sum = kept_radiance(texelFetch(noisy_0, p, 0).rgb);
-    if (is_present(NOISY_1)) sum += kept_radiance(texelFetch(noisy_1, p, 0).rgb);
+KeptRadiance noisy_at(ivec2 p) {
+    KeptRadiance sum = nothing_kept();
+    keep(sum, texelFetch(noisy_0, p, 0).rgb);
+    if (is_present(NOISY_1)) keep(sum, texelFetch(noisy_1, p, 0).rgb);
     return sum;
 }
 
@@ -95,6 +96,8 @@ void add_light(inout Sum sum, vec3 before, vec3 now) {
 
 void add_change(inout Sum sum, vec3 radiance, ivec2 previous_pixel) {
     vec2 before = unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x);
+    // A pixel without a sample in the previous frame.
+    if (before.x < 0.0) return;
     float l = min(before.x * frame.exposure_ratio, 65504.0), now = kept_luminance(radiance);
     sum.change += (now - l) / before.y;
     sum.brightest += max(now, l) / before.y;
@@ -123,7 +126,7 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
-    if (is_finite(radiance)) add_change(sum, kept_radiance(radiance), j);
+    if (is_finite(radiance)) add_change(sum, storable(radiance), j);
 }
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
@@ -159,16 +162,17 @@ void main() {
             ivec2 p = pixel_at(s, place);
             uvec4 packed = texelFetch(guide, p, 0);
             bool background = unpack_depth(packed) == 0.0;
-            vec3 radiance = noisy_at(p);
+            KeptRadiance noisy = noisy_at(p);
             float a = albedo_at(p, background);
             if (background) continue;
             if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
-            float l = min(luminance(radiance), 65504.0) / a;
+            if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
+            if (!noisy.known) continue;
+            float l = min(luminance(noisy.radiance), 65504.0) / a;
             sum.mean += l;
             sum.squares += l * l;
             sum.surfaces += 1.0;
-            if (sampled && place == wanted) add_change(sum, radiance, gradient_sample.previous_pixel);
-            if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
+            if (sampled && place == wanted) add_change(sum, noisy.radiance, gradient_sample.previous_pixel);
         }
     vec4 value = result(sum);
     if (SOURCE == SPARSE) {

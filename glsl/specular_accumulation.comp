@@ -5,12 +5,15 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
 // Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units) and roughness.
+// Constant: HOLES: as in temporal_accumulation.comp.
 // optional: roughness, history_confidence
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
 layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(constant_id = 1) const bool HOLES = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -244,8 +247,8 @@ Past best_past(Centre c, float roughness, inout float hit_distance) {
 }
 
 // Frames of a past, with this one.
-float length_with(float frames, float change) {
-    float history_length = min(frames + 1.0, push.max_history_length);
+float length_with(float frames, float worth, float change) {
+    float history_length = min(frames + worth, push.max_history_length);
     return is_present(HISTORY_CONFIDENCE) ? min(history_length, 1.0 / max(adapted(push.alpha, change), 1e-6)) : history_length;
 }
 
@@ -261,14 +264,15 @@ void main() {
     vec3 irradiance = value.rgb;
     if (!background) {
         Centre c = centre_of(p, packed);
-        seen.hit_distance = hit_distance_now(c, value.a, rough);
+        seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
         if (!has_flag(FLAG_RESET)) {
             Past past = best_past(c, rough, seen.hit_distance);
             moments.reason = REASON_DEPTH;
             if (past.weight > 0.0) {
-                float change = change_at(p), history_length = length_with(past.frames, change);
+                float change = change_at(p), worth = HOLES ? sample_worth(value.a) : 1.0;
+                float history_length = length_with(past.frames, worth, change);
                 History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
-                irradiance = blend(irradiance, light, history_length, change, moments);
+                irradiance = blend(irradiance, light, history_length, worth, change, moments);
             }
         }
     }

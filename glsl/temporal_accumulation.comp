@@ -7,7 +7,8 @@
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
-// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio.
+// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio. HOLES: a pixel with
+// a negative alpha has no sample of its own, and what was filled in weighs less; each signal then has a history length of its own.
 // optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
@@ -19,6 +20,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const bool VOLUME = false;
 layout(constant_id = 2) const bool REPAIR = false;
 layout(constant_id = 3) const bool SHARP = false;
+layout(constant_id = 4) const bool HOLES = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -72,7 +74,7 @@ layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_moments_1;
 
 struct Gathered {
     float weight;
-    float history_length;
+    float history_lengths[SIGNALS];
     History signals[SIGNALS];
 };
 
@@ -97,18 +99,22 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
 void add_tap(inout Gathered sum, ivec2 tap, float weight) {
     Moments m = unpack_moments(packed_at(previous_moments_0, tap));
     sum.weight += weight;
-    sum.history_length += weight * m.history_length;
+    sum.history_lengths[0] += weight * m.history_length;
     add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, weight);
 #if SIGNALS == 2
-    add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, unpack_moments(packed_at(previous_moments_1, tap)), weight);
+    Moments m_1 = unpack_moments(packed_at(previous_moments_1, tap));
+    sum.history_lengths[1] += weight * m_1.history_length;
+    add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, weight);
 #endif
 }
 
 Gathered nothing() {
     Gathered sum;
     sum.weight = 0.0;
-    sum.history_length = 0.0;
-    for (int i = 0; i < SIGNALS; ++i) sum.signals[i] = History(vec3(0.0), 0.0, 0.0);
+    for (int i = 0; i < SIGNALS; ++i) {
+        sum.history_lengths[i] = 0.0;
+        sum.signals[i] = History(vec3(0.0), 0.0, 0.0);
+    }
     return sum;
 }
 
@@ -136,7 +142,7 @@ Gathered repair(vec2 start, vec2 position, Expected expected) {
             float slack = dot(abs(expected.gradient), abs(vec2(tap) - position));
             if (refusal(tap, expected, slack) == REASON_NONE) add_tap(sum, tap, 1.0);
         }
-    sum.history_length = min(sum.history_length, REPAIRED_HISTORY_LENGTH * sum.weight);
+    for (int i = 0; i < SIGNALS; ++i) sum.history_lengths[i] = min(sum.history_lengths[i], REPAIRED_HISTORY_LENGTH * sum.weight);
     return sum;
 }
 
@@ -231,6 +237,14 @@ float light_scale(vec3 ratio) {
     return is_present(LIGHT_RATIO) ? min(frame.exposure_ratio * luminance(ratio), 1e38) : frame.exposure_ratio;
 }
 
+float longest_history(float change) {
+    if (!is_present(HISTORY_CONFIDENCE)) return push.max_history_length;
+    // [PSVGF]: as long as the weight of this frame says, so that later frames react, too. Else: what alpha forgets is gone from the
+    // length, too, so that the variance is estimated from the neighbourhood.
+    float weight = REPAIR ? change : adapted(push.alpha, change);
+    return min(push.max_history_length, 1.0 / max(weight, 1e-6));
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
@@ -254,27 +268,24 @@ void main() {
         reason = sum.weight > 0.0 ? REASON_NONE : loss;
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
-    float history_length = sum.weight > 0.0 ? min(sum.history_length * inverse + 1.0, push.max_history_length) : 1.0;
-    float change = change_at(p);
-    if (is_present(HISTORY_CONFIDENCE)) {
-        // [PSVGF]: as long as the weight of this frame says, so that later frames react, too. Else: what alpha forgets is gone from the
-        // length, too, so that the variance is estimated from the neighbourhood.
-        float weight = REPAIR ? change : adapted(push.alpha, change);
-        history_length = min(history_length, 1.0 / max(weight, 1e-6));
-    }
-    vec3 irradiance[SIGNALS];
-    irradiance[0] = imageLoad(irradiance_0, p).rgb;
+    float change = change_at(p), longest = longest_history(change);
+    vec4 texels[SIGNALS];
+    texels[0] = imageLoad(irradiance_0, p);
 #if SIGNALS == 2
-    irradiance[1] = imageLoad(irradiance_1, p).rgb;
+    texels[1] = imageLoad(irradiance_1, p);
 #endif
+    vec3 irradiance[SIGNALS];
     Moments moments[SIGNALS];
     vec3 ratio = light_ratio_at(p);
     for (int i = 0; i < SIGNALS; ++i) {
+        irradiance[i] = texels[i].rgb;
         moments[i] = Moments(luminance(irradiance[i]), 0.0, 1.0, reason);
         if (sum.weight > 0.0) {
+            float worth = HOLES ? sample_worth(texels[i].a) : 1.0;
+            float history_length = min(sum.history_lengths[HOLES ? i : 0] * inverse + worth, longest);
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
-            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, change, moments[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, worth, change, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));

@@ -116,21 +116,23 @@ void main() {
     vec4 value_0 = imageLoad(irradiance_0, p);
     Moments m = moments_of(packed_at(new_moments_0, p).x, value_0.a);
     imageStore(moments_0, p, pack_moments(m));
-    vec2 deviations = vec2(m.deviation);
+    vec2 deviations = vec2(m.deviation), lengths = vec2(m.history_length);
 #if SIGNALS == 2
     vec4 value_1 = imageLoad(irradiance_1, p);
     Moments m_1 = moments_of(packed_at(new_moments_1, p).x, value_1.a);
     imageStore(moments_1, p, pack_moments(m_1));
     deviations.y = m_1.deviation;
+    lengths.y = m_1.history_length;
 #endif
     if (background) {
         deviations = vec2(BACKGROUND_DEVIATION);
-    } else if (needs_neighbours(m.history_length)) {
+    } else if (needs_neighbours(min(lengths.x, lengths.y))) {
         vec2 sums[2];
         spatial_moments(p, packed, sums);
-        deviations = vec2(combined(deviations.x, sums[0], m.history_length), combined(deviations.y, sums[1], m.history_length));
+        if (needs_neighbours(lengths.x)) deviations.x = combined(deviations.x, sums[0], lengths.x);
+        if (needs_neighbours(lengths.y)) deviations.y = combined(deviations.y, sums[1], lengths.y);
     }
-    if (AVERAGED && !background) deviations *= averaging(m.history_length);
+    if (AVERAGED && !background) deviations *= vec2(averaging(lengths.x), averaging(lengths.y));
     deviations = min(deviations, 65504.0);
     imageStore(irradiance_0, p, vec4(value_0.rgb, deviations.x));
 #if SIGNALS == 2

@@ -36,6 +36,7 @@ mod pipelines;
 mod properties;
 mod readback;
 mod resize;
+mod sampling;
 mod schedules;
 mod sequences;
 mod specular;
@@ -89,6 +90,7 @@ fn main() {
         Group { name: "pipelines", tests: pipelines::TESTS, needs_device: true },
         Group { name: "readback", tests: readback::TESTS, needs_device: true },
         Group { name: "resize", tests: resize::TESTS, needs_device: true },
+        Group { name: "sampling", tests: sampling::TESTS, needs_device: true },
         Group { name: "schedules", tests: schedules::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },

@@ -29,14 +29,18 @@ History in_light(History history, vec3 ratio, float scale) {
     return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0));
 }
 
-vec3 blend(vec3 irradiance, History history, float history_length, float change, out Moments moments) {
-    float alpha_moments = max(adapted(push.alpha_moments, change), 1.0 / history_length);
+// Frames that the light of a pixel is worth: what was filled in for a sample is that of neighbours.
+float sample_worth(float alpha) { return alpha < 0.0 ? 0.5 : 1.0; }
+
+// `worth`: frames that this one counts for.
+vec3 blend(vec3 irradiance, History history, float history_length, float worth, float change, out Moments moments) {
+    float alpha_moments = max(adapted(push.alpha_moments * worth, change), worth / history_length);
     float difference = luminance(irradiance) - history.mean;
     moments.mean = history.mean + alpha_moments * difference;
     moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    float alpha = max(adapted(push.alpha, change), 1.0 / history_length);
+    float alpha = max(adapted(push.alpha * worth, change), worth / history_length);
     // What is dropped leaves no rounding error behind.
     return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;
 }

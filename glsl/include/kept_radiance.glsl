@@ -5,8 +5,22 @@
 #include "finite.glsl"
 #include "luminance.glsl"
 
-// What is not finite is black, as it is for the filters.
-vec3 kept_radiance(vec3 radiance) { return is_finite(radiance) ? storable(radiance) : vec3(0.0); }
+// Radiance of all signals of a pixel. One that is not finite says nothing of how bright the light is.
+struct KeptRadiance {
+    vec3 radiance;
+    bool known;
+};
+
+KeptRadiance nothing_kept() { return KeptRadiance(vec3(0.0), true); }
+
+void keep(inout KeptRadiance kept, vec3 radiance) {
+    bool finite = is_finite(radiance);
+    kept.radiance += finite ? storable(radiance) : vec3(0.0);
+    kept.known = kept.known && finite;
+}
+
+// What noisy_luminance holds of a pixel: negative where its light is not known.
+float luminance_or_hole(KeptRadiance kept) { return kept.known ? luminance(kept.radiance) : -1.0; }
 
 uint pack_halves(vec2 v) { return packHalf2x16(min(v, 65504.0)); }
 

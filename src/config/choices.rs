@@ -46,8 +46,7 @@ choices! {
         /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the
         /// host that SVGF does not.
         Percentile = 3 => "percentile",
-        /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame. Has holes painted in where
-        /// [`crate::Config::sampling`] says so.
+        /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame.
         Eaw = 4 => "eaw",
         /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`crate::Config::volume`]
         /// adds the same passes to another preset.
@@ -60,16 +59,18 @@ choices! {
         Best = 7 => "best",
     }
 
-    /// Share of the pixels that have a sample, for [`Preset::Eaw`]. A pixel without one is not finite (NaN) in the noisy image.
+    /// Share of the pixels that have a sample in a frame. A pixel without one is not finite (NaN) in the noisy image: it shows its own
+    /// history, or, where it has none, the samples around it. Which pixels have one may change from frame to frame, as it should.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum Sampling {
-        /// Every one. What is not finite is counted and black.
+        /// Every one. What is not finite is counted and black in this frame.
         #[default]
         Full = 0 => "full",
-        /// One of 2×2; the first level paints in the others.
+        /// At least one of each 2×2, so a checkerboard, too: holes look one pixel to each side. [`Preset::Eaw`]: the first level paints in
+        /// the others.
         OneOf2x2 = 1 => "one_of_2x2",
-        /// One of 4×4; the first two levels paint in the others.
+        /// At least one of each 4×4: holes look three pixels to each side. [`Preset::Eaw`]: the first two levels paint in the others.
         OneOf4x4 = 2 => "one_of_4x4",
     }
 

@@ -72,7 +72,9 @@ pub struct Config {
     pub forward_motion: bool,
     /// Edge-stopping functions of the preset `Eaw`. Default: all three.
     pub eaw_weights: EawWeights,
-    /// Whether the input of the preset `Eaw` has holes. Default: [`Sampling::Full`].
+    /// Share of the pixels that have a sample in this frame, for checkerboards and tracing at half the rate: the others are NaN in the
+    /// noisy images. Costs 8 bytes a pixel and signal while history is not yet read, and a pass a signal. Not of
+    /// [`Preset::Stabilize`] and of volumes, whose pixels all have one. Default: [`Sampling::Full`].
     pub sampling: Sampling,
     /// Whether the host has an image of surface ids. Default: true.
     pub surface_id: bool,
@@ -146,6 +148,11 @@ impl Config {
     /// À-trous levels: those that were asked for, or the preset's.
     pub fn levels(&self) -> u32 {
         self.levels.unwrap_or(self.preset.levels())
+    }
+
+    /// Whether some pixels have no sample.
+    pub(crate) fn has_holes(&self) -> bool {
+        self.sampling != Sampling::Full
     }
 
     /// Whether a volume is filtered.

@@ -26,7 +26,8 @@ pub enum Albedo {
 pub struct Demodulate {
     /// The divisor. Default: [`Albedo::Diffuse`].
     pub albedo: Albedo,
-    /// Share of the pixels that have a sample: holes are marked for the node `eaw` to paint in. Default: all of them.
+    /// Share of the pixels that have a sample: holes are marked, for the node `fill_holes` or for the node `eaw` to paint in. Default: all
+    /// of them.
     pub sampling: Sampling,
     /// Gradients that compare the luminance of the noisy radiance with that of the frame before, which this node keeps for them.
     /// Default: none.

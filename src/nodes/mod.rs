@@ -11,6 +11,7 @@ pub(crate) mod change_test;
 pub(crate) mod debug_view;
 pub(crate) mod demodulate;
 pub(crate) mod eaw;
+pub(crate) mod fill_holes;
 pub(crate) mod firefly;
 pub(crate) mod forward_project;
 pub(crate) mod gradient;
@@ -62,6 +63,7 @@ pub static STAGES: &[Stage] = &[
         block_percentiles::twin::twin,
         &[rule("block_percentiles", Per::Block, Values::Percentiles, HALF)],
     ),
+    Stage::new("fill_holes", fill_holes::twin::twin, &[STATISTICS, pixels("filled", HALF)]),
     Stage::new("firefly", firefly::twin::twin, &[pixels("irradiance", HALF)]),
     Stage::new("block_difference", block_difference::twin::twin, BLOCK_DIFFERENCE),
     Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),

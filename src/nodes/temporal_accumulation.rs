@@ -17,6 +17,9 @@ pub struct Accumulation {
     /// Whether irradiance of the history is looked up by the cubic of Catmull and Rom, where 4×4 pixels show the surface. Else, and
     /// there, by 2×2 pixels, which blur a little more with every frame that moves. Default: false.
     pub sharp: bool,
+    /// Whether some pixels have no sample of their own, as the node `fill_holes` leaves them: these keep their history, and what was
+    /// filled in counts for half a frame. Each signal then has a history length of its own. Default: false.
+    pub holes: bool,
     /// Ratio of light by which history is scaled before the blend, with the confidence of the same gradients. Default: none.
     pub light_ratio: Option<LightRatio>,
     /// Smallest weight of the new sample in the irradiance. Default: [`crate::Tuning::alpha`].
@@ -45,6 +48,7 @@ impl Graph {
         let mut pass = Pass::new(&node, by_signals(irradiance, modules.0, modules.1))
             .constant("REPAIR", u32::from(accumulation.repair))
             .constant("SHARP", u32::from(accumulation.sharp))
+            .constant("HOLES", u32::from(accumulation.holes))
             .value("alpha", accumulation.alpha)
             .value("alpha_moments", accumulation.alpha_moments)
             .value("max_history_length", accumulation.max_history_length)

@@ -9,17 +9,19 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, V
 /// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box, and
 /// with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
 ///
-/// It reads `signals`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and
+/// It reads `signals`, `sampling`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and
 /// `surface_id` of the configuration.
 pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
     let change = change_of_light(g, guides, &compared, gradients);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, ..Demodulate::default() });
+    let irradiance =
+        g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
-    let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(change.confidence), holes: config.has_holes(), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };

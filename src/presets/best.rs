@@ -9,7 +9,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, V
 /// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
 /// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
 ///
-/// It reads `signals`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
+/// It reads `signals`, `sampling`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.
 pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
@@ -19,9 +19,10 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         let gradient = g.gradient_and_ratio(guides, &compared, source);
         g.gradient_atrous(guides, &gradient)
     });
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, ..Demodulate::default() });
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, sampling: config.sampling, ..Demodulate::default() });
     let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Accumulated);
     let confidence = match &gradient {
         Some(gradient) => {
@@ -32,7 +33,8 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         None => g.host_confidence(),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
-    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
+    let holes = config.has_holes();
+    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, holes, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);

@@ -9,15 +9,16 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 /// SVGF with taps on a hexagon, and with the change test of [`super::percentile`] before the history: for hosts that count every
 /// microsecond. `docs/performance.md` has what it costs and how good it is beside the others.
 ///
-/// It reads `signals`, `levels`, `firefly_filter` and `block_sort` of the configuration.
+/// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
     let difference = g.block_difference(guides, &irradiance, &history);
     let confidence = g.change_test(&difference);
-    let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(confidence), holes: config.has_holes(), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let atrous = Atrous { levels: config.levels(), kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };

@@ -8,12 +8,13 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, V
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels take out fireflies and say where history is out of date. \[PSVGF\]
 ///
-/// It reads `signals`, `levels`, `adaptive_rule` and `block_sort` of the configuration.
+/// It reads `signals`, `sampling`, `levels`, `adaptive_rule` and `block_sort` of the configuration.
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
     let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
     let confidence = match config.adaptive_rule {
         AdaptiveRule::Percentiles => g.percentile_rule(guides, &percentiles, &history),
@@ -22,7 +23,8 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             g.change_test(&difference)
         }
     };
-    let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
+    let holes = config.has_holes();
+    let accumulation = Accumulation { confidence: Some(confidence), repair: true, holes, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);

@@ -33,12 +33,14 @@ impl Default for Specular {
 
 /// Filters `noisy_specular`: irradiance by the specular albedo, and what is seen in the surfaces.
 ///
-/// It reads `levels` of the configuration.
+/// It reads `sampling` and `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, ..Demodulate::default() });
+    let demodulate = Demodulate { albedo: Albedo::Specular, sampling: config.sampling, ..Demodulate::default() };
+    let irradiance = g.demodulate(guides, &noisy, demodulate);
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let Specular { feedback, variance, kernel, shared_deviation, confidence } = specular;
-    let parameters = SpecularAccumulation { feedback, confidence, ..SpecularAccumulation::default() };
+    let parameters = SpecularAccumulation { feedback, confidence, holes: config.has_holes(), ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, parameters);
     let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(found.history);

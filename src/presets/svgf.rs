@@ -8,13 +8,19 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 
 /// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
 ///
-/// It reads `signals`, `levels`, `firefly_filter` and `block_sort` of the configuration.
+/// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
+    let accumulated = g.temporal_accumulation(
+        guides,
+        &irradiance,
+        &history,
+        Accumulation { holes: config.has_holes(), ..Accumulation::default() },
+    );
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() });
     let (radiance, reflection) = modulated(

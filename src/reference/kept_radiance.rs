@@ -5,8 +5,18 @@ use super::luminance::luminance;
 use super::Image;
 use glam::IVec2;
 
+/// Whether a texel holds a colour.
+pub(crate) fn is_finite(texel: [f32; 4]) -> bool {
+    texel[..3].iter().all(|c| c.is_finite())
+}
+
+/// Radiance of all signals at a pixel; `None` where one is not finite, which says nothing of how bright the light is.
+pub(crate) fn kept_radiance(noisy: &[&Image<[f32; 4]>], p: IVec2) -> Option<[f32; 3]> {
+    noisy.iter().all(|noisy| is_finite(noisy.at(p))).then(|| finite_radiance(noisy, p))
+}
+
 /// Radiance of all signals at a pixel, each 0 where it is not finite.
-pub(crate) fn kept_radiance(noisy: &[&Image<[f32; 4]>], p: IVec2) -> [f32; 3] {
+pub(crate) fn finite_radiance(noisy: &[&Image<[f32; 4]>], p: IVec2) -> [f32; 3] {
     let signals = noisy.iter().map(|noisy| storable(noisy.at(p)));
     signals.fold([0.0; 3], |sum, radiance| [0, 1, 2].map(|i| sum[i] + radiance[i]))
 }
@@ -52,9 +62,11 @@ mod tests {
     }
 
     #[test]
-    fn signals_are_added_and_what_is_not_finite_is_black() {
+    fn signals_are_added_and_of_what_is_not_finite_nothing_is_known() {
         let [good, bad] = [1.0, f32::NAN].map(|r| paint([1, 1], |_, _| [r, 2.0, 1e9, 0.0]));
-        assert_eq!(kept_radiance(&[&good, &bad, &good], IVec2::ZERO), [2.0, 4.0, 2.0 * LARGEST_HALF]);
+        assert_eq!(finite_radiance(&[&good, &bad, &good], IVec2::ZERO), [2.0, 4.0, 2.0 * LARGEST_HALF]);
+        assert_eq!(kept_radiance(&[&good, &good], IVec2::ZERO), Some([2.0, 4.0, 2.0 * LARGEST_HALF]));
+        assert_eq!(kept_radiance(&[&good, &bad, &good], IVec2::ZERO), None);
         assert_eq!(kept_red_blue([2.0, 4.0, 2.0 * LARGEST_HALF]), [2.0, LARGEST_HALF]);
     }
 }

@@ -67,6 +67,7 @@ pub use crate::nodes::demodulate::twin::{
     demodulate, noisy_luminance, noisy_red_blue, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON,
 };
 pub use crate::nodes::eaw::twin::{eaw, EawInputs, HOLE};
+pub use crate::nodes::fill_holes::twin::{fill_holes, FillHolesInputs};
 pub use crate::nodes::firefly::twin::{firefly, FireflyInputs};
 pub use crate::nodes::forward_project::twin::{
     forward_project_claim, forward_project_resolve, ForwardProjectInputs, ForwardProjectOutputs, PreviousCandidates,

@@ -1,5 +1,5 @@
 use super::*;
-use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, Signals};
+use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, Sampling, Signals};
 use crate::contract::{Dispatch, ImageFormat, PassDecl, Shape, Use};
 use crate::{Declaration, UseFrame};
 use std::collections::BTreeSet;
@@ -43,6 +43,9 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
             all.push(declare(&Config { visibility: true, ..config }));
+            for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
+                all.extend(Sampling::ALL.map(|sampling| declare(&Config { preset, sampling, ..config })));
+            }
             for adaptive_rule in [AdaptiveRule::ChangeTest, AdaptiveRule::Percentiles] {
                 all.push(declare(&Config { preset: Preset::Percentile, adaptive_rule, ..config }));
             }
@@ -115,13 +118,15 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 20] = [
+    const RENAMED: [(&str, &[&str]); 22] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "accumulated", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
-        ("irradiance", &["filter_ping", "accumulated", "irradiance_history"]),
+        ("irradiance", &["filter_ping", "filter_filled", "accumulated", "irradiance_history"]),
         ("compared", &["noisy_"]),
-        ("noisy", &["filter_ping"]),
+        ("noisy", &["filter_ping", "filter_filled"]),
+        ("holed", &["filter_ping"]),
+        ("filled", &["filter_filled", "irradiance_history"]),
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "filter_ping"]),
         ("filtered", &["atrous_", "irradiance_history"]),

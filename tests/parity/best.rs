@@ -1,7 +1,10 @@
 //! Sequences of the preset that scales its history by the light.
 
 use super::asvgf::{reshaded_sequence, sequence, sparse_and_confidence_sequence};
-use atrous::config::{Preset, Signals};
+use crate::sampling::is_sampled;
+use crate::support::{pixels, scene::Scene};
+use atrous::config::{GradientSource, Preset, Sampling, Signals};
+use atrous::executor::Session;
 use atrous::Config;
 
 fn config(extent: [u32; 2]) -> Config {
@@ -24,4 +27,25 @@ pub fn reshaded() {
 
 pub fn sparse_and_confidence() {
     sparse_and_confidence_sequence(&config([40, 23]));
+}
+
+/// Samples of gradients lie in holes, in both frames, or in one.
+pub fn with_holes() {
+    for (signals, preset) in [(Signals::Together, Preset::Best), (Signals::Specular, Preset::Asvgf)] {
+        let config = Config { signals, preset, sampling: Sampling::OneOf2x2, ..config([61, 35]) };
+        let name = if signals == Signals::Together { "noisy_radiance" } else { "noisy_specular" };
+        let inputs = |s: &mut Session, i: u32, scene: &Scene| {
+            let guides = scene.frame(i, i);
+            let mut texels = if signals == Signals::Together { guides.noisy_radiance } else { guides.noisy_specular };
+            for (x, y) in pixels([61, 35]).filter(|(x, y)| !is_sampled(2, i / 2, *x, *y)) {
+                texels[(y * 61 + x) as usize] = [f32::NAN; 4];
+            }
+            s.upload(name, &texels).expect(name);
+        };
+        sequence(&config, [61, 35], inputs);
+        sequence(&Config { gradient_source: GradientSource::Reshaded, ..config }, [61, 35], |s, i, scene| {
+            inputs(s, i, scene);
+            s.upload("reshaded_radiance", &scene.frame(i.saturating_sub(1), i.saturating_sub(1)).noisy_radiance).expect("reshaded");
+        });
+    }
 }

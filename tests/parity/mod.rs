@@ -9,6 +9,7 @@ mod specular;
 mod tone_map;
 mod volume;
 
+use super::sampling::is_sampled;
 use super::support::{
     assert_valid,
     scene::{Guides, Scene},
@@ -94,7 +95,18 @@ pub const TESTS: &[DeviceTest] = &[
     ("best_without_ratio", best::sparse_and_confidence),
     ("best_without_samples", || sequence(&Config { preset: Preset::Best, ..Config::new([61, 35]) })),
     ("debug_views", debug_view::every_view),
+    ("holes", holes),
+    ("best_with_holes", best::with_holes),
 ];
+
+fn holes() {
+    let base = Config { firefly_filter: true, ..Config::new([40, 23]) };
+    for preset in [Preset::Svgf, Preset::Percentile, Preset::Fast] {
+        for (sampling, signals) in [Sampling::OneOf2x2, Sampling::OneOf4x4].into_iter().zip([Signals::Apart, Signals::Specular]) {
+            sequence(&Config { preset, sampling, signals, ..base });
+        }
+    }
+}
 
 fn percentile(extent: [u32; 2]) -> Config {
     Config { preset: Preset::Percentile, ..Config::new(extent) }
@@ -119,7 +131,7 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
     }
     for i in 0..6 {
         let mut guides = scene.frame(i, i);
-        leave_holes(&config, &mut guides);
+        leave_holes(&config, i, &mut guides);
         upload(&mut s, &guides);
         let jitter = [0.3 - 0.1 * i as f32, 0.05 * i as f32];
         let reset = (i == 4).then_some(ResetReason::CameraCut);
@@ -129,14 +141,20 @@ fn tuned_sequence(config: &Config, extent: [u32; 2], tuning: Tuning) {
     assert_valid();
 }
 
-/// Where the input is sub-sampled, the pixels without a sample.
-fn leave_holes(config: &Config, guides: &mut Guides) {
+/// Where the input is sub-sampled, the pixels without a sample, others in each frame. Of two signals that are accumulated the first has all
+/// of its samples in every other frame.
+fn leave_holes(config: &Config, index: u32, guides: &mut Guides) {
+    if config.sampling == Sampling::Full {
+        return;
+    }
     let side = 1 << config.sampling as u32;
     let stride = config.allocated_extent[0];
     let Guides { noisy_radiance, noisy_direct, noisy_indirect, noisy_diffuse, noisy_specular, .. } = guides;
-    for images in [noisy_radiance, noisy_direct, noisy_indirect, noisy_diffuse, noisy_specular] {
+    let holed = [noisy_radiance, noisy_indirect, noisy_specular];
+    let not_always = [noisy_direct, noisy_diffuse].into_iter().filter(|_| config.preset == Preset::Eaw || index % 2 == 1);
+    for images in holed.into_iter().chain(not_always) {
         for (i, texel) in (0..).zip(images.iter_mut()) {
-            if !(i % stride).is_multiple_of(side) || !(i / stride).is_multiple_of(side) {
+            if !is_sampled(side, index, i % stride, i / stride) {
                 *texel = [f32::NAN; 4];
             }
         }

@@ -85,7 +85,7 @@ typedef struct AtrousConfig {
   uint32_t block_sort;
   // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
   uint32_t eaw_weights;
-  // Share of the pixels of EAW's input that have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
+  // Share of the pixels that have a sample in a frame; the others are NaN in the noisy images: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
   uint32_t sampling;
   // Side of the strata of temporal gradients, 2 to 4 pixels.
   uint32_t stratum_size;

@@ -48,7 +48,7 @@ pub struct AtrousConfig {
     pub block_sort: u32,
     /// Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
     pub eaw_weights: u32,
-    /// Share of the pixels of EAW's input that have a sample: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
+    /// Share of the pixels that have a sample in a frame; the others are NaN in the noisy images: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
     pub sampling: u32,
     /// Side of the strata of temporal gradients, 2 to 4 pixels.
     pub stratum_size: u32,

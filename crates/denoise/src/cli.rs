@@ -2,6 +2,7 @@
 
 use crate::conventions::keys;
 use crate::roles::Role;
+use crate::sampling::Pattern;
 use crate::setup::Options;
 use atrous::config::{Preset, Signals};
 use atrous::Tuning;
@@ -94,6 +95,10 @@ pub struct Cli {
     #[arg(long, value_name = "N")]
     pub stratum_size: Option<u32>,
 
+    /// Keep the samples of a share of the pixels alone, as if the renderer had traced no more: to see what that costs
+    #[arg(long, value_name = "PATTERN")]
+    pub sampling: Option<Pattern>,
+
     /// Set a tunable, for example sigma_l=2; a wrong name lists them all
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = tunable)]
     pub tunables: Vec<(String, f32)>,
@@ -173,6 +178,7 @@ impl Cli {
             levels: self.levels,
             preset: self.preset,
             stratum_size: self.stratum_size,
+            sampling: self.sampling,
             tunables: self.tunables.clone(),
         }
     }

@@ -85,7 +85,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         return Err(ToolError::exr(&files.colour, "its channels do not cover the picture"));
     }
     let (number, tuning, instance_transforms) = (files.number, setup.tuning(files.number)?, transforms(&files.colour)?);
-    Ok(FrameInputs {
+    let mut inputs = FrameInputs {
         number,
         index: camera.map_or(number, |camera| camera.index),
         params,
@@ -98,7 +98,11 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         reference,
         replaced,
         header: planes.header,
-    })
+    };
+    if let Some(pattern) = setup.sampling {
+        pattern.drop_samples(&mut inputs, setup.config.allocated_extent[0] as usize);
+    }
+    Ok(inputs)
 }
 
 fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {

@@ -30,6 +30,7 @@ pub mod record;
 pub mod report;
 pub mod results;
 pub mod roles;
+pub mod sampling;
 pub mod saver;
 pub mod score;
 pub mod setup;

@@ -3,6 +3,7 @@
 use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_header::ExrHeader;
+use crate::sampling::Pattern;
 use crate::setup::Setup;
 use exr::meta::attribute::AttributeValue;
 use exr::prelude::Text;
@@ -33,6 +34,7 @@ impl Record {
             "set": set,
             "channel": channels,
             "sequence.json, checksum": setup.sequence.as_ref().map(|s| s.checksum),
+            "sampling": cli.sampling.map(Pattern::name),
             "float": cli.float,
             "png": cli.png,
             "exposure": cli.png.then_some(cli.exposure),

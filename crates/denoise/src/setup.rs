@@ -8,6 +8,7 @@ use crate::frame_source;
 use crate::layouts::Layout;
 use crate::mapping::{Mapping, Named};
 use crate::roles::Role;
+use crate::sampling::Pattern;
 use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, Preset, Signals};
 use atrous::{Config, Tuning};
 use std::path::{Path, PathBuf};
@@ -31,6 +32,8 @@ pub struct Options {
     pub preset: Option<Preset>,
     /// Side of the strata, where not the default.
     pub stratum_size: Option<u32>,
+    /// Pixels whose samples are kept, where not all.
+    pub sampling: Option<Pattern>,
     /// Tunables, on top of those of the sequence.
     pub tunables: Vec<(String, f32)>,
 }
@@ -44,6 +47,8 @@ pub struct Setup {
     pub config: Config,
     /// Cameras.
     pub sequence: Option<SequenceFile>,
+    /// Pixels whose samples are kept, where not all.
+    pub sampling: Option<Pattern>,
     /// Tunables by which every frame differs from its sequence.
     tunables: Vec<(String, f32)>,
     /// Lines to print.
@@ -88,6 +93,7 @@ impl Setup {
         config.levels = options.levels.or(config.levels);
         config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
         config.preset = options.preset.or(captured).unwrap_or(Preset::Best);
+        config.sampling = options.sampling.map_or(config.sampling, Pattern::sampling);
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.visibility = mapping.has(Role::Visibility) && mapping.has(Role::OccluderDistance);
@@ -112,6 +118,7 @@ impl Setup {
             mapping,
             config,
             sequence: sequence.map(|(_, file)| file),
+            sampling: options.sampling,
             tunables: options.tunables.clone(),
             report,
             reading: header.reading,

@@ -39,7 +39,7 @@ pub fn unpack_difference(texel: [u16; 4]) -> Difference {
 pub struct BlockDifferenceInputs<'a> {
     /// Guides of both frames.
     pub guides: HistoryGuides<'a>,
-    /// rgb: irradiance of one signal, as left by `firefly`.
+    /// rgb: irradiance of one signal, as left by `firefly` or `fill_holes`; a negative alpha marks a pixel without a sample.
     pub irradiance: &'a Image<[f32; 4]>,
     /// History of this signal. Not read in a reset frame.
     pub history: SignalHistory<'a>,
@@ -50,7 +50,7 @@ pub fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockD
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.guides.guide), blocks.extent(), |block| {
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
-            let tap = inputs.guides.nearest(frame, tuning, p)?;
+            let tap = inputs.guides.nearest(frame, tuning, p).filter(|_| inputs.irradiance.at(p)[3] >= 0.0)?;
             let before = (texel_luminance(inputs.history.irradiance.at(tap)) * frame.exposure_ratio).min(LARGEST_HALF);
             let history_length = unpack_moments(inputs.history.moments.at(tap)).history_length.max(1.0);
             Some((texel_luminance(inputs.irradiance.at(p)), before, 1.0 / history_length))

@@ -40,7 +40,7 @@ pub fn unpack_percentiles(texel: u32) -> Percentiles {
 pub struct BlockPercentilesInputs<'a> {
     /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
     pub guide: Option<&'a Image<[u16; 4]>>,
-    /// rgb: irradiance of one signal, as written by `demodulate`.
+    /// rgb: irradiance of one signal, as written by `demodulate`; a negative alpha marks a pixel without a sample.
     pub irradiance: &'a Image<[f32; 4]>,
 }
 
@@ -48,7 +48,9 @@ pub struct BlockPercentilesInputs<'a> {
 pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockPercentilesInputs) -> Image<u32> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.irradiance), blocks.extent(), |block| {
-        let takes_part = |p: &IVec2| !inputs.guide.is_some_and(|guide| unpack_guide(guide.at(*p)).is_background());
+        let is_sample = |p: &IVec2| inputs.irradiance.at(*p)[3] >= 0.0;
+        let is_surface = |p: &IVec2| !inputs.guide.is_some_and(|guide| unpack_guide(guide.at(*p)).is_background());
+        let takes_part = |p: &IVec2| is_surface(p) && is_sample(p);
         let pixels = Blocks::pixels(block, frame.render_extent).filter(takes_part);
         let mut luminances: Vec<f32> = pixels.map(|p| texel_luminance(inputs.irradiance.at(p))).collect();
         luminances.sort_by(f32::total_cmp);

@@ -3,7 +3,7 @@
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::kept_radiance::{kept_radiance, pack_halves};
+use crate::reference::kept_radiance::{finite_radiance, is_finite, kept_radiance, pack_halves};
 use crate::reference::luminance::luminance;
 use crate::reference::reflection::FARTHEST_HIT;
 use crate::reference::specular_albedo::specular_albedo_from;
@@ -87,9 +87,13 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
         (divisor, is_bad || is_f0_bad)
     });
     let distances = inputs.specular_hit_distance.map(|image| {
-        Image::compute(extent, frame.render_extent, |p| match unpack_guide(inputs.guide.at(p)).is_background() {
-            true => (0.0, false),
-            false => stored_hit_distance(image.at(p)[0]),
+        Image::compute(extent, frame.render_extent, |p| {
+            let is_hole = inputs.has_holes && inputs.noisy.first().is_some_and(|noisy| !is_finite(noisy.at(p)));
+            match unpack_guide(inputs.guide.at(p)).is_background() {
+                true => (0.0, false),
+                false if is_hole => (0.0, false),
+                false => stored_hit_distance(image.at(p)[0]),
+            }
         })
     });
     let mut statistics = Statistics::default();
@@ -99,7 +103,7 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     for noisy in inputs.noisy {
         let texels = Image::compute(extent, frame.render_extent, |p| {
             let ([r, g, b, _], [dr, dg, db]) = (noisy.at(p), divisors.at(p).0);
-            if [r, g, b].iter().all(|c| c.is_finite()) {
+            if is_finite(noisy.at(p)) {
                 ([store(r / dr), store(g / dg), store(b / db), 0.0], false)
             } else {
                 ([0.0, 0.0, 0.0, if inputs.has_holes { HOLE } else { 0.0 }], !inputs.has_holes)
@@ -108,8 +112,8 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
         statistics[Counter::Radiance] += count(texels.texels().iter().map(|t| t.1));
         irradiance.push(match &distances {
             Some(distances) if irradiance.is_empty() => Image::compute(extent, frame.render_extent, |p| {
-                let ([r, g, b, _], _) = texels.at(p);
-                [r, g, b, store(distances.at(p).0)]
+                let ([r, g, b, alpha], _) = texels.at(p);
+                [r, g, b, if alpha == HOLE { HOLE } else { store(distances.at(p).0) }]
             }),
             _ => texels.map(|t| t.0),
         });
@@ -117,35 +121,37 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     DemodulateOutputs { irradiance, statistics }
 }
 
-/// Luminance of the radiance of all signals, and of the albedo, of every pixel: of these temporal gradients are made \[ASVGF\] 3.3.
+/// Luminance of the radiance of all signals, if it is known, and of the albedo, of every pixel: of these temporal gradients are made
+/// \[ASVGF\] 3.3.
 pub(crate) fn luminances(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
     noisy: &[&Image<[f32; 4]>],
     albedo: Option<&Image<[f32; 4]>>,
-) -> Image<(f32, f32)> {
+) -> Image<(Option<f32>, f32)> {
     Image::compute(guide.extent(), frame.render_extent, |p| {
         let is_background = unpack_guide(guide.at(p)).is_background();
-        let l = luminance(kept_radiance(noisy, p)).min(LARGEST_HALF);
+        let l = kept_radiance(noisy, p).map(|radiance| luminance(radiance).min(LARGEST_HALF));
         let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
         (l, luminance(a.map(|a| a.min(LARGEST_HALF))))
     })
 }
 
-/// Luminance of the radiance of all signals, and of the albedo, of every pixel as two halves: what the next frame compares with.
+/// Luminance of the radiance of all signals, -1 where one is not finite, and of the albedo, of every pixel as two halves: what the next
+/// frame compares with.
 pub fn noisy_luminance(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
     noisy: &[&Image<[f32; 4]>],
     albedo: Option<&Image<[f32; 4]>>,
 ) -> Image<u32> {
-    luminances(frame, guide, noisy, albedo).map(|(l, a)| pack_halves([*l, *a]))
+    luminances(frame, guide, noisy, albedo).map(|(l, a)| pack_halves([l.unwrap_or(-1.0), *a]))
 }
 
-/// Red and blue of the radiance of all signals of every pixel as two halves.
+/// Red and blue of the radiance of all signals that are finite, of every pixel as two halves.
 pub fn noisy_red_blue(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], extent: [u32; 2]) -> Image<u32> {
     Image::compute(extent, frame.render_extent, |p| {
-        let [r, _, b] = kept_radiance(noisy, p);
+        let [r, _, b] = finite_radiance(noisy, p);
         pack_halves([r, b])
     })
 }

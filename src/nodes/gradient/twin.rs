@@ -92,7 +92,7 @@ struct Changes<'a> {
     tuning: &'a Tuning,
     stratum_size: u32,
     inputs: &'a GradientInputs<'a>,
-    luminances: &'a Image<(f32, f32)>,
+    luminances: &'a Image<(Option<f32>, f32)>,
 }
 
 /// Texels of a stratum.
@@ -119,14 +119,14 @@ struct Change {
 impl Changes<'_> {
     fn stratum(&self, strata: Strata, s: IVec2) -> Texels {
         let pixels: Vec<_> = strata.pixels(s).filter(|(_, p)| !unpack_guide(self.inputs.guide.at(*p)).is_background()).collect();
-        let values: Vec<f32> = pixels.iter().map(|(_, p)| self.luminances.at(*p)).map(|(l, a)| l / a).collect();
+        let values: Vec<f32> = pixels.iter().filter_map(|(_, p)| self.relative_luminance(*p)).collect();
         let mean_of = |values: &[f32]| values.iter().sum::<f32>() / values.len().max(1) as f32;
         let mean = mean_of(&values);
         let variance = mean_of(&values.iter().map(|l| (l - mean) * (l - mean)).collect::<Vec<_>>());
         let sample = self.sample(s);
         let changes: Vec<Change> = match self.inputs.source {
             GradientInput::ForwardProjected { .. } => {
-                sample.iter().map(|(p, j)| self.change(kept_radiance(self.inputs.noisy, *p), *j)).collect()
+                sample.iter().filter_map(|(p, j)| self.change(kept_radiance(self.inputs.noisy, *p)?, *j)).collect()
             }
             GradientInput::Reshaded { .. } => pixels.iter().filter_map(|(_, p)| self.reshaded(*p)).collect(),
             GradientInput::Sparse(host) => host
@@ -159,19 +159,30 @@ impl Changes<'_> {
         Some((pixel(sample.pixel), pixel(sample.previous_pixel)))
     }
 
-    /// The change of a sample that was at `previous`.
-    fn change(&self, radiance: [f32; 3], previous: IVec2) -> Change {
+    /// Luminance over that of the albedo, of a pixel that has a sample.
+    fn relative_luminance(&self, p: IVec2) -> Option<f32> {
+        let (l, a) = self.luminances.at(p);
+        Some(l? / a)
+    }
+
+    /// The change of a sample that was at `previous`; `None` where no light is known of then.
+    fn change(&self, radiance: [f32; 3], previous: IVec2) -> Option<Change> {
         let halves = |texel: u32| [texel as u16, (texel >> 16) as u16].map(from_half_bits);
         let exposed = |x: f32| (x * self.frame.exposure_ratio).min(LARGEST_HALF);
-        let Some([l, albedo]) = self.inputs.previous_luminance.map(|l| halves(l.at(previous))) else { return Change::default() };
+        let Some([l, albedo]) = self.inputs.previous_luminance.map(|l| halves(l.at(previous))) else {
+            return Some(Change::default());
+        };
+        if l < 0.0 {
+            return None;
+        }
         // Both luminances are halves: what did not change differs by 0.
         let (l, l_now) = (exposed(l), kept_luminance(radiance));
         let change = Change { change: (l_now - l) / albedo, brightest: l_now.max(l) / albedo, ..Change::default() };
-        let Some(red_blue) = self.inputs.previous_red_blue else { return change };
+        let Some(red_blue) = self.inputs.previous_red_blue else { return Some(change) };
         let before = radiance_of(l, halves(red_blue.at(previous)).map(exposed)).map(|c| c / albedo);
         let now = radiance_of(l_now, kept_red_blue(radiance)).map(|c| c / albedo);
         let both = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
-        Change { before: [before[0], before[1], before[2], both], now: [now[0], now[1], now[2], 0.0], ..change }
+        Some(Change { before: [before[0], before[1], before[2], both], now: [now[0], now[1], now[2], 0.0], ..change })
     }
 
     /// The change at the previous pixel that showed the surface of `p`.
@@ -195,7 +206,11 @@ impl Changes<'_> {
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
         let is_usable = is_same && radiance[..3].iter().all(|c| c.is_finite());
-        is_usable.then(|| self.change(storable(radiance), j))
+        if is_usable {
+            self.change(storable(radiance), j)
+        } else {
+            None
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
-use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
+use crate::nodes::temporal_accumulation::twin::{blend, fresh, worth_of, AlphaBounds, Reprojected};
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
@@ -41,8 +41,10 @@ pub struct SpecularAccumulationInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// rgb: specular irradiance; alpha: hit distance, as the stage `demodulate` has it (0: unknown).
+    /// rgb: specular irradiance; alpha: hit distance, as the stage `demodulate` has it (0: unknown; negative: no sample).
     pub noisy: &'a Image<[f32; 4]>,
+    /// Whether a negative alpha marks pixels without a sample of their own.
+    pub has_holes: bool,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// Confidence in the history.
@@ -123,13 +125,13 @@ impl Scene<'_> {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
         let surface = self.surfaces.at(p);
-        let noisy = [r, g, b, 0.0];
+        let noisy = [r, g, b, own_distance];
         let with = |(texel, moments), seen| (texel, moments, seen);
         if surface.is_background() {
             return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness });
         }
         let c = self.centre(p, surface);
-        let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance, roughness), roughness };
+        let mut seen = SeenReflection { hit_distance: self.hit_distance_now(&c, own_distance.max(0.0), roughness), roughness };
         if is_reset(self.frame) {
             return with(fresh(noisy, Reason::Reset), seen);
         }
@@ -181,9 +183,10 @@ impl Scene<'_> {
         let confidence = self.inputs.history_confidence;
         let change = confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
         let bounds = AlphaBounds::new(self.tuning, confidence.is_some(), false, change);
+        let worth = if self.inputs.has_holes { worth_of(noisy) } else { 1.0 };
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
         let before = Moments { mean: past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
-        blend(self.frame, noisy, past.irradiance, &before, bounds, [1.0; 3])
+        blend(self.frame, (noisy, worth), past.irradiance, &before, bounds, [1.0; 3])
     }
 }
 
@@ -194,6 +197,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         surface_motion: b.packed("surface_motion")?,
         depth_gradient: b.uint("depth_gradient")?,
         noisy: b.colour("noisy")?,
+        has_holes: b.is_on("HOLES")?,
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
         previous: PreviousSpecular {

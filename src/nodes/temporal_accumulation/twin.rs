@@ -21,7 +21,7 @@ mod tests;
 mod volume;
 
 pub(crate) use adapter::twin;
-pub(crate) use blend::{blend, fresh, AlphaBounds};
+pub(crate) use blend::{blend, fresh, worth_of, AlphaBounds};
 pub(crate) use taps::SMALLEST_WEIGHT_SUM;
 pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 
@@ -70,7 +70,7 @@ pub struct TemporalAccumulationInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// rgb: irradiance of every signal, as written by `demodulate`.
+    /// rgb: irradiance of every signal, as written by `demodulate` or `fill_holes`.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Object normals, where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
@@ -80,6 +80,8 @@ pub struct TemporalAccumulationInputs<'a> {
     pub repair: bool,
     /// Whether irradiance is looked up by a cubic, where 4×4 pixels show the surface.
     pub sharp: bool,
+    /// Whether a negative alpha of the irradiance marks pixels without a sample of their own.
+    pub has_holes: bool,
     /// The ratio of light by which the history is scaled.
     pub light_ratio: Option<StrataRatio<'a>>,
     /// The previous frame, which is not read in a reset frame; `None` is treated as one.
@@ -97,7 +99,7 @@ pub struct TemporalAccumulationOutputs {
     pub statistics: Statistics,
 }
 
-/// The history of a pixel, shared by all signals.
+/// The history of a pixel: the taps, shared by all signals.
 #[derive(Clone, Copy, Default)]
 enum History {
     #[default]
@@ -131,7 +133,7 @@ impl History {
 /// Frames that the history of a neighbour is worth: it soon gives way to what the pixel sees itself.
 const REPAIRED_HISTORY_LENGTH: f32 = 4.0;
 
-/// Accumulates every signal; they share taps and history length.
+/// Accumulates every signal; they share taps, and the history length but for holes.
 pub fn temporal_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
@@ -162,7 +164,8 @@ pub fn temporal_accumulation(
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
             let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
             let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
-            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
+            let worth = if inputs.has_holes { worth_of(irradiance.at(p)) } else { 1.0 };
+            let (c, moments) = accumulate(frame, (irradiance.at(p), worth), histories.at(p), bounds, signal, ratio);
             (c, pack_moments(&moments))
         });
         outputs.irradiance.push(texels.map(|t| t.0));
@@ -308,10 +311,10 @@ impl Reprojected {
     }
 }
 
-/// Blends one signal of one pixel with its history \[SVGF 4.1\].
+/// Blends one signal of one pixel, which counts for so many frames, with its history \[SVGF 4.1\].
 fn accumulate(
     frame: &FrameConstants,
-    c: [f32; 4],
+    (c, worth): ([f32; 4], f32),
     history: History,
     bounds: AlphaBounds,
     signal: Option<&SignalHistory>,
@@ -329,7 +332,7 @@ fn accumulate(
         irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum::<f32>().max(0.0));
     }
     let before = Moments { history_length: before.history_length.min(longest), ..before };
-    blend(frame, c, irradiance, &before, bounds, ratio)
+    blend(frame, (c, worth), irradiance, &before, bounds, ratio)
 }
 
 /// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does

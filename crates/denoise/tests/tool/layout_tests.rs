@@ -1,12 +1,13 @@
 //! Channels of known renderers are found; missing ones are reported.
 
 use crate::samples::{self, Sample, Type};
-use atrous::config::{DepthEncoding, MotionDepth, RoughnessEncoding, Signals};
+use atrous::config::{DepthEncoding, MotionDepth, RoughnessEncoding, Sampling, Signals};
 use atrous_denoise::error::ToolError;
 use atrous_denoise::frame;
 use atrous_denoise::frame_files;
 use atrous_denoise::layouts::Layout;
 use atrous_denoise::roles::Role;
+use atrous_denoise::sampling::Pattern;
 use atrous_denoise::setup::{Options, Setup};
 use std::path::Path;
 
@@ -47,6 +48,21 @@ fn own_data_sets() {
     assert_eq!(inputs.images["motion"][0], [0.0, 0.0, 2.0, 0.0]);
     assert_eq!(inputs.surface_id.map(|ids| ids[5]), Some(1));
     assert!(!setup.report.iter().any(|l| l.contains("no ")), "{:?}", setup.report);
+}
+
+#[test]
+fn a_share_of_the_pixels_keeps_its_samples_and_all_guides() {
+    let options = Options { sampling: Some(Pattern::Checkerboard), ..Options::default() };
+    let (folder, setup) = setup_of(&samples::frame(1), &options);
+    let setup = setup.expect("a layout");
+    assert_eq!(setup.config.sampling, Sampling::OneOf2x2);
+    let frames = frame_files::find(&[folder.path().to_owned()]).expect("a frame");
+    let inputs = frame::load(&frames[0], &setup).expect("a frame");
+    for name in ["noisy_direct", "noisy_indirect"] {
+        let kept: Vec<bool> = inputs.images[name][..samples::WIDTH].iter().map(|t| t[0].is_finite()).collect();
+        assert!(kept.windows(2).all(|pair| pair[0] != pair[1]), "{name}: {kept:?}");
+    }
+    assert!(inputs.images["albedo"].iter().chain(&inputs.images["depth"]).flatten().all(|v| v.is_finite()));
 }
 
 #[test]

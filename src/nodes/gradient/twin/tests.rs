@@ -68,6 +68,16 @@ fn the_same_radiance_differs_by_nothing() {
 }
 
 #[test]
+fn a_pixel_without_a_sample_says_nothing_of_the_light() {
+    // In this frame, in the one before, in both.
+    for (now, before) in [(f32::NAN, 0.5), (0.5, f32::NAN), (f32::NAN, f32::NAN)] {
+        let [change, brightest, mean, deviation] = left(&reshaded_frame(), now, 0.9, &luminance_of(before, 0.5));
+        assert_eq!([change, brightest, deviation], [0.0; 3], "{now}, {before}");
+        assert_eq!(mean == 0.0, now.is_nan());
+    }
+}
+
+#[test]
 fn without_reshading_and_in_a_reset_there_is_no_gradient() {
     let dark = luminance_of(0.0, 0.5);
     assert_eq!(left(&frame(EXTENT), 1.0, 0.5, &dark)[..2], [0.0, 0.0]);

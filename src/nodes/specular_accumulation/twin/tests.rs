@@ -49,6 +49,7 @@ impl Wall {
             surface_motion: &self.guides.surface_motion,
             depth_gradient: &self.guides.depth_gradient,
             noisy: &self.noisy,
+            has_holes: false,
             roughness: Some(&self.roughness),
             history_confidence: None,
             previous: PreviousSpecular {
@@ -113,6 +114,7 @@ fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
             history_confidence: None,
             repair: false,
             sharp: false,
+            has_holes: false,
             light_ratio: None,
             previous: Some(PreviousFrame { guide: &wall.guides.guide, signals: &[signal] }),
         },
@@ -171,6 +173,7 @@ fn a_ball_is_as_curved_as_its_radius_says() {
         surface_motion: &guides.surface_motion,
         depth_gradient: &guides.depth_gradient,
         noisy: &noisy,
+        has_holes: false,
         roughness: None,
         history_confidence: None,
         previous: PreviousSpecular { guide: &guides.guide, history: &history, moments: &moments, reflection: &reflection },

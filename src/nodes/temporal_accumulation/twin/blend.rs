@@ -10,21 +10,38 @@ use crate::{FrameConstants, Tuning};
 pub(crate) struct AlphaBounds {
     alpha: f32,
     alpha_moments: f32,
+    change: f32,
     history_length: f32,
 }
 
 impl AlphaBounds {
     /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
     pub fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
-        let adapted = |alpha: f32| alpha + change * (1.0 - alpha);
-        let alpha = adapted(tuning.alpha);
         // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
         let longest = match (is_adaptive, repair) {
             (_, true) => 1.0 / change.max(1e-6),
-            (true, false) => 1.0 / alpha.max(1e-6),
+            (true, false) => 1.0 / adapted(tuning.alpha, change).max(1e-6),
             (false, false) => f32::INFINITY,
         };
-        Self { alpha, alpha_moments: adapted(tuning.alpha_moments), history_length: longest.min(tuning.max_history_length) }
+        let history_length = longest.min(tuning.max_history_length);
+        Self { alpha: tuning.alpha, alpha_moments: tuning.alpha_moments, change, history_length }
+    }
+}
+
+/// The smallest weight of the new sample where light changed.
+fn adapted(alpha: f32, change: f32) -> f32 {
+    alpha + change * (1.0 - alpha)
+}
+
+/// Frames that a pixel is worth which has no sample of its own, but the light of its neighbours.
+pub(super) const FILLED_WORTH: f32 = 0.5;
+
+/// Frames that a texel of irradiance is worth, of a sub-sampled input: alpha is negative where there is no sample.
+pub(crate) fn worth_of([.., alpha]: [f32; 4]) -> f32 {
+    if alpha < 0.0 {
+        FILLED_WORTH
+    } else {
+        1.0
     }
 }
 
@@ -34,10 +51,11 @@ pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], Moments) {
     ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
 }
 
-/// Irradiance `c` with its past: irradiance and moments, of which `ratio` says by how much light is brighter now.
+/// Irradiance `c`, which counts for `worth` frames, with its past: irradiance and moments, of which `ratio` says by how much light is
+/// brighter now.
 pub(crate) fn blend(
     frame: &FrameConstants,
-    c: [f32; 4],
+    (c, worth): ([f32; 4], f32),
     past: [f32; 3],
     before: &Moments,
     bounds: AlphaBounds,
@@ -45,9 +63,9 @@ pub(crate) fn blend(
 ) -> ([f32; 4], Moments) {
     // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
     let scaled = |x: f32| (x * (frame.exposure_ratio * luminance(ratio)).min(1e38)).min(LARGEST_HALF);
-    let history_length = (before.history_length + 1.0).min(bounds.history_length);
-    let alpha = bounds.alpha.max(1.0 / history_length);
-    let alpha_moments = bounds.alpha_moments.max(1.0 / history_length);
+    let history_length = (before.history_length + worth).min(bounds.history_length);
+    let weight = |alpha: f32| adapted(alpha * worth, bounds.change).max(worth / history_length);
+    let (alpha, alpha_moments) = (weight(bounds.alpha), weight(bounds.alpha_moments));
     let [r, g, b] = [0, 1, 2].map(|i| {
         let before = (past[i] * ratio[i] * frame.exposure_ratio).min(LARGEST_HALF);
         // What is dropped leaves no rounding error behind.

@@ -58,6 +58,7 @@ impl Scene {
                 history_confidence: None,
                 repair: false,
                 sharp: false,
+                has_holes: false,
                 light_ratio: None,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
@@ -178,6 +179,7 @@ fn another_render_extent_is_scaled() {
             history_confidence: None,
             repair: false,
             sharp: false,
+            has_holes: false,
             light_ratio: None,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
@@ -213,6 +215,7 @@ fn signals_are_independent_but_for_taps_and_length() {
                     history_confidence: None,
                     repair: false,
                     sharp: false,
+                    has_holes: false,
                     light_ratio: None,
                     previous: output.as_ref().map(|_| PreviousFrame { guide: &guides.guide, signals: &signals }),
                 },

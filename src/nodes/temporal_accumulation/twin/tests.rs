@@ -1,7 +1,9 @@
 //! The blend: running mean, moments, cap, exposure, reset.
 
+use super::blend::FILLED_WORTH;
 use super::*;
 use crate::reference::test_scene::*;
+use crate::reference::HOLE;
 
 const EXTENT: [u32; 2] = [6, 5];
 
@@ -23,22 +25,25 @@ fn tuned(
     previous: Option<&TemporalAccumulationOutputs>,
 ) -> TemporalAccumulationOutputs {
     let signals = previous.map(|p| [SignalHistory { irradiance: &p.irradiance[0], moments: &p.moments[0] }]);
-    temporal_accumulation(
-        frame,
-        tuning,
-        &TemporalAccumulationInputs {
-            guide: &guides.guide,
-            surface_motion: &guides.surface_motion,
-            depth_gradient: &guides.depth_gradient,
-            irradiance: &[c],
-            object_normals: None,
-            history_confidence: None,
-            repair: false,
-            sharp: false,
-            light_ratio: None,
-            previous: signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals }),
-        },
-    )
+    let previous = signals.as_ref().map(|signals| PreviousFrame { guide: &guides.guide, signals });
+    temporal_accumulation(frame, tuning, &TemporalAccumulationInputs { previous, ..inputs(guides, &[c]) })
+}
+
+/// Nothing but guides and irradiance.
+fn inputs<'a>(guides: &'a Guides, irradiance: &'a [&'a Image<[f32; 4]>]) -> TemporalAccumulationInputs<'a> {
+    TemporalAccumulationInputs {
+        guide: &guides.guide,
+        surface_motion: &guides.surface_motion,
+        depth_gradient: &guides.depth_gradient,
+        irradiance,
+        object_normals: None,
+        history_confidence: None,
+        repair: false,
+        sharp: false,
+        has_holes: false,
+        light_ratio: None,
+        previous: None,
+    }
 }
 
 fn flat(extent: [u32; 2]) -> Guides {
@@ -176,4 +181,37 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
         assert_eq!(crop(&loose_output.moments[0], EXTENT), tight_output.moments[0]);
     }
     assert!(unpack_moments(tight_output.moments[0].texels()[0]).history_length == 5.0);
+}
+
+#[test]
+fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
+    let guides = flat(EXTENT);
+    let moments = Moments { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0 };
+    let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, pack_moments(&moments)));
+    let signals = [SignalHistory { irradiance: &signal.0, moments: &signal.1 }; 2];
+    let [sample, filled] = [0.0, HOLE].map(|alpha| Image::new(EXTENT, [3.0, 3.0, 3.0, alpha]));
+    let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, ..Tuning::default() };
+    let step = |change: f32, previous: Option<PreviousFrame>| {
+        let confidence = Image::new(EXTENT, 1.0 - change);
+        let inputs = TemporalAccumulationInputs {
+            irradiance: &[&sample, &filled],
+            history_confidence: Some(&confidence),
+            has_holes: true,
+            previous,
+            ..inputs(&guides, &[])
+        };
+        let output = temporal_accumulation(&frame(EXTENT), &tuning, &inputs);
+        let of = |i: usize| (output.irradiance[i].texels()[7][0], unpack_moments(output.moments[i].texels()[7]).history_length);
+        [of(0), of(1)]
+    };
+    let previous = Some(PreviousFrame { guide: &guides.guide, signals: &signals });
+    let [(mean, frames), (kept, frames_kept)] = step(0.0, previous);
+    assert_eq!((frames, frames_kept), (5.0, 4.0 + FILLED_WORTH), "a length for each signal");
+    assert!(
+        (mean - (1.0 + 2.0 / 5.0)).abs() < 1e-3 && (kept - (1.0 + 2.0 * FILLED_WORTH / frames_kept)).abs() < 1e-3,
+        "{mean} {kept}"
+    );
+    // What is filled in takes the place of light that is no longer true, and of a history that is lost.
+    assert_eq!(step(1.0, previous).map(|of| of.0), [3.0, 3.0]);
+    assert_eq!(step(0.0, None), [(3.0, 1.0), (3.0, 1.0)]);
 }

@@ -43,7 +43,7 @@ pub fn volume_accumulation(
             let s = (p.as_vec2() + 0.5) * extent_ratio(frame) + motion - 0.5;
             taps::find(s, refusal).unwrap_or_else(|| History::Disoccluded(refusal(taps::nearest(s))))
         });
-        let (c, moments) = accumulate(frame, inputs.radiance.at(p), history, bounds, signal, [1.0; 3]);
+        let (c, moments) = accumulate(frame, (inputs.radiance.at(p), 1.0), history, bounds, signal, [1.0; 3]);
         (c, pack_moments(&moments))
     });
     (texels.map(|t| t.0), texels.map(|t| t.1))
