@@ -3,6 +3,7 @@
 //! One program, with the harness of `crates/harness`: a machine without a device counts these tests as ignored, and says so.
 
 mod allocation;
+mod antialiasing;
 mod attack;
 mod bad_input;
 mod bench;
@@ -27,6 +28,7 @@ mod hosts;
 #[cfg(feature = "hot-reload")]
 mod hot_reload;
 mod input_sets;
+mod mirror;
 mod one_call;
 mod packages;
 mod parity;
@@ -40,6 +42,7 @@ mod sampling;
 mod schedules;
 mod sequences;
 mod specular;
+mod stereo;
 mod support;
 mod sync_validation;
 mod visibility;
@@ -56,6 +59,7 @@ fn main() {
     }
     let groups = [
         Group { name: "allocation", tests: allocation::TESTS, needs_device: true },
+        Group { name: "antialiasing", tests: antialiasing::TESTS, needs_device: true },
         Group { name: "attack", tests: attack::TESTS, needs_device: true },
         Group { name: "bench", tests: bench::TESTS, needs_device: false },
         Group { name: "binding", tests: binding::TESTS, needs_device: true },
@@ -82,6 +86,7 @@ fn main() {
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },
+        Group { name: "mirror", tests: mirror::TESTS, needs_device: true },
         Group { name: "one_call", tests: one_call::TESTS, needs_device: true },
         Group { name: "packages", tests: packages::TESTS, needs_device: false },
         Group { name: "parity", tests: parity::TESTS, needs_device: true },
@@ -94,6 +99,7 @@ fn main() {
         Group { name: "schedules", tests: schedules::TESTS, needs_device: true },
         Group { name: "sequences", tests: sequences::TESTS, needs_device: true },
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
+        Group { name: "stereo", tests: stereo::TESTS, needs_device: true },
         Group { name: "specular", tests: specular::TESTS, needs_device: true },
         Group { name: "visibility", tests: visibility::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },

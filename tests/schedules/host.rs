@@ -1,6 +1,6 @@
 //! A host that runs a plan: images of its own in `GENERAL`, memory as planned, one barrier of all memory between batches.
 
-use super::memory::{Bare, Mapped, Memory, Stored};
+use super::memory::{region, Bare, Mapped, Memory, Stored};
 use super::plan::{is_transient_image, Plan};
 use crate::graphs::dice::Dice;
 use crate::graphs::inputs::Inputs;
@@ -221,11 +221,6 @@ impl Host {
         let frame = |of: &Vec<(String, Mapped, usize)>| of.iter().map(|(name, m, size)| (name.clone(), bytes(m, *size))).collect();
         self.results.iter().map(frame).collect()
     }
-}
-
-fn region([width, height]: [u32; 2]) -> vk::BufferImageCopy {
-    let layers = vk::ImageSubresourceLayers::default().aspect_mask(vk::ImageAspectFlags::COLOR).layer_count(1);
-    vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 })
 }
 
 const EVERYTHING: (vk::PipelineStageFlags2, vk::AccessFlags2) = (

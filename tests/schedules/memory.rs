@@ -99,6 +99,12 @@ impl Memory {
     }
 }
 
+/// A whole image.
+pub fn region([width, height]: [u32; 2]) -> vk::BufferImageCopy {
+    let layers = vk::ImageSubresourceLayers::default().aspect_mask(vk::ImageAspectFlags::COLOR).layer_count(1);
+    vk::BufferImageCopy::default().image_subresource(layers).image_extent(vk::Extent3D { width, height, depth: 1 })
+}
+
 impl Drop for Memory {
     fn drop(&mut self) {
         let _queue = self.gpu.queue();

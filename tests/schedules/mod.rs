@@ -2,7 +2,7 @@
 //! three frames in flight. The check of a plan is itself checked, with plans that are wrong.
 
 mod host;
-mod memory;
+pub mod memory;
 mod plan;
 
 use super::graphs::{dice::Dice, inputs::Inputs, random};

@@ -104,6 +104,8 @@ pub struct Scene {
     pub noise: f32,
     /// Factor of all light.
     pub light: f32,
+    /// Where the sample of a pixel lies, in pixels from its middle.
+    pub jitter: [f32; 2],
 }
 
 /// Focal length of every camera, in halves of the image's height.
@@ -204,12 +206,12 @@ impl Hit {
 impl Scene {
     /// Stands still, with strong noise.
     pub fn new(extent: [u32; 2]) -> Self {
-        Self { extent, allocated: extent, speed: 0.0, noise: 0.7, light: 1.0 }
+        Self { extent, allocated: extent, speed: 0.0, noise: 0.7, light: 1.0, jitter: [0.0; 2] }
     }
 
     /// The camera of frame `index`.
     pub fn params(&self, index: u32) -> FrameParams {
-        camera(self.extent, [self.camera(index), 0.0, 0.0])
+        FrameParams { jitter: self.jitter, ..camera(self.extent, [self.camera(index), 0.0, 0.0]) }
     }
 
     fn camera(&self, index: u32) -> f32 {
@@ -289,9 +291,9 @@ impl Scene {
     }
 
     fn direction(&self, x: u32, y: u32) -> [f32; 2] {
-        let ndc = |p: u32, side: u32| (p as f32 + 0.5) / side as f32 * 2.0 - 1.0;
+        let ndc = |p: u32, i: usize| (p as f32 + 0.5 + self.jitter[i]) / self.extent[i] as f32 * 2.0 - 1.0;
         let aspect = self.extent[0] as f32 / self.extent[1] as f32;
-        [ndc(x, self.extent[0]) * aspect / FOCAL, -ndc(y, self.extent[1]) / FOCAL]
+        [ndc(x, 0) * aspect / FOCAL, -ndc(y, 1) / FOCAL]
     }
 
     /// `uv_previous − uv_current` of a point at this depth when the camera slides along x.
