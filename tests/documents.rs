@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 pub const TESTS: &[DeviceTest] = &[
     ("the_readme_shows_a_part_of_host_ash", the_readme_shows_a_part_of_host_ash),
     ("the_guide_shows_parts_of_the_hosts", the_guide_shows_parts_of_the_hosts),
+    ("the_first_steps_are_a_program", the_first_steps_are_a_program),
     ("the_glue_of_an_ash_host_is_small", the_glue_of_an_ash_host_is_small),
     ("a_field_of_a_configuration_names_its_default", a_field_of_a_configuration_names_its_default),
     ("the_guide_names_every_input_and_output", the_guide_names_every_input_and_output),
@@ -43,6 +44,12 @@ fn the_guide_shows_parts_of_the_hosts() {
         assert!(excerpt.lines().count() > 5, "examples/{name} has no part that is marked");
         assert!(GUIDE.contains(&excerpt), "docs/integrate.md must have this from examples/{name}:\n{excerpt}");
     }
+}
+
+fn the_first_steps_are_a_program() {
+    let (_, program) = include_str!("../examples/first_steps.rs").split_once("\n\n").expect("a head");
+    let page = include_str!("../docs/first_steps.md");
+    assert!(page.contains(&format!("```rust,no_run\n{program}```")), "docs/first_steps.md must have examples/first_steps.rs");
 }
 
 fn the_glue_of_an_ash_host_is_small() {
