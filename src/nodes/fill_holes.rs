@@ -19,7 +19,8 @@ impl Graph {
         };
         let filled: Irradiance = self.image_each(irradiance, "filter_filled", HDR, 1);
         for (from, to) in irradiance.images().iter().zip(filled.images()) {
-            let node = self.node("fill_holes", &self.label(*from).to_owned());
+            let label = self.label(*from).to_owned();
+            let node = self.node("fill_holes", &label);
             let pass = Pass::new(&node, &shaders::FILL_HOLES)
                 .constant("RADIUS", radius)
                 .bind("guide", guides.guide)

@@ -118,7 +118,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 21] = [
+    const RENAMED: [(&str, &[&str]); 22] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "accumulated", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -126,6 +126,7 @@ fn names_of_bindings_match_those_of_resources() {
         ("compared", &["noisy_"]),
         ("noisy", &["filter_ping", "filter_filled"]),
         ("holed", &["filter_ping"]),
+        ("filled", &["filter_filled", "irradiance_history"]),
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "filter_ping"]),
         ("filtered", &["atrous_", "irradiance_history"]),
