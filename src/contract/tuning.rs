@@ -114,7 +114,7 @@ tuning! {
     /// surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.9;
     /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising
-    /// it blurs more far away.
+    /// it blurs more far away. It counts in units of the scene: what 0.05 does in metres 0.0005 does in centimetres.
     edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
     /// Lower percentile of the luminance of 8×8 pixels (PSVGF). At one sample a pixel next to 0, whatever it is.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;
@@ -215,7 +215,7 @@ impl Tuning {
                 percentile_range: 3.0,
                 ..Self::default()
             },
-            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..Self::default() },
+            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, ..Self::default() },
         }
     }
 

@@ -16,7 +16,8 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
     let change = change_of_light(g, guides, &compared, gradients);
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, ..Demodulate::default() });
+    let samples = gradients.and_then(|gradients| gradients.samples());
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, samples, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
@@ -31,7 +32,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         guides,
         config,
         filtered.into(),
-        Specular { feedback: Feedback::Filtered, confidence: Some(change.confidence), ..Specular::default() },
+        Specular { feedback: Feedback::Filtered, samples, confidence: Some(change.confidence), ..Specular::default() },
     );
     let known = Known {
         history: Some(history),

@@ -1,7 +1,7 @@
 //! The filter of specular light, which presets have beside that of diffuse light.
 
 use crate::config::{Config, Signals};
-use crate::graph::{Confidence, Feedback, Graph, Guides, Irradiance, Radiance, Reflection};
+use crate::graph::{Confidence, Feedback, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
 use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, Modulate, SpecularAccumulation, Variance};
 
 /// Parameters of [`specular`]: what differs from preset to preset.
@@ -17,6 +17,8 @@ pub struct Specular {
     pub shared_deviation: bool,
     /// Confidence in the history.
     pub confidence: Option<Confidence>,
+    /// Pixels that the host shades again.
+    pub samples: Option<GradientSamples>,
 }
 
 impl Default for Specular {
@@ -27,6 +29,7 @@ impl Default for Specular {
             kernel: Kernel::Box,
             shared_deviation: false,
             confidence: None,
+            samples: None,
         }
     }
 }
@@ -36,8 +39,8 @@ impl Default for Specular {
 /// It reads `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, ..Demodulate::default() });
-    let Specular { feedback, variance, kernel, shared_deviation, confidence } = specular;
+    let Specular { feedback, variance, kernel, shared_deviation, confidence, samples } = specular;
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, samples, ..Demodulate::default() });
     let parameters = SpecularAccumulation { feedback, confidence, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, parameters);
     let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
