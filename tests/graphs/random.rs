@@ -172,9 +172,9 @@ fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
         _ => Gradients::Sparse { stratum_size },
     };
     let gradient = g.gradient(guides, noisy, source);
-    let smooth = GradientAtrous { smooth_deviation: dice.coin() };
+    let smooth = GradientAtrous { smooth_deviation: stratum_size == 2 };
     let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient, smooth) } else { gradient };
-    let samples = source.samples().filter(|_| dice.coin());
+    let samples = source.samples();
     Change { confidence: Some(g.adaptive_alpha(&gradient)), gradient: Some(gradient), samples }
 }
 

@@ -41,7 +41,7 @@ pub fn measure(
     bar: &ProgressBar,
 ) -> Result<Vec<Row>> {
     let (width, height) = settings.size;
-    let options = TracerOptions { seed: settings.seed, ..TracerOptions::default() };
+    let options = TracerOptions { seed: settings.seed, noise: settings.noise, ..TracerOptions::default() };
     let mut tracer = PathTracer::new(gpu, scene, ash::vk::Extent2D { width, height }, options)?;
     let wanted = contenders::all().into_iter().filter(|c| settings.filters.iter().any(|name| name == c.name));
     let start = |c: contenders::Contender| Running::new(gpu, &tracer, c.name, &c.options);
