@@ -87,6 +87,8 @@ float albedo_at(ivec2 p, bool background) {
     return albedo_luminance(divisor_of(texelFetch(albedo, p, 0).rgb));
 }
 
+float albedo_before(ivec2 j) { return unpackHalf2x16(texelFetch(previous_luminance, j, 0).x).y; }
+
 bool has_ratio() { return is_present(PREVIOUS_RED_BLUE) && is_present(LIGHT_BEFORE) && is_present(LIGHT_NOW); }
 
 void add_light(inout Sum sum, vec3 before, vec3 now) {
@@ -163,7 +165,9 @@ void main() {
             uvec4 packed = texelFetch(guide, p, 0);
             bool background = unpack_depth(packed) == 0.0;
             KeptRadiance noisy = noisy_at(p);
-            float a = albedo_at(p, background);
+            bool is_sample = sampled && place == wanted;
+            // The light of a sample comes from its own point, not from the middle of the pixel.
+            float a = is_sample ? albedo_before(gradient_sample.previous_pixel) : albedo_at(p, background);
             if (background) continue;
             if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
             if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
@@ -172,7 +176,7 @@ void main() {
             sum.mean += l;
             sum.squares += l * l;
             sum.surfaces += 1.0;
-            if (sampled && place == wanted) add_change(sum, noisy.radiance, gradient_sample.previous_pixel);
+            if (is_sample) add_change(sum, noisy.radiance, gradient_sample.previous_pixel);
         }
     vec4 value = result(sum);
     if (SOURCE == SPARSE) {

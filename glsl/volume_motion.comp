@@ -23,12 +23,35 @@ layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = 3, r32ui) uniform uimage2D claims;
 #endif
 
-// Low bits of a key: 1 + number of the pixel in the previous frame. The bits above are those of the contribution that have room.
-uint key_mask() { return (2u << findMSB(frame.previous_render_extent.x * frame.previous_render_extent.y)) - 1u; }
+// Low bits of a key: the number of the pixel in the previous frame. No device has images of more than 2^30 pixels.
+uint number_bits() { return uint(findMSB(frame.previous_render_extent.x * frame.previous_render_extent.y - 1u) + 1); }
+
+// The numbers are mixed, so that no direction always wins among points that contribute alike: a shift by half of the bits and a product
+// with an odd number can be undone.
+const uint ODD = 0x9e3779b1u;
+const uint ODD_INVERSE = 0x0e8b2f51u;
+
+uint mixed(uint index) {
+    uint bits = number_bits(), mask = (1u << bits) - 1u, half_of_bits = (bits + 1u) / 2u;
+    uint x = (index + pcg(frame.frame_index)) & mask;
+    x = ((x ^ x >> half_of_bits) * ODD) & mask;
+    return x ^ x >> half_of_bits;
+}
+
+uint unmixed(uint x) {
+    uint bits = number_bits(), mask = (1u << bits) - 1u, half_of_bits = (bits + 1u) / 2u;
+    x = ((x ^ x >> half_of_bits) * ODD_INVERSE) & mask;
+    return ((x ^ x >> half_of_bits) - pcg(frame.frame_index)) & mask;
+}
+
+// The bits above: the contribution from 2^-16 to 2^16, in 12 bits 128 steps for a factor of 2, or as much of them as there is room for.
+const uint RANK_BITS = 12u;
+const int LEAST_CONTRIBUTION = (127 - 16) << 7;
 
 uint key_of(ivec2 q, uint contribution) {
-    uint index = uint(q.x) + uint(q.y) * frame.previous_render_extent.x;
-    return (contribution << 17 & ~key_mask()) | (index + 1u);
+    uint room = 32u - number_bits();
+    uint rank = uint(clamp(int(contribution) - LEAST_CONTRIBUTION, 0, (1 << RANK_BITS) - 1)) >> (RANK_BITS - min(room, RANK_BITS));
+    return max(rank, 1u) << number_bits() | mixed(uint(q.x) + uint(q.y) * frame.previous_render_extent.x);
 }
 
 ForwardPosition carried(ivec2 q, uvec4 point) { return project_world(previous_world_position(q, unpack_depth(point))); }
@@ -68,7 +91,7 @@ const float LARGEST_DEPTH = 1.0e6;
 // Adds the point that won a pixel. Motion falls with depth, so its mean with the weight luminance * depth is the motion at the mean depth,
 // in proportion to luminance; points just before the camera move far and would spoil any other mean.
 void add_point(uint key, inout vec2 sum, inout float weight_sum) {
-    uint index = (key & key_mask()) - 1u;
+    uint index = unmixed(key & ((1u << number_bits()) - 1u));
     ivec2 q = ivec2(index % frame.previous_render_extent.x, index / frame.previous_render_extent.x);
     uvec4 point = texelFetch(previous_points, q, 0);
     ForwardPosition position = carried(q, point);

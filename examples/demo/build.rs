@@ -13,8 +13,10 @@ fn main() -> Result<(), String> {
     let out = PathBuf::from(env::var("OUT_DIR").map_err(|e| e.to_string())?);
     let includes = [root.join("include"), root.join("../../../glsl/host")];
     println!("cargo:rerun-if-changed={}", includes[1].display());
-    let sources = [&root.join("../src/tracer"), &root, &includes[0]];
-    println!("cargo:rustc-env=ATROUS_DEMO_TRACER={:016x}", hash(&sources)?);
+    for folder in [&root, &includes[0]] {
+        println!("cargo:rerun-if-changed={}", folder.display());
+    }
+    println!("cargo:rustc-env=ATROUS_DEMO_TRACER={:016x}", reference_hash(&root, &includes)?);
     write_table(&root, &includes, &out.join("shaders.rs"))?;
     if env::var_os("CARGO_FEATURE_WINDOW").is_some() {
         let window = root.join("window");
@@ -59,17 +61,30 @@ fn interface_of(_: &Glsl, _: &Compiler, _: &Variant) -> Result<String, String> {
     Ok("[]".into())
 }
 
-/// A hash of everything that the path tracer's pictures depend on: of all files in some folders.
-fn hash(folders: &[&PathBuf]) -> Result<u64, String> {
+/// Shaders that draw references.
+const OF_REFERENCES: [&str; 3] = ["gbuffer", "reference", "volume_reference"];
+
+/// Code of the path tracer that references do not depend on.
+const NOT_OF_REFERENCES: [&str; 1] = ["reshading.rs"];
+
+/// A hash of everything that references depend on: what their shaders were compiled to, and the code that runs them.
+fn reference_hash(root: &Path, includes: &[PathBuf]) -> Result<u64, String> {
     let mut hasher = DefaultHasher::new();
-    for folder in folders {
-        println!("cargo:rerun-if-changed={}", folder.display());
-        let entries = fs::read_dir(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
-        let mut files: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| path.is_file()).collect();
-        files.sort();
-        for file in files {
-            fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?.hash(&mut hasher);
+    let compiler = Compiler::new().map_err(|e| format!("shaderc does not start: {e}"))?;
+    for name in OF_REFERENCES {
+        let source = Glsl::read(&root.join(name).with_extension("comp"), includes)?;
+        for variant in source.variants() {
+            source.compile(&compiler, &variant, Detail::Code)?.hash(&mut hasher);
         }
+    }
+    let folder = root.join("../src/tracer");
+    println!("cargo:rerun-if-changed={}", folder.display());
+    let entries = fs::read_dir(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let mut files: Vec<_> = entries.filter_map(|entry| Some(entry.ok()?.path())).filter(|path| path.is_file()).collect();
+    files.retain(|file| NOT_OF_REFERENCES.iter().all(|name| !file.ends_with(name)));
+    files.sort();
+    for file in files {
+        fs::read(&file).map_err(|e| format!("{}: {e}", file.display()))?.hash(&mut hasher);
     }
     Ok(hasher.finish())
 }

@@ -4,9 +4,10 @@
 // reads as well, and in WGSL: gradient_sample.hlsl, gradient_sample.wgsl.
 //
 // One pixel in a stratum (3x3 by default) is a gradient sample. It shades the surface that `previous_pixel` saw in the previous frame, moved along
-// with its object, with the random numbers that were used there: all that may differ is the light. Shade it as every other pixel, into the same
-// image, and do not read `noisy_radiance` of the previous frame: the denoiser keeps that luminance itself. No G-buffer changes: depth, normal,
-// motion and albedo that the denoiser reads stay those of this frame.
+// with its object, with the random numbers that were used there, for the eye of this frame: all that may differ is the light that reaches the
+// eye. Shade it as every other pixel, into the same image, and do not read `noisy_radiance` of the previous frame: the denoiser keeps that
+// luminance itself. No G-buffer changes: depth, normal, motion and albedo that the denoiser reads stay those of this frame, of the pixel's own
+// surface; the denoiser remembers the albedo of the sample.
 //
 // The random seed belongs to the sample, not to the frame: keep one in an image, since a seed that was taken over can be taken over again.
 // What the surface record holds is the host's business: whatever its shading reads, in a space that moves along with the object (a triangle
@@ -31,12 +32,14 @@
 //         }
 //         imageStore(surfaces, pixel, surface);
 //         imageStore(seeds, pixel, uvec4(seed));
-//         vec3 radiance = shade(surface, seed);                    // direct and indirect light with this frame's lights
+//         vec3 radiance = shade(surface, seed);                    // direct and indirect light of this frame, for its eye
 //         imageStore(noisy_radiance, pixel, vec4(radiance, 1.0));
 //     }
 //
-// For the change to be exactly 0 where nothing changed, `shade` must depend on surface, seed and scene alone. Where it depends on the view as
-// well (glossy reflection), let it use the direction from which the surface was seen then, kept in the record.
+// For the change to be exactly 0 where nothing changed, `shade` must depend on surface, seed, scene and eye alone. The eye is that of this frame
+// [ASVGF, Figure 1]: a highlight that moves with the camera is a change, and the sample is one of this frame's picture. With Signals::Specular
+// reflections are followed by themselves: keep the eye that saw the sample in the record there, and shade for that, so that nothing is seen but
+// changes of the scene. docs/stages.md, forward_project, has what either is worth.
 #ifndef ATROUS_GRADIENT_SAMPLE_GLSL
 #define ATROUS_GRADIENT_SAMPLE_GLSL
 

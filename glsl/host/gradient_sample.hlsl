@@ -20,7 +20,7 @@
 //         }
 //         surfaces[pixel] = surface;
 //         seeds[pixel] = seed;
-//         noisy_radiance[pixel] = float4(shade(surface, seed), 1.0);  // direct and indirect light with this frame's lights
+//         noisy_radiance[pixel] = float4(shade(surface, seed), 1.0);  // direct and indirect light of this frame, for its eye
 //     }
 #ifndef ATROUS_GRADIENT_SAMPLE_HLSL
 #define ATROUS_GRADIENT_SAMPLE_HLSL

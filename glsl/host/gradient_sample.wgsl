@@ -19,7 +19,7 @@
 //         }
 //         textureStore(surfaces, pixel, surface);
 //         textureStore(seeds, pixel, vec4<u32>(seed));
-//         textureStore(noisy_radiance, pixel, vec4<f32>(shade(surface, seed), 1.0)); // with this frame's lights
+//         textureStore(noisy_radiance, pixel, vec4<f32>(shade(surface, seed), 1.0)); // light of this frame, for its eye
 //     }
 
 struct AtrousGradientSample {

@@ -112,7 +112,7 @@ tuning! {
     /// surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.4;
     /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising
-    /// it blurs more far away.
+    /// it blurs more far away. It counts in units of the scene: what 0.05 does in metres 0.0005 does in centimetres.
     edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
     /// Lower percentile of the luminance of 8×8 pixels (PSVGF). At one sample a pixel next to 0, whatever it is.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;
@@ -208,7 +208,7 @@ impl Tuning {
     /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
     /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
     /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `edge_falloff` 0.05, `percentile_range` 2 |
+    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
     /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
     /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
     /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `percentile_range` 2 |
@@ -233,7 +233,7 @@ impl Tuning {
             Preset::Svgf | Preset::Eaw | Preset::Volume => svgf,
             Preset::Fast => Self { alpha: 0.1, alpha_moments: 0.1, normal_tolerance: 0.5, ..svgf },
             Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..svgf },
-            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, edge_falloff: 0.05, ..svgf },
+            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, ..svgf },
         }
     }
 

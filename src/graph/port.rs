@@ -274,6 +274,8 @@ impl Gradient {
 #[derive(Clone, Copy, Debug)]
 pub struct GradientSamples {
     pub(crate) image: Image,
+    /// The pixel of every stratum that the next frame carries forward.
+    pub(crate) candidates: Image,
     pub(crate) stratum_size: u32,
 }
 

@@ -3,7 +3,7 @@
 pub(crate) mod twin;
 
 use crate::config::Sampling;
-use crate::graph::{Gradient, Graph, Guides, Irradiance, Pass, Radiance, HDR, HOST_COLOUR, HOST_SCALAR};
+use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, HDR, HOST_COLOUR, HOST_SCALAR};
 use crate::shaders;
 
 /// The reflectance that divides radiance, and multiplies it again.
@@ -32,11 +32,36 @@ pub struct Demodulate {
     /// Gradients that compare the luminance of the noisy radiance with that of the frame before, which this node keeps for them.
     /// Default: none.
     pub gradient: Option<Gradient>,
+    /// Pixels of the noisy radiance that the host shades again: their light comes from points whose albedo is not that of the pixel. It is
+    /// divided by that of the point instead, in a pass of its own, `sample_albedo`. Default: none.
+    pub samples: Option<GradientSamples>,
+}
+
+/// The images that make the divisor.
+#[derive(Clone, Copy)]
+pub(super) struct Divisor {
+    albedo: Option<Image>,
+    specular_f0: Option<Image>,
+}
+
+impl Divisor {
+    fn new(graph: &mut Graph, albedo: Albedo) -> Self {
+        let mut input = |name| Some(graph.input(name, HOST_COLOUR, 1, true));
+        match albedo {
+            Albedo::None => Self { albedo: None, specular_f0: None },
+            Albedo::Diffuse => Self { albedo: input("albedo"), specular_f0: None },
+            Albedo::Specular => Self { albedo: input("specular_albedo"), specular_f0: input("specular_f0") },
+        }
+    }
+
+    pub(super) fn bind(self, pass: Pass) -> Pass {
+        pass.bind_some("albedo", self.albedo).bind_some("specular_f0", self.specular_f0)
+    }
 }
 
 impl Default for Demodulate {
     fn default() -> Self {
-        Self { albedo: Albedo::Diffuse, sampling: Sampling::Full, gradient: None }
+        Self { albedo: Albedo::Diffuse, sampling: Sampling::Full, gradient: None, samples: None }
     }
 }
 
@@ -52,14 +77,11 @@ impl Graph {
             .bind("guide", guides.guide)
             .each("noisy", noisy.images())
             .each("irradiance", irradiance.images());
-        pass = match demodulate.albedo {
-            Albedo::None => pass,
-            Albedo::Diffuse => pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true)),
-            Albedo::Specular => pass
-                .bind("albedo", self.input("specular_albedo", HOST_COLOUR, 1, true))
-                .bind("specular_f0", self.input("specular_f0", HOST_COLOUR, 1, true))
-                .bind("specular_hit_distance", self.input("specular_hit_distance", HOST_SCALAR, 1, true)),
-        };
+        let divisor = Divisor::new(self, demodulate.albedo);
+        pass = divisor.bind(pass);
+        if demodulate.albedo == Albedo::Specular {
+            pass = pass.bind("specular_hit_distance", self.input("specular_hit_distance", HOST_SCALAR, 1, true));
+        }
         if let Some(kept) = kept {
             pass = pass.bind("noisy_luminance", kept.image).bind_some("noisy_red_blue", kept.red_blue);
             if kept.of.images() != noisy.images() {
@@ -67,6 +89,9 @@ impl Graph {
             }
         }
         self.add(pass);
+        let irradiance = self.renewed(&irradiance);
+        let Some(samples) = demodulate.samples.filter(|_| demodulate.albedo != Albedo::None) else { return irradiance };
+        self.sample_albedo(guides, &irradiance, divisor, &samples);
         self.renewed(&irradiance)
     }
 }

@@ -65,6 +65,6 @@ impl Graph {
             .bind("candidates", candidates)
             .bind_some("surface_id", surface_id);
         self.add(resolve);
-        GradientSamples { image: self.refreshed(samples), stratum_size: size }
+        GradientSamples { image: self.refreshed(samples), candidates: self.refreshed(candidates), stratum_size: size }
     }
 }

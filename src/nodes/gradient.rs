@@ -26,6 +26,14 @@ pub enum Gradients {
 }
 
 impl Gradients {
+    /// The pixels of the noisy radiance that the host shades again, for [`crate::nodes::Demodulate::samples`].
+    pub fn samples(&self) -> Option<GradientSamples> {
+        match *self {
+            Self::ForwardProjected(samples) => Some(samples),
+            Self::Reshaded { .. } | Self::Sparse { .. } => None,
+        }
+    }
+
     fn stratum_size(&self) -> u32 {
         match *self {
             Self::ForwardProjected(GradientSamples { stratum_size, .. }) => stratum_size,

@@ -19,6 +19,7 @@ pub(crate) mod gradient_atrous;
 pub(crate) mod import;
 pub(crate) mod modulate;
 pub(crate) mod percentile_rule;
+pub(crate) mod sample_albedo;
 pub(crate) mod shadowed_light;
 pub(crate) mod specular_accumulation;
 pub(crate) mod taa;
@@ -38,6 +39,7 @@ pub use demodulate::{Albedo, Demodulate};
 pub use eaw::Eaw;
 pub use forward_project::ForwardProject;
 pub use gradient::Gradients;
+pub use gradient_atrous::GradientAtrous;
 pub use import::Import;
 pub use modulate::Modulate;
 pub use specular_accumulation::SpecularAccumulation;
@@ -58,6 +60,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("gradient_atrous", gradient_atrous::twin::twin, GRADIENT_ATROUS),
     Stage::new("adaptive_alpha", adaptive_alpha::twin::twin, &[pixels("history_confidence", HALF)]),
     Stage::new("demodulate", demodulate::twin::twin, DEMODULATE),
+    Stage::new("sample_albedo", sample_albedo::twin::twin, SAMPLE_ALBEDO),
     Stage::new(
         "block_percentiles",
         block_percentiles::twin::twin,

@@ -16,8 +16,9 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
     let change = change_of_light(g, guides, &compared, gradients);
-    let irradiance =
-        g.demodulate(guides, &noisy, Demodulate { gradient: change.gradient, sampling: config.sampling, ..Demodulate::default() });
+    let samples = gradients.and_then(|gradients| gradients.samples());
+    let demodulate = Demodulate { gradient: change.gradient, samples, sampling: config.sampling, ..Demodulate::default() };
+    let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
@@ -33,7 +34,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         guides,
         config,
         filtered.into(),
-        Specular { feedback: Feedback::Filtered, confidence: Some(change.confidence), ..Specular::default() },
+        Specular { feedback: Feedback::Filtered, samples, confidence: Some(change.confidence), ..Specular::default() },
     );
     let known = Known {
         history: Some(history),

@@ -4,7 +4,7 @@ use super::specular::{compared, modulated, Specular};
 use super::{gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
 
 /// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
 /// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
@@ -17,9 +17,11 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let compared = compared(g, &noisy, config);
     let gradient = gradients.map(|source| {
         let gradient = g.gradient_and_ratio(guides, &compared, source);
-        g.gradient_atrous(guides, &gradient)
+        g.gradient_atrous(guides, &gradient, GradientAtrous::default())
     });
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, sampling: config.sampling, ..Demodulate::default() });
+    let samples = gradients.and_then(|gradients| gradients.samples());
+    let demodulate = Demodulate { gradient, samples, sampling: config.sampling, ..Demodulate::default() };
+    let irradiance = g.demodulate(guides, &noisy, demodulate);
     let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
@@ -40,7 +42,7 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let spatial = Atrous { levels: config.levels(), kernel: Kernel::Box, shared_deviation: true, ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, spatial);
-    let specular = Specular { variance, shared_deviation: true, confidence: Some(confidence), ..Specular::default() };
+    let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(confidence), ..Specular::default() };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let known = Known {
         history: Some(history),

@@ -19,7 +19,8 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let radiance = match config.signals {
         Signals::Specular => {
             let noisy = g.radiance("noisy_specular");
-            let irradiance = g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, gradient: None });
+            let irradiance =
+                g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, ..Demodulate::default() });
             let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
             sum(g, guides, &filtered, &specular)
         }

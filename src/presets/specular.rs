@@ -1,8 +1,10 @@
 //! The filter of specular light, which presets have beside that of diffuse light.
 
 use crate::config::{Config, Signals};
-use crate::graph::{Confidence, Feedback, Gradient, Graph, Guides, Irradiance, Radiance, Reflection};
-use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Gradients, Kernel, Modulate, SpecularAccumulation, Variance};
+use crate::graph::{Confidence, Feedback, Gradient, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
+use crate::nodes::{
+    Albedo, Atrous, Demodulate, Estimator, GradientAtrous, Gradients, Kernel, Modulate, SpecularAccumulation, Variance,
+};
 
 /// Parameters of [`specular`]: what differs from preset to preset.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +23,8 @@ pub struct Specular {
     /// changes only what is seen in a mirror leaves diffuse light its history, where that has gradients of its own, too. Samples that the
     /// host shades again alone are a source: the others are of all light. Costs 8 bytes a pixel. Default: none.
     pub gradients: Option<Gradients>,
+    /// Pixels that the host shades again.
+    pub samples: Option<GradientSamples>,
 }
 
 impl Default for Specular {
@@ -32,6 +36,7 @@ impl Default for Specular {
             shared_deviation: false,
             confidence: None,
             gradients: None,
+            samples: None,
         }
     }
 }
@@ -41,9 +46,9 @@ impl Default for Specular {
 /// It reads `sampling` and `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
-    let Specular { feedback, variance, kernel, shared_deviation, confidence, gradients } = specular;
+    let Specular { feedback, variance, kernel, shared_deviation, confidence, gradients, samples } = specular;
     let gradient = gradients.map(|source| own_gradient(g, guides, &noisy, source));
-    let demodulate = Demodulate { albedo: Albedo::Specular, gradient, sampling: config.sampling };
+    let demodulate = Demodulate { albedo: Albedo::Specular, gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let own = gradient.map(|gradient| g.scope(SCOPE, |g| g.adaptive_alpha(&gradient)));
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
@@ -66,7 +71,7 @@ fn own_gradient(g: &mut Graph, guides: &Guides, noisy: &Radiance, source: Gradie
     }
     g.scope(SCOPE, |g| {
         let gradient = g.gradient(guides, noisy, source);
-        g.gradient_atrous(guides, &gradient)
+        g.gradient_atrous(guides, &gradient, GradientAtrous::default())
     })
 }
 

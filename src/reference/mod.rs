@@ -80,6 +80,7 @@ pub use crate::nodes::gradient_atrous::twin::{
 pub use crate::nodes::import::twin::{decode_normal, import, ImportInputs, ImportOutputs};
 pub use crate::nodes::modulate::twin::{modulate, ModulateInputs, ModulateOutputs};
 pub use crate::nodes::percentile_rule::twin::{percentile_rule, PercentileRuleInputs, RANGE_EPSILON};
+pub use crate::nodes::sample_albedo::twin::{sample_albedo, SampleAlbedoInputs, SampleAlbedoOutputs};
 pub use crate::nodes::shadowed_light::twin::shadowed_light;
 pub use crate::nodes::specular_accumulation::twin::{
     specular_accumulation, PreviousSpecular, SpecularAccumulationInputs, SpecularAccumulationOutputs,

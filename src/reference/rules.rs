@@ -85,6 +85,9 @@ pub(crate) const DEMODULATE: &[Rule] = &[
     rule("noisy_red_blue", Per::Pixel, Values::Halves, HALF),
 ];
 
+pub(crate) const SAMPLE_ALBEDO: &[Rule] =
+    &[pixels("irradiance_0", HALF), pixels("irradiance_1", HALF), strata("candidate_albedo", HALF)];
+
 /// A pixel whose position or depth lies on its threshold may count on one side alone.
 pub(crate) const BLOCK_DIFFERENCE: &[Rule] =
     &[rule("block_difference", Per::Block, Values::Difference, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];

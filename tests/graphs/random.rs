@@ -3,7 +3,8 @@
 use super::dice::Dice;
 use atrous::config::{BlockSort, EawWeights, Sampling};
 use atrous::graph::{
-    Accumulated, Confidence, Estimate, Feedback, Gradient, Graph, Guides, History, Irradiance, Percentiles, Radiance, Value,
+    Accumulated, Confidence, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Percentiles,
+    Radiance, Value,
 };
 use atrous::nodes::*;
 use atrous::presets::{specular, Specular};
@@ -55,6 +56,7 @@ struct Branch {
 struct Change {
     confidence: Option<Confidence>,
     gradient: Option<Gradient>,
+    samples: Option<GradientSamples>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -81,8 +83,9 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let rule =
         dice.one_of(&[Rule::None, Rule::ChangeTest, Rule::Percentiles, Rule::Gradients, Rule::Gradients, Rule::HostConfidence]);
     let mut change = change_of_light(g, dice, guides, &noisy, rule, output);
-    let irradiance =
-        g.demodulate(guides, &noisy, Demodulate { albedo: divisor(albedo), gradient: change.gradient, ..Demodulate::default() });
+    let Change { gradient, samples, .. } = change;
+    let demodulate = Demodulate { albedo: divisor(albedo), gradient, samples, ..Demodulate::default() };
+    let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let history = g.history(&irradiance, feedback);
@@ -105,7 +108,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
         g.output(&format!("{output}_confidence"), &confidence);
     }
-    let Change { confidence, gradient } = change;
+    let Change { confidence, gradient, .. } = change;
     let known = Known { albedo, history: Some(history), deviation, confidence, gradient, percentiles, ..Known::new(&noisy) };
     Branch { radiance, known }
 }
@@ -151,7 +154,7 @@ fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
 /// What comes before the history: gradients of each source, or what the host knows.
 fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radiance, rule: Rule, output: &str) -> Change {
     if rule == Rule::HostConfidence {
-        return Change { confidence: Some(g.host_confidence()), gradient: None };
+        return Change { confidence: Some(g.host_confidence()), ..Change::default() };
     }
     if rule != Rule::Gradients {
         return Change::default();
@@ -169,8 +172,10 @@ fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
         _ => Gradients::Sparse { stratum_size },
     };
     let gradient = g.gradient(guides, noisy, source);
-    let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient) } else { gradient };
-    Change { confidence: Some(g.adaptive_alpha(&gradient)), gradient: Some(gradient) }
+    let smooth = GradientAtrous { smooth_deviation: stratum_size == 2 };
+    let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient, smooth) } else { gradient };
+    let samples = source.samples();
+    Change { confidence: Some(g.adaptive_alpha(&gradient)), gradient: Some(gradient), samples }
 }
 
 fn without_fireflies(

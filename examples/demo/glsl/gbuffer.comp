@@ -22,11 +22,6 @@ layout(set = 1, binding = 8, rgba16f) uniform writeonly image2D diffuse_albedo_i
 layout(set = 1, binding = 9, rgba16f) uniform writeonly image2D specular_albedo_image;
 layout(set = 1, binding = 10, r32f) uniform writeonly image2D roughness_image;
 
-uint pixel_seed(uvec2 pixel) {
-    uint hash = pcg_hash(pixel.x + pcg_hash(pixel.y));
-    return pcg_hash(hash + pcg_hash(frame.extent_frame_seed.z + pcg_hash(frame.extent_frame_seed.w)));
-}
-
 // The same function projects both ends, so that what stands still moves by exactly nothing.
 vec4 motion(vec3 offset, vec3 previous_offset) {
     vec3 current = project(frame.camera, offset);
@@ -71,7 +66,7 @@ void main() {
     vec3 direction = ray_direction(frame.camera, vec2(pixel) + 0.5 + frame.jitter_epsilon_weight.xy);
     Hit hit = closest_hit(frame.camera.eye.xyz, direction);
     imageStore(visibility_image, pixel, uvec4(hit.instance, hit.triangle, floatBitsToUint(hit.barycentrics)));
-    imageStore(seed_image, pixel, uvec4(pixel_seed(uvec2(pixel))));
+    imageStore(seed_image, pixel, uvec4(pixel_seed(uvec2(pixel), frame.extent_frame_seed.z, frame.extent_frame_seed.w)));
     if (hit.instance == NO_INSTANCE) write_background(pixel, direction);
     else write_surface(pixel, Visibility(hit.instance, hit.triangle, hit.barycentrics));
 }

@@ -16,7 +16,7 @@ void main() {
     Visibility visibility = fetch_visibility(pixel);
     SunSample sun = SunSample(1.0, 0.0, vec3(0.0));
     if (visibility.instance != NO_INSTANCE) {
-        Rng rng = rng_new(imageLoad(seed_image, pixel).r ^ SUN_SEED, 0u);
+        Rng rng = rng_of_pixel(imageLoad(seed_image, pixel).r, SUN_SEED);
         sun = sample_visible_sun(surface_at(visibility, frame.camera.eye.xyz), rng);
     }
     imageStore(noisy_visibility_image, pixel, vec4(sun.visibility));

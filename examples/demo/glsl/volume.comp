@@ -14,7 +14,7 @@ layout(set = 1, binding = 3, r32f) uniform writeonly image2D scattering_depth_im
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
-    Rng rng = rng_new(imageLoad(seed_image, pixel).r ^ MEDIUM_SEED, 0u);
+    Rng rng = rng_of_pixel(imageLoad(seed_image, pixel).r, MEDIUM_SEED);
     vec2 position = vec2(pixel) + 0.5 + frame.jitter_epsilon_weight.xy;
     Scattering scattering = scatter_once(position, imageLoad(depth_image, pixel).r, rng);
     imageStore(volume_image, pixel, vec4(scattering.radiance, 1.0));

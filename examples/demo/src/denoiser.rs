@@ -7,7 +7,7 @@ use atrous::{Config, DebugView, Declaration, FrameContext, FrameParams, Phase, R
 
 use crate::gpu::{Buffer, Gpu, Image, MemoryKind};
 use crate::tracer::barriers::general_barrier;
-use crate::tracer::Reshading;
+use crate::tracer::{Reshading, SampleEye};
 use crate::{PathTracer, Result};
 
 /// The filters that the demo compares, in the order of strips, tables and menus. A-SVGF, which has lighting of its own, is not the last: then the
@@ -38,6 +38,9 @@ pub struct DenoiserOptions {
     pub tuning: Tuning,
     /// The output `debug_view`: see [`FrameDenoiser::view`]. What it shows lives until the end of the frame, so transients share less memory.
     pub debug_view: bool,
+    /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart: its reflections are
+    /// followed as they move, and lose their history to gradients that see the same movement.
+    pub sample_eye: Option<SampleEye>,
     /// A graph in place of that of the preset, which says what the inputs are.
     pub graph: Option<GraphOfConfig>,
 }
@@ -60,9 +63,15 @@ impl DenoiserOptions {
             volume_motion: true,
             taa: false,
             debug_view: false,
+            sample_eye: None,
             graph: None,
             tuning: Tuning::for_preset(preset),
         }
+    }
+
+    fn sample_eye(&self) -> SampleEye {
+        let by_signals = if self.signals == Signals::Specular { SampleEye::Kept } else { SampleEye::Current };
+        self.sample_eye.unwrap_or(by_signals)
     }
 
     fn config(&self, tracer: &PathTracer) -> Config {
@@ -135,7 +144,7 @@ impl FrameDenoiser {
         let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
         executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
         let reshades = executor.denoiser().declaration().find("gradient_samples").is_some();
-        let reshading = if reshades { Some(tracer.reshading(config.stratum_size)?) } else { None };
+        let reshading = if reshades { Some(tracer.reshading(config.stratum_size, options.sample_eye())?) } else { None };
         if let Some(reshading) = &reshading {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;

@@ -26,5 +26,5 @@ pub use denoiser::{DenoiserOptions, FrameDenoiser, FILTERS};
 pub use error::{Error, Result};
 pub use gpu::{Gpu, GpuOptions, Image};
 pub use scene::{Scene, SceneOptions};
-pub use tracer::{Camera, LightSampling, Outputs, PathTracer, Reference, Reshading, Sun, TracerOptions, Volume};
+pub use tracer::{Camera, LightSampling, Noise, Outputs, PathTracer, Reference, Reshading, SampleEye, Sun, TracerOptions, Volume};
 pub use volume::VolumeFrame;

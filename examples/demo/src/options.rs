@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use atrous::config::{EawWeights, Preset, Signals};
 use atrous::{Choice, Tuning};
-use atrous_demo::{DenoiserOptions, Error, Result, SceneOptions, TracerOptions, FILTERS};
+use atrous_demo::{DenoiserOptions, Error, Noise, Result, SampleEye, SceneOptions, TracerOptions, FILTERS};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 
@@ -100,6 +100,12 @@ pub struct Options {
     /// Another seed gives other noise
     #[arg(long, default_value_t = 0)]
     pub seed: u32,
+    /// Noise of the path tracer: white, independent from pixel to pixel, or blue, whose errors cancel in a neighbourhood
+    #[arg(long, value_enum, default_value_t)]
+    pub noise: Noise,
+    /// Eye for which samples are shaded again: that of the frame, or the one that saw the sample first; default: current, kept where specular light is apart
+    #[arg(long, value_enum)]
+    pub sample_eye: Option<SampleEye>,
 }
 
 /// Things to do besides rendering and denoising.
@@ -169,7 +175,13 @@ impl Options {
 
     /// What the path tracer is asked for.
     pub fn tracer(&self) -> TracerOptions {
-        TracerOptions { jitter: self.taa, seed: self.seed, sun_apart: self.visibility, ..TracerOptions::default() }
+        TracerOptions {
+            jitter: self.taa,
+            seed: self.seed,
+            sun_apart: self.visibility,
+            noise: self.noise,
+            ..TracerOptions::default()
+        }
     }
 
     /// The filters that run, in the order of strips and tables.
@@ -192,6 +204,7 @@ impl Options {
             taa: self.taa,
             eaw_weights: self.eaw_weights,
             volume_motion: !self.surface_motion,
+            sample_eye: self.sample_eye,
             tuning,
             ..defaults
         })

@@ -119,11 +119,11 @@ struct Change {
 impl Changes<'_> {
     fn stratum(&self, strata: Strata, s: IVec2) -> Texels {
         let pixels: Vec<_> = strata.pixels(s).filter(|(_, p)| !unpack_guide(self.inputs.guide.at(*p)).is_background()).collect();
-        let values: Vec<f32> = pixels.iter().filter_map(|(_, p)| self.relative_luminance(*p)).collect();
+        let sample = self.sample(s);
+        let values: Vec<f32> = pixels.iter().filter_map(|(_, p)| self.relative_luminance(*p, sample)).collect();
         let mean_of = |values: &[f32]| values.iter().sum::<f32>() / values.len().max(1) as f32;
         let mean = mean_of(&values);
         let variance = mean_of(&values.iter().map(|l| (l - mean) * (l - mean)).collect::<Vec<_>>());
-        let sample = self.sample(s);
         let changes: Vec<Change> = match self.inputs.source {
             GradientInput::ForwardProjected { .. } => {
                 sample.iter().filter_map(|(p, j)| self.change(kept_radiance(self.inputs.noisy, *p)?, *j)).collect()
@@ -159,10 +159,12 @@ impl Changes<'_> {
         Some((pixel(sample.pixel), pixel(sample.previous_pixel)))
     }
 
-    /// Luminance over that of the albedo, of a pixel that has a sample.
-    fn relative_luminance(&self, p: IVec2) -> Option<f32> {
-        let (l, a) = self.luminances.at(p);
-        Some(l? / a)
+    /// Luminance over that of the albedo, of a pixel that has a sample of its own: where that is shaded again, of the point where its light
+    /// comes from.
+    fn relative_luminance(&self, p: IVec2, sample: Option<(IVec2, IVec2)>) -> Option<f32> {
+        let (l, albedo) = self.luminances.at(p);
+        let repeated = sample.filter(|(pixel, _)| *pixel == p).zip(self.inputs.previous_luminance);
+        Some(l? / repeated.map_or(albedo, |((_, previous), kept)| from_half_bits((kept.at(previous) >> 16) as u16)))
     }
 
     /// The change of a sample that was at `previous`; `None` where no light is known of then.

@@ -6,7 +6,7 @@ use crate::reference::binary16::{from_half_bits, half_bits};
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::is_reset;
 use crate::reference::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
-use crate::reference::guide::unpack_guide;
+use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants};
 use glam::IVec2;
@@ -52,6 +52,7 @@ pub fn volume_motion_claim(
         return;
     }
     let [width, height] = frame.previous_render_extent;
+    let keys = Keys::new(frame, width * height);
     for index in 0..width * height {
         let q = pixel_of(frame, index);
         let point = unpack_volume_point(previous_points.at(q));
@@ -65,7 +66,7 @@ pub fn volume_motion_claim(
             continue;
         }
         if let Some(claim) = claims.get_mut(p.x, p.y) {
-            *claim = key_of(index, width * height, point.contribution).max(*claim);
+            *claim = keys.of(index, point.contribution).max(*claim);
         }
     }
 }
@@ -79,10 +80,10 @@ pub fn volume_motion_resolve(
     claims: &Image<u32>,
 ) -> Image<u32> {
     let [width, height] = frame.previous_render_extent;
-    let mask = key_mask(width * height);
-    let winners = Image::compute(claims.extent(), frame.render_extent, |p| match (claims.at(p) & mask).checked_sub(1) {
-        Some(index) => winner(frame, previous_points, pixel_of(frame, index)),
-        None => Winner::default(),
+    let keys = Keys::new(frame, width * height);
+    let winners = Image::compute(claims.extent(), frame.render_extent, |p| match claims.at(p) {
+        0 => Winner::default(),
+        key => winner(frame, previous_points, pixel_of(frame, keys.index_of(key))),
     });
     Image::compute(surface_motion.extent(), frame.render_extent, |p| match mean_motion(frame, &winners, p) {
         Some(motion) => pack_volume_motion(motion),
@@ -132,14 +133,49 @@ fn nearest_quotient(numerator: f32, denominator: f32) -> i32 {
     floor_quotient(numerator + 0.5 * denominator, denominator)
 }
 
-/// The bits of a key that hold the number of a pixel.
-fn key_mask(count: u32) -> u32 {
-    (2 << count.max(1).ilog2()) - 1
+/// Ranks of points in a pixel: the contribution, and below it the number of the point's pixel, mixed by the frame, so that no direction
+/// always wins among equal ones. Never 0.
+#[derive(Clone, Copy)]
+struct Keys {
+    /// Bits of the number.
+    bits: u32,
+    /// Added to the number.
+    salt: u32,
 }
 
-/// The rank of a point in its pixel: as much of the contribution as there is room for, and the number of the pixel plus 1 below.
-fn key_of(index: u32, count: u32, contribution: u16) -> u32 {
-    u32::from(contribution) << 17 & !key_mask(count) | (index + 1)
+impl Keys {
+    const ODD: u32 = 0x9e37_79b1;
+    /// Its product with `ODD` is 1 modulo 2³².
+    const ODD_INVERSE: u32 = 0x0e8b_2f51;
+    /// Of the contribution from 2⁻¹⁶ to 2¹⁶: 128 steps for a factor of 2.
+    const RANK_BITS: u32 = 12;
+    const LEAST_CONTRIBUTION: u16 = (127 - 16) << 7;
+
+    /// `count`: pixels of the previous frame.
+    fn new(frame: &FrameConstants, count: u32) -> Self {
+        Self { bits: u32::BITS - count.saturating_sub(1).leading_zeros(), salt: pcg(frame.frame_index) }
+    }
+
+    fn mask(self) -> u32 {
+        (1 << self.bits) - 1
+    }
+
+    /// Undone by itself, since it is by half of the bits.
+    fn shifted(self, x: u32) -> u32 {
+        x ^ x >> self.bits.div_ceil(2)
+    }
+
+    fn of(self, index: u32, contribution: u16) -> u32 {
+        let number = self.shifted(self.shifted(index.wrapping_add(self.salt) & self.mask()).wrapping_mul(Self::ODD) & self.mask());
+        let rank = u32::from(contribution.saturating_sub(Self::LEAST_CONTRIBUTION)).min((1 << Self::RANK_BITS) - 1);
+        let cut = Self::RANK_BITS.saturating_sub(u32::BITS - self.bits);
+        (rank >> cut).max(1) << self.bits | number
+    }
+
+    fn index_of(self, key: u32) -> u32 {
+        let number = self.shifted(self.shifted(key & self.mask()).wrapping_mul(Self::ODD_INVERSE) & self.mask());
+        number.wrapping_sub(self.salt) & self.mask()
+    }
 }
 
 /// Motion of a point from pixel `q` of the previous frame to its position in this one, unjittered: the nearest step on one axis.

@@ -134,7 +134,8 @@ impl Shelf {
             }
             10 => {
                 let gradient = any(choices, &self.gradients)?;
-                let gradient = if choices.one_in(2) { g.gradient_atrous(&guides, &gradient) } else { gradient };
+                let parameters = GradientAtrous { smooth_deviation: choices.one_in(2) };
+                let gradient = if choices.one_in(2) { g.gradient_atrous(&guides, &gradient, parameters) } else { gradient };
                 self.gradients.push(gradient);
                 self.confidence.push(g.adaptive_alpha(&gradient));
             }

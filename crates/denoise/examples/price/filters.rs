@@ -2,7 +2,7 @@
 
 use atrous::config::Preset;
 use atrous::graph::{Feedback, Graph, Guides};
-use atrous::nodes::{Accumulation, Atrous, Demodulate, Estimator, Import, Kernel, Modulate, Variance};
+use atrous::nodes::{Accumulation, Atrous, Demodulate, Estimator, GradientAtrous, Import, Kernel, Modulate, Variance};
 use atrous::{presets, Config, Declaration, Error, Tuning};
 
 /// A spatial filter: what a point changes of a preset.
@@ -80,9 +80,10 @@ fn best(g: &mut Graph, guides: &Guides, config: &Config, atrous: Atrous) {
     let noisy = g.radiance("noisy_radiance");
     let gradient = gradients.map(|source| {
         let gradient = g.gradient_and_ratio(guides, &noisy, source);
-        g.gradient_atrous(guides, &gradient)
+        g.gradient_atrous(guides, &gradient, GradientAtrous::default())
     });
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, ..Demodulate::default() });
+    let samples = gradients.and_then(|gradients| gradients.samples());
+    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, samples, ..Demodulate::default() });
     let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
     let history = g.history(&irradiance, Feedback::Accumulated);

@@ -31,7 +31,7 @@ void main() {
     } else {
         Surface s = surface_at(pixel_sample.visibility, pixel_sample.eye);
         emission = seen_emission(s);
-        Rng rng = rng_new(pixel_sample.seed, 0u);
+        Rng rng = rng_of_pixel(pixel_sample.seed, 0u);
         // The sun that has images of its own is no part of these.
         uint left_out = frame.counts.w != 0u ? frame.counts.z - 1u : NO_LIGHT;
         lighting = trace_path(s, pixel_sample.eye, left_out, rng);

@@ -27,17 +27,20 @@ PixelSample fetch_pixel_sample(ivec2 pixel) {
 #else
 
 // What was shaded, for the next frame: the surface as the visibility pass has it, a place on a triangle, which moves along with its object;
-// and x: the seed, yzw: the eye, world space. Shading depends on the view where surfaces are glossy, and on nothing of the camera but the
-// eye. It stays with the sample for as long as the sample is taken over, so that of two shadings of one sample only the scene differs.
+// and x: the seed, yzw: the eye that saw it, world space. The sample is shaded for this frame's eye, so that it is a sample of this frame's
+// picture, and a highlight that moves with the eye is a change of light; or, with `kept_eye`, for its own: then only the scene can differ.
 layout(set = 1, binding = 9) uniform utexture2D gradient_samples;
 layout(set = 1, binding = 10) uniform utexture2D previous_surfaces;
 layout(set = 1, binding = 11) uniform utexture2D previous_seeds;
 layout(set = 1, binding = 12, rgba32ui) uniform writeonly uimage2D surfaces;
 layout(set = 1, binding = 13, rgba32ui) uniform writeonly uimage2D seeds;
-layout(push_constant) uniform Strata { int size; } strata;
+layout(push_constant) uniform Push {
+    int stratum_size;
+    uint kept_eye;
+} push;
 
 #define ATROUS_GRADIENT_SAMPLES gradient_samples
-#define ATROUS_STRATUM_SIZE strata.size
+#define ATROUS_STRATUM_SIZE push.stratum_size
 #include "gradient_sample.glsl"
 
 PixelSample fetch_pixel_sample(ivec2 pixel) {
@@ -47,7 +50,8 @@ PixelSample fetch_pixel_sample(ivec2 pixel) {
     bool is_reused = atrous_gradient_sample(pixel, previous_pixel);
     if (is_reused) {
         surface = texelFetch(previous_surfaces, previous_pixel, 0);
-        seed = texelFetch(previous_seeds, previous_pixel, 0);
+        uvec4 before = texelFetch(previous_seeds, previous_pixel, 0);
+        seed = push.kept_eye != 0u ? before : uvec4(before.x, seed.yzw);
     }
     imageStore(surfaces, pixel, surface);
     imageStore(seeds, pixel, seed);

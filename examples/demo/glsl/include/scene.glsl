@@ -65,7 +65,7 @@ layout(set = 0, binding = 0, std430) readonly buffer FrameConstants {
     uvec4 extent_frame_seed;    // xy: extent, z: frame index, w: user seed
     vec4 jitter_epsilon_weight; // xy: jitter in pixels, z: ray offset in scene units, w: sum of all light weights
     vec4 sky_zenith;            // rgb: radiance; a: 1 when the environment gives light
-    vec4 sky_horizon;
+    vec4 sky_horizon;           // a: 1 when noise is blue
     vec4 sky_ground;
     uvec4 counts;               // x: lights, y: how lights are sampled, z: index of the sun plus 1, 0 without one, w: 1 when the sun is apart
     vec4 medium;                // x: extinction, 1 / scene unit, 0 without a medium; y: mean cosine of the scattering angle

@@ -45,7 +45,7 @@ impl Lab<'_> {
     /// A scene that is too large, or no memory.
     pub fn tracer(&self, scene: &Arc<Scene>, options: TracerOptions) -> Result<PathTracer> {
         let (width, height) = self.settings.size;
-        let options = TracerOptions { seed: self.settings.seed, ..options };
+        let options = TracerOptions { seed: self.settings.seed, noise: self.settings.noise, ..options };
         PathTracer::new(self.gpu, scene, ash::vk::Extent2D { width, height }, options)
     }
 

@@ -5,7 +5,7 @@ use std::hash::{Hash, Hasher};
 use std::path::PathBuf;
 
 use atrous_demo::scene::BUILT_IN;
-use atrous_demo::{Error, Result};
+use atrous_demo::{Error, Noise, Result};
 use clap::builder::PossibleValuesParser;
 use clap::Args;
 use serde::{Deserialize, Serialize};
@@ -61,6 +61,9 @@ pub struct EvaluateOptions {
     /// Another seed gives other noise
     #[arg(long, default_value_t = 0)]
     seed: u32,
+    /// Noise of the path tracer: white, independent from pixel to pixel, or blue, whose errors cancel in a neighbourhood
+    #[arg(long, value_enum, default_value_t)]
+    noise: Noise,
 }
 
 /// What the results of a scene depend on.
@@ -78,6 +81,8 @@ pub struct Settings {
     pub filters: Vec<String>,
     /// Seed of the noise.
     pub seed: u32,
+    /// How noise is distributed over the picture.
+    pub noise: Noise,
     /// Name of the device.
     pub device: String,
     /// Hash of this program.
@@ -125,6 +130,7 @@ impl EvaluateOptions {
             reference_spp: of(self.reference_spp, 256, 128),
             filters: self.filters(),
             seed: self.seed,
+            noise: self.noise,
             device: device.to_owned(),
             program: program()?,
         })

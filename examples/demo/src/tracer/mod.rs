@@ -15,13 +15,15 @@ mod volume;
 pub use camera::Camera;
 pub use outputs::Outputs;
 pub use reference::{Reference, ReferenceSums};
-pub use reshading::Reshading;
+pub use reshading::{Reshading, SampleEye};
 pub use sun::Sun;
 pub use volume::Volume;
 
 use std::sync::Arc;
 
 use ash::vk;
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
@@ -47,6 +49,17 @@ pub enum LightSampling {
     Bsdf,
 }
 
+/// How the random numbers of neighbouring pixels are related. References are the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Noise {
+    /// Not at all.
+    #[default]
+    White,
+    /// They complement each other, so that the errors of a neighbourhood cancel; frames are independent.
+    Blue,
+}
+
 /// What the path tracer does differently from its default.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TracerOptions {
@@ -58,6 +71,8 @@ pub struct TracerOptions {
     pub light_sampling: LightSampling,
     /// The first sun of the scene has images of its own, and what it gives surfaces that the eye sees is in no other (default false).
     pub sun_apart: bool,
+    /// How noise is distributed over the picture.
+    pub noise: Noise,
 }
 
 /// A path tracer of one scene into images of one size.
@@ -147,7 +162,7 @@ impl PathTracer {
             extent_frame_seed: [self.extent.width, self.extent.height, frame, self.options.seed],
             jitter_epsilon_weight: [jitter[0], jitter[1], epsilon, state.total_weight],
             sky_zenith: layout::with(zenith, f32::from(u8::from(lit))),
-            sky_horizon: layout::with(horizon, 0.0),
+            sky_horizon: layout::with(horizon, f32::from(u8::from(self.options.noise == Noise::Blue))),
             sky_ground: layout::with(ground, 0.0),
             counts: [state.light_count, self.options.light_sampling as u32, state.sun, u32::from(self.sun.is_some())],
             medium: self.scene.medium.map_or([0.0; 4], |m| [m.extinction, m.anisotropy, 0.0, 0.0]),

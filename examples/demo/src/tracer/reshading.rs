@@ -1,15 +1,25 @@
 //! Lighting that shades gradient samples again \[ASVGF 3.1\]: the surface and the seed of a pixel of the previous frame, in this frame's light.
 //!
 //! What a sample is stays with it: its place on a triangle, which moves along with the object, its seed, and the eye that saw it, in
-//! world space. So nothing differs between two shadings of it but the scene. The denoiser takes no pixel twice in a row; a host that did
-//! would find the same record in the pixel that took it over, however old.
+//! world space. The denoiser takes no pixel twice in a row; a host that did would find the same record in the pixel that took it over,
+//! however old.
 
 use ash::vk;
+use clap::ValueEnum;
 
 use super::barriers::general_barrier;
 use super::{lit_images, shaders, PathTracer};
 use crate::error::Result;
 use crate::gpu::{storage_images, DescriptorSet, Image, Pipeline, SetLayout};
+
+/// The eye for which samples of the previous frame are shaded again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum SampleEye {
+    /// That of the frame \[ASVGF\]: highlights that move with the camera are seen, too.
+    Current,
+    /// The one that saw the sample first: nothing is seen but changes of the scene.
+    Kept,
+}
 
 /// What belongs to one A-SVGF denoiser on a tracer: the lighting pass's other variant, and two copies of every pixel's sample.
 pub struct Reshading {
@@ -22,6 +32,7 @@ pub struct Reshading {
     newest: usize,
     pipeline: Pipeline,
     stratum_size: u32,
+    eye: SampleEye,
 }
 
 #[cfg(feature = "hot-reload")]
@@ -40,7 +51,7 @@ impl PathTracer {
     ///
     /// # Errors
     /// No memory.
-    pub fn reshading(&self, stratum_size: u32) -> Result<Reshading> {
+    pub fn reshading(&self, stratum_size: u32, eye: SampleEye) -> Result<Reshading> {
         let (gpu, extent) = (&self.gpu, self.extent);
         let strata = vk::Extent2D { width: extent.width.div_ceil(stratum_size), height: extent.height.div_ceil(stratum_size) };
         let gradient_samples = Image::new(gpu, "gradient_samples", vk::Format::R16G16B16A16_UINT, strata)?;
@@ -60,13 +71,13 @@ impl PathTracer {
             DescriptorSet::of_images(gpu, &layout, &views)
         };
         let sets = [set(0)?, set(1)?];
-        let pipeline = Pipeline::new(gpu, &shaders::PATH_TRACE_RESHADED, &[&self.scene_layout, &layout], 4)?;
+        let pipeline = Pipeline::new(gpu, &shaders::PATH_TRACE_RESHADED, &[&self.scene_layout, &layout], 8)?;
         gpu.submit(|cmd| {
             let all: Vec<&Image> = samples.iter().flatten().chain([&gradient_samples]).collect();
             general_barrier(gpu.device(), cmd, &all);
             Ok(())
         })?;
-        Ok(Reshading { gradient_samples, samples, sets, newest: 0, pipeline, stratum_size })
+        Ok(Reshading { gradient_samples, samples, sets, newest: 0, pipeline, stratum_size, eye })
     }
 
     /// As [`PathTracer::record_lighting`], with the gradient samples shaded again. The denoiser has written
@@ -78,7 +89,8 @@ impl PathTracer {
         self.prepare_lighting(cmd);
         general_barrier(self.gpu.device(), cmd, &reshading.samples[reshading.newest].each_ref());
         let sets = [&self.scene_set, &reshading.sets[reshading.newest]];
-        reshading.pipeline.record(cmd, &sets, &reshading.stratum_size.to_ne_bytes(), self.extent);
+        let constants = [reshading.stratum_size, u32::from(reshading.eye == SampleEye::Kept)];
+        reshading.pipeline.record(cmd, &sets, bytemuck::bytes_of(&constants), self.extent);
         self.record_apart(cmd);
     }
 }

@@ -60,7 +60,8 @@ fn of_two_points_in_a_pixel_the_brighter_one_counts() {
         })
     };
     let x = |points| moved(at(0.0), at(0.2), 0.0, &points).get(17, 10).expect("inside")[0];
-    assert_eq!((x(bright(500, 499)), x(bright(499, 500))), (3.0, 1.0));
+    // Neighbouring steps of a factor of 2 in 128, of a luminance of 1.
+    assert_eq!((x(bright(0x3f81, 0x3f80)), x(bright(0x3f80, 0x3f81))), (3.0, 1.0));
 }
 
 #[test]
@@ -126,12 +127,37 @@ fn every_motion_is_exact_as_a_half() {
 
 #[test]
 fn a_key_holds_the_pixel_and_what_has_room_of_the_contribution() {
-    for count in [1_u32, 40 * 30, 320 * 180, 3840 * 2160, 16384 * 16384] {
-        for index in [0, count / 2, count - 1] {
-            let mask = (2_u32 << count.ilog2()) - 1;
-            assert_eq!((key_of(index, count, 0x7f7f) & mask) - 1, index);
-            assert!(key_of(index, count, 0x477f) >= key_of(index, count, 0x3f80));
+    // Steps for a factor of 2 that are told apart: 128 in small pictures, 16 at 3840x2160.
+    for (count, steps) in [(1_u32, 128), (40 * 30, 128), (320 * 180, 128), (1920 * 1080, 64), (3840 * 2160, 16), (1 << 30, 1)] {
+        for frame_index in [0, 1, 77] {
+            let keys = Keys::new(&FrameConstants { frame_index, ..frame(EXTENT) }, count);
+            for index in [0, count / 3, count / 2, count - 1] {
+                for contribution in [0, 1, 0x3f80, 0x7f7f] {
+                    let key = keys.of(index, contribution);
+                    assert!(key != 0 && keys.index_of(key) == index, "{index} of {count}: {key:x}");
+                }
+                let next = 0x3f80 + 128_u16.div_ceil(steps);
+                let other = (index + count / 7) % count;
+                assert!(steps == 1 || keys.of(index, next) > keys.of(other, 0x3f80), "{index} of {count}");
+            }
         }
     }
-    assert!(key_of(0, 320 * 180, 501) > key_of(320 * 180 - 1, 320 * 180, 500));
+}
+
+#[test]
+fn no_direction_always_wins_among_equal_points() {
+    let [width, count] = [320, 320 * 180];
+    let (mut wins, mut pairs) = ([0; 2], 0);
+    for frame_index in 0..8 {
+        let keys = Keys::new(&FrameConstants { frame_index, ..frame(EXTENT) }, count);
+        for index in (0..count - width).step_by(7) {
+            pairs += 1;
+            for (wins, other) in wins.iter_mut().zip([index + 1, index + width]) {
+                *wins += u32::from(keys.of(other, 0x3f80) > keys.of(index, 0x3f80));
+            }
+        }
+    }
+    for wins in wins {
+        assert!(3 * wins > pairs && 3 * wins < 2 * pairs, "{wins} of {pairs}");
+    }
 }

@@ -1,0 +1,68 @@
+#version 450
+// Divides the light of a gradient sample by the albedo of the point that it comes from, which is not that of the pixel's centre: demodulate has
+// divided by the latter. Without that a pixel in every stratum has the light of one texel and the albedo of another where textures are fine.
+// Source: ours. [ASVGF] 3.1 patches the G-buffer of these pixels instead, so that the picture has the texture of that point.
+// In:  gradient_samples; candidates of this frame; guide; albedo, or specular_f0, by which demodulate divided. candidate_albedo of the previous
+//      frame. In place, pixels of samples only: filter_ping per signal. Out: candidate_albedo: rgb: divisor at the candidate of every stratum.
+// Constants: STRATUM_SIZE.
+// optional: irradiance_1, albedo, specular_f0
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_GOOGLE_include_directive : require
+
+layout(push_constant) uniform Push {
+    uint present;
+} push;
+
+#include "frame.glsl"
+#include "optional.glsl"
+#include "guide.glsl"
+#include "demodulation.glsl"
+#include "specular_albedo.glsl"
+#include "strata.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+const uint IRRADIANCE_1 = 7u;
+const uint ALBEDO = 8u;
+const uint SPECULAR_F0 = 9u;
+
+layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 2) uniform utexture2D gradient_samples;
+layout(set = 0, binding = 3) uniform utexture2D candidates;
+layout(set = 0, binding = 4) uniform texture2D previous_candidate_albedo;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D candidate_albedo;
+layout(set = 0, binding = 6, rgba16f) uniform image2D irradiance_0;
+layout(set = 0, binding = IRRADIANCE_1, rgba16f) uniform image2D irradiance_1;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
+layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
+
+// As candidate_albedo has it: the same divisor gives a factor of 1.
+vec3 as_halves(vec3 v) {
+    v = min(v, 65504.0);
+    return vec3(unpackHalf2x16(packHalf2x16(v.rg)), unpackHalf2x16(packHalf2x16(v.bb)).x);
+}
+
+vec3 divisor_at(ivec2 p) {
+    uvec4 packed = texelFetch(guide, p, 0);
+    bool from_f0 = !is_present(ALBEDO) && is_present(SPECULAR_F0);
+    if ((!is_present(ALBEDO) && !from_f0) || unpack_depth(packed) == 0.0) return vec3(1.0);
+    vec3 a = from_f0 ? specular_albedo_from(texelFetch(specular_f0, p, 0).rgb, p, packed) : texelFetch(albedo, p, 0).rgb;
+    return as_halves(divisor_of(a));
+}
+
+void main() {
+    ivec2 s = ivec2(gl_GlobalInvocationID.xy);
+    if (!is_stratum(s)) return;
+    // 65535 is a stratum without a candidate, which no frame asks for.
+    ivec2 candidate = min(ivec2(texelFetch(candidates, s, 0).xy), ivec2(frame.render_extent) - 1);
+    imageStore(candidate_albedo, s, vec4(divisor_at(candidate), 0.0));
+    GradientSample taken = unpack_gradient_sample(texelFetch(gradient_samples, s, 0));
+    if (!taken.valid || !has_flag(FLAG_RESHADED) || has_flag(FLAG_RESET)) return;
+    ivec2 p = pixel_at(s, taken.place);
+    vec3 factor = divisor_at(p) / texelFetch(previous_candidate_albedo, taken.previous_pixel / int(STRATUM_SIZE), 0).rgb;
+    vec4 value = imageLoad(irradiance_0, p);
+    imageStore(irradiance_0, p, vec4(storable(value.rgb * factor), value.a));
+    if (!is_present(IRRADIANCE_1)) return;
+    value = imageLoad(irradiance_1, p);
+    imageStore(irradiance_1, p, vec4(storable(value.rgb * factor), value.a));
+}

@@ -1,0 +1,28 @@
+//! Divides the light of gradient samples by the albedo of the points that it comes from. The node `demodulate` adds it.
+
+pub(crate) mod twin;
+
+use crate::contract::{Grid, Lifetime};
+use crate::graph::{GradientSamples, Graph, Guides, Irradiance, Pass, HDR};
+use crate::nodes::demodulate::Divisor;
+use crate::shaders;
+
+impl Graph {
+    /// In place, behind the pass that divided by the albedo of the pixels themselves.
+    pub(super) fn sample_albedo(&mut self, guides: &Guides, irradiance: &Irradiance, divisor: Divisor, samples: &GradientSamples) {
+        let label = self.label_of(irradiance);
+        let node = self.node("sample_albedo", &label);
+        let size = samples.stratum_size;
+        let kept = self.named_image("candidate_albedo", &label, HDR, size, Lifetime::History);
+        let pass = Pass::new(&node, &shaders::SAMPLE_ALBEDO)
+            .grid(Grid::Strata(size))
+            .constant("STRATUM_SIZE", size)
+            .bind("guide", guides.guide)
+            .bind("gradient_samples", samples.image)
+            .bind("candidates", samples.candidates)
+            .previous("previous_candidate_albedo", kept)
+            .bind("candidate_albedo", kept)
+            .each("irradiance", irradiance.images());
+        self.add(divisor.bind(pass));
+    }
+}
