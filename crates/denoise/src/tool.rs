@@ -17,7 +17,7 @@ use crate::roles::Role;
 use crate::saver::{output_channels, Saver, Wanted};
 use crate::score::{self, ScoreBook};
 use crate::setup::Setup;
-use atrous::Config;
+use atrous::{Config, Tuning};
 use atrous_files::Existing;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
@@ -106,12 +106,13 @@ fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
 }
 
 fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> Result<Vec<Step>> {
+    let tuning = setup.tuning(frames.first().map_or(0, |frame| frame.number))?;
     let Cli { png, views, score, strip, report, .. } = *cli;
     let extras = Extras { png, views, strip: strip.is_some(), report: report.is_some(), score };
     let existing = plan::Existing {
         force: cli.force,
         resume: cli.resume,
-        warm_up: cli.warm_up,
+        warm_up: cli.warm_up.unwrap_or_else(|| remembered_frames(&tuning)),
         extras,
         scored: wanted.score,
         shown: [wanted.strip, wanted.report],
@@ -119,6 +120,12 @@ fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> R
     let expected =
         Expected { extent: setup.config.allocated_extent, channels: wanted.channels.clone(), record: wanted.record.clone() };
     plan::plan(frames, cli.output(), &expected, existing)
+}
+
+/// Frames after which what was before them weighs less than 0.1 % of a history.
+fn remembered_frames(tuning: &Tuning) -> usize {
+    let kept_by_a_frame = 1.0 - tuning.alpha.max(1.0 / tuning.max_history_length);
+    (0.001f32.ln() / kept_by_a_frame.ln()).ceil() as usize
 }
 
 fn demands(cli: &Cli, steps: &[Step], scored: bool) -> Demands {
@@ -180,4 +187,20 @@ fn scores(cli: &Cli, preset: &str, existing: Existing, book: &ScoreBook, device:
     let [json, plots] = results::scores(cli.output());
     score::write_json(&json, existing, &book.json(preset, device))?;
     pictures::save(&plots, existing, pictures::plots(book, preset))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use atrous::config::Preset;
+
+    #[test]
+    fn a_resumed_run_remembers_what_the_history_does() {
+        let of = |preset| remembered_frames(&Tuning::for_preset(preset));
+        assert_eq!((of(Preset::Svgf), of(Preset::Best)), (31, 66));
+        let with = |alpha, max_history_length| remembered_frames(&Tuning { alpha, max_history_length, ..Tuning::default() });
+        assert_eq!((with(1.0, 256.0), with(0.0, 1.0)), (0, 0));
+        // A running mean of 16 frames.
+        assert_eq!(with(0.0, 16.0), 108);
+    }
 }

@@ -71,7 +71,7 @@ fn the_same_radiance_differs_by_nothing() {
 fn a_pixel_without_a_sample_says_nothing_of_the_light() {
     // In this frame, in the one before, in both.
     for (now, before) in [(f32::NAN, 0.5), (0.5, f32::NAN), (f32::NAN, f32::NAN)] {
-        let [change, brightest, mean, deviation] = left(&reshaded_frame(), now, 0.9, &luminance_of(before, 0.5));
+        let [change, brightest, mean, deviation] = left(&reshaded_frame(), now, 0.5, &luminance_of(before, 0.5));
         assert_eq!([change, brightest, deviation], [0.0; 3], "{now}, {before}");
         assert_eq!(mean == 0.0, now.is_nan());
     }
