@@ -12,6 +12,11 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, GradientAtrous, 
 /// It reads `signals`, `sampling`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.
 pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    best_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Box, ..Atrous::default() })
+}
+
+/// [`best`] with another spatial filter of the light that is not apart; `shared_deviation` is true whatever it says.
+pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
@@ -40,8 +45,7 @@ pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let spatial = Atrous { levels: config.levels(), kernel: Kernel::Box, shared_deviation: true, ..Atrous::default() };
-    let filtered = g.atrous(guides, &estimate, spatial);
+    let filtered = g.atrous(guides, &estimate, Atrous { shared_deviation: true, ..spatial });
     let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(confidence), ..Specular::default() };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let known = Known {

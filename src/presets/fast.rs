@@ -11,6 +11,11 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 ///
 /// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
+    fast_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Hexagon, ..Atrous::default() })
+}
+
+/// [`fast`] with another spatial filter of the light that is not apart; its first level writes the history whatever `feedback` says.
+pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
@@ -21,8 +26,7 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulation = Accumulation { confidence: Some(confidence), holes: config.has_holes(), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let atrous = Atrous { levels: config.levels(), kernel: Kernel::Hexagon, feedback: Some(history), ..Atrous::default() };
-    let filtered = g.atrous(guides, &estimate, atrous);
+    let filtered = g.atrous(guides, &estimate, Atrous { feedback: Some(history), ..spatial });
     let (radiance, reflection) = modulated(
         g,
         guides,

@@ -16,9 +16,9 @@ mod visibility;
 mod volume;
 
 pub use asvgf::asvgf;
-pub use best::best;
+pub use best::{best, best_with};
 pub use eaw::eaw;
-pub use fast::fast;
+pub use fast::{fast, fast_with};
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
 pub use specular::{specular, Specular};

@@ -1,8 +1,8 @@
 //! The points: every preset for surfaces as it is, and `best` and `fast` with other spatial filters.
 
 use atrous::config::Preset;
-use atrous::graph::{Feedback, Graph, Guides};
-use atrous::nodes::{Accumulation, Atrous, Demodulate, Estimator, GradientAtrous, Import, Kernel, Modulate, Variance};
+use atrous::graph::Graph;
+use atrous::nodes::{Atrous, Import, Kernel};
 use atrous::{presets, Config, Declaration, Error, Tuning};
 
 /// A spatial filter: what a point changes of a preset.
@@ -68,64 +68,22 @@ fn varied(config: &Config, spatial: Spatial) -> Result<Declaration, Error> {
     let guides = g.import(Import { surface_id: config.surface_id, object_normal: config.object_normal });
     let Spatial { kernel, levels, smooth } = spatial;
     let atrous = Atrous { kernel, levels, smooth_deviation: smooth, ..Atrous::default() };
-    match config.preset {
-        Preset::Best => best(&mut g, &guides, config, atrous),
-        _ => fast(&mut g, &guides, atrous),
+    let denoised = match config.preset {
+        Preset::Best => presets::best_with(&mut g, &guides, config, atrous),
+        _ => presets::fast_with(&mut g, &guides, config, atrous),
+    };
+    g.output("denoised_radiance", &denoised.radiance);
+    if let Some(confidence) = &denoised.known.confidence {
+        g.output("history_confidence", confidence);
     }
     g.finish()
-}
-
-fn best(g: &mut Graph, guides: &Guides, config: &Config, atrous: Atrous) {
-    let gradients = presets::gradient_samples(g, guides, config);
-    let noisy = g.radiance("noisy_radiance");
-    let gradient = gradients.map(|source| {
-        let gradient = g.gradient_and_ratio(guides, &noisy, source);
-        g.gradient_atrous(guides, &gradient, GradientAtrous::default())
-    });
-    let samples = gradients.and_then(|gradients| gradients.samples());
-    let irradiance = g.demodulate(guides, &noisy, Demodulate { gradient, samples, ..Demodulate::default() });
-    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
-    let irradiance = g.firefly(guides, &irradiance, &percentiles);
-    let history = g.history(&irradiance, Feedback::Accumulated);
-    let confidence = match &gradient {
-        Some(gradient) => {
-            let difference = g.block_difference(guides, &irradiance, &history);
-            let tested = g.scope("tested", |g| g.change_test(&difference));
-            g.adaptive_alpha_or(gradient, &tested)
-        }
-        None => g.host_confidence(),
-    };
-    let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
-    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
-    let estimate = g.variance(guides, &accumulated, &history, variance);
-    let filtered = g.atrous(guides, &estimate, Atrous { shared_deviation: true, ..atrous });
-    let denoised = g.modulate(guides, &filtered.into(), Modulate::default());
-    g.output("denoised_radiance", &denoised);
-    g.output("history_confidence", &confidence);
-}
-
-fn fast(g: &mut Graph, guides: &Guides, atrous: Atrous) {
-    let noisy = g.radiance("noisy_radiance");
-    let irradiance = g.demodulate(guides, &noisy, Demodulate::default());
-    let history = g.history(&irradiance, Feedback::Filtered);
-    let difference = g.block_difference(guides, &irradiance, &history);
-    let confidence = g.change_test(&difference);
-    let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
-    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let filtered = g.atrous(guides, &estimate, Atrous { feedback: Some(history), ..atrous });
-    let denoised = g.modulate(guides, &filtered.into(), Modulate::default());
-    g.output("denoised_radiance", &denoised);
-    g.output("history_confidence", &confidence);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// So that a change of a preset is not forgotten here.
+    /// So that a change of a preset's own filter is not forgotten here.
     #[test]
     fn what_a_preset_has_gives_the_passes_of_the_preset() {
         for (preset, own) in OWN {

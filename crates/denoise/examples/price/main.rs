@@ -49,7 +49,6 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
-    let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device: options.device.clone(), ..Default::default() })?);
     let is_wanted = |name: &str| options.filters.is_empty() || options.filters.iter().any(|part| name.contains(part.as_str()));
     let filters: Vec<_> = filters::all().into_iter().filter(|filter| is_wanted(&filter.name)).collect();
     if filters.is_empty() {
@@ -59,8 +58,11 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&options.out)?;
     let json = options.out.join("price.json");
     let mut sequences: Vec<Sequence> = if json.exists() { serde_json::from_slice(&std::fs::read(&json)?)? } else { Vec::new() };
-    for path in &options.sequences {
-        let measured = measure::Frames { path, run: options.frames, scored: options.scored }.measure(&gpu, &filters)?;
+    let open = || HeadlessDevice::new(&HeadlessOptions { device: options.device.clone(), ..Default::default() }).map(Arc::new);
+    // What was measured before is drawn without a device.
+    let gpu = (!options.sequences.is_empty()).then(open).transpose()?;
+    for (path, gpu) in options.sequences.iter().zip(gpu.iter().cycle()) {
+        let measured = measure::Frames { path, run: options.frames, scored: options.scored }.measure(gpu, &filters)?;
         sequences.retain(|sequence| sequence.name != measured.name);
         sequences.push(measured);
         // What is done is kept, whatever happens to the rest.
