@@ -87,7 +87,8 @@ float albedo_at(ivec2 p, bool background) {
     return albedo_luminance(divisor_of(texelFetch(albedo, p, 0).rgb));
 }
 
-float albedo_before(ivec2 j) { return unpackHalf2x16(texelFetch(previous_luminance, j, 0).x).y; }
+// Luminance, negative without a sample, and that of the albedo.
+vec2 light_of(ivec2 previous_pixel) { return unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x); }
 
 bool has_ratio() { return is_present(PREVIOUS_RED_BLUE) && is_present(LIGHT_BEFORE) && is_present(LIGHT_NOW); }
 
@@ -96,9 +97,8 @@ void add_light(inout Sum sum, vec3 before, vec3 now) {
     sum.now += now;
 }
 
-void add_change(inout Sum sum, vec3 radiance, ivec2 previous_pixel) {
-    vec2 before = unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x);
-    // A pixel without a sample in the previous frame.
+// `before`: light_of the previous pixel.
+void add_change(inout Sum sum, vec3 radiance, vec2 before, ivec2 previous_pixel) {
     if (before.x < 0.0) return;
     float l = min(before.x * frame.exposure_ratio, 65504.0), now = kept_luminance(radiance);
     sum.change += (now - l) / before.y;
@@ -128,7 +128,7 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
-    if (is_finite(radiance)) add_change(sum, storable(radiance), j);
+    if (is_finite(radiance)) add_change(sum, storable(radiance), light_of(j), j);
 }
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
@@ -157,6 +157,7 @@ void main() {
     }
     bool sampled = gradient_sample.valid && has_flag(FLAG_RESHADED) && !has_flag(FLAG_RESET);
     if (sampled) wanted = gradient_sample.place;
+    vec2 before = sampled ? light_of(gradient_sample.previous_pixel) : vec2(0.0);
     uvec4 stands = uvec4(0u);
     for (uint y = 0u; y < extent.y; ++y)
         for (uint x = 0u; x < extent.x; ++x) {
@@ -167,7 +168,7 @@ void main() {
             KeptRadiance noisy = noisy_at(p);
             bool is_sample = sampled && place == wanted;
             // The light of a sample comes from its own point, not from the middle of the pixel.
-            float a = is_sample ? albedo_before(gradient_sample.previous_pixel) : albedo_at(p, background);
+            float a = is_sample ? before.y : albedo_at(p, background);
             if (background) continue;
             if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
             if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
@@ -176,7 +177,7 @@ void main() {
             sum.mean += l;
             sum.squares += l * l;
             sum.surfaces += 1.0;
-            if (is_sample) add_change(sum, noisy.radiance, gradient_sample.previous_pixel);
+            if (is_sample) add_change(sum, noisy.radiance, before, gradient_sample.previous_pixel);
         }
     vec4 value = result(sum);
     if (SOURCE == SPARSE) {

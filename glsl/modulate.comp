@@ -46,10 +46,7 @@ vec3 factor_at(ivec2 p) {
 
 vec3 specular_factor_at(ivec2 p) {
     uvec4 packed = texelFetch(guide, p, 0);
-    if (unpack_depth(packed) == 0.0) return vec3(1.0);
-    if (is_present(SPECULAR_ALBEDO)) return divisor_of(texelFetch(specular_albedo, p, 0).rgb);
-    if (is_present(SPECULAR_F0)) return divisor_of(specular_albedo_from(texelFetch(specular_f0, p, 0).rgb, p, packed));
-    return vec3(1.0);
+    return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), specular_albedo, is_present(SPECULAR_F0), specular_f0);
 }
 
 vec3 emission_at(ivec2 p) {

@@ -16,7 +16,6 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "optional.glsl"
 #include "guide.glsl"
-#include "demodulation.glsl"
 #include "specular_albedo.glsl"
 #include "strata.glsl"
 
@@ -44,10 +43,7 @@ vec3 as_halves(vec3 v) {
 
 vec3 divisor_at(ivec2 p) {
     uvec4 packed = texelFetch(guide, p, 0);
-    bool from_f0 = !is_present(ALBEDO) && is_present(SPECULAR_F0);
-    if ((!is_present(ALBEDO) && !from_f0) || unpack_depth(packed) == 0.0) return vec3(1.0);
-    vec3 a = from_f0 ? specular_albedo_from(texelFetch(specular_f0, p, 0).rgb, p, packed) : texelFetch(albedo, p, 0).rgb;
-    return as_halves(divisor_of(a));
+    return as_halves(divisor_from(p, packed, is_present(ALBEDO), albedo, is_present(SPECULAR_F0), specular_f0));
 }
 
 void main() {

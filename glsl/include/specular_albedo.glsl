@@ -5,6 +5,7 @@
 #include "view_position.glsl"
 #include "guide.glsl"
 #include "finite.glsl"
+#include "demodulation.glsl"
 
 // `f0`: reflectance at normal incidence.
 vec3 environment_reflectance(vec3 f0, float roughness, float view_cosine) {
@@ -23,6 +24,13 @@ float view_cosine(ivec2 p, uvec4 packed) {
 vec3 specular_albedo_from(vec3 f0, ivec2 p, uvec4 packed) {
     if (!is_finite(f0)) return vec3(1.0);
     return environment_reflectance(f0, unpack_roughness(packed), view_cosine(p, packed));
+}
+
+// The divisor of a pixel: from an albedo, or else from the reflectance at normal incidence; 1 without either, and in the background.
+vec3 divisor_from(ivec2 p, uvec4 packed, bool has_albedo, texture2D albedo, bool has_f0, texture2D f0) {
+    if (unpack_depth(packed) == 0.0) return vec3(1.0);
+    if (has_albedo) return divisor_of(texelFetch(albedo, p, 0).rgb);
+    return has_f0 ? divisor_of(specular_albedo_from(texelFetch(f0, p, 0).rgb, p, packed)) : vec3(1.0);
 }
 
 #endif

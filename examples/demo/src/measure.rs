@@ -168,6 +168,11 @@ pub(crate) fn rgb(texels: Vec<[f32; 4]>) -> Vec<[f32; 3]> {
     texels.into_iter().map(|[r, g, b, _]| [r, g, b]).collect()
 }
 
+/// Luminance of linear Rec. 709.
+pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
+    0.2126 * r + 0.7152 * g + 0.0722 * b
+}
+
 /// JSON has no NaN.
 mod nan_as_null {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -3,6 +3,7 @@
 use atrous_quality::{rmse, Rgb};
 use glam::{IVec2, Vec2};
 
+use crate::measure::luminance;
 use crate::{Gpu, PathTracer, Result};
 
 /// Pixels around an edge that count, on either side.
@@ -205,10 +206,6 @@ fn rise(profile: &[f32]) -> Option<f32> {
         Some(i as f32 + (wanted - profile[i]) / (profile[i + 1] - profile[i]))
     };
     Some(crossing(0.9)? - crossing(0.1)?)
-}
-
-fn luminance([r, g, b]: [f32; 3]) -> f32 {
-    0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
 #[cfg(test)]

@@ -89,9 +89,8 @@ pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> Demodula
     let distances = inputs.specular_hit_distance.map(|image| {
         Image::compute(extent, frame.render_extent, |p| {
             let is_hole = inputs.has_holes && inputs.noisy.first().is_some_and(|noisy| !is_finite(noisy.at(p)));
-            match unpack_guide(inputs.guide.at(p)).is_background() {
+            match is_hole || unpack_guide(inputs.guide.at(p)).is_background() {
                 true => (0.0, false),
-                false if is_hole => (0.0, false),
                 false => stored_hit_distance(image.at(p)[0]),
             }
         })

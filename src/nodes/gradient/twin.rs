@@ -6,7 +6,7 @@ use crate::reference::binary16::{from_half_bits, round_to_half, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
-use crate::reference::kept_radiance::{kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
+use crate::reference::kept_radiance::{is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
 use crate::reference::projection::extent_ratio;
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
@@ -207,12 +207,7 @@ impl Changes<'_> {
         let tolerance = self.tuning.depth_tolerance * expected + slope;
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
-        let is_usable = is_same && radiance[..3].iter().all(|c| c.is_finite());
-        if is_usable {
-            self.change(storable(radiance), j)
-        } else {
-            None
-        }
+        (is_same && is_finite(radiance)).then(|| self.change(storable(radiance), j)).flatten()
     }
 }
 

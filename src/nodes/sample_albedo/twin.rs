@@ -1,7 +1,7 @@
 //! The stage `sample_albedo`: light of gradient samples over the albedo of the points that it comes from.
 
 use crate::nodes::demodulate::twin::{albedo_at, divisor};
-use crate::reference::binary16::{round_to_half, store, LARGEST_HALF};
+use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
@@ -43,7 +43,7 @@ pub fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &SampleA
     let strata = Strata::new(frame, stratum_size);
     let divisor_at = |p: IVec2| {
         let albedo = albedo_at(frame, &unpack_guide(inputs.guide.at(p)), inputs.albedo, inputs.specular_f0, p);
-        divisor(albedo).0.map(|d| round_to_half(d.min(LARGEST_HALF)))
+        divisor(albedo).0.map(store)
     };
     let last_pixel = UVec2::from(frame.render_extent).as_ivec2() - 1;
     let candidate_albedo = Image::compute(inputs.candidates.extent(), strata.count().into(), |s| {
@@ -56,13 +56,14 @@ pub fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &SampleA
         let previous = inputs.previous_candidate_albedo.filter(|_| is_reshaded(frame) && !is_reset(frame))?;
         let sample = unpack_gradient_sample(stratum_size, s.as_uvec2().into(), inputs.gradient_samples.at(s))?;
         let before = previous.at(UVec2::from(sample.previous_pixel).as_ivec2() / stratum_size as i32);
-        let now = divisor_at(p);
-        (UVec2::from(sample.pixel).as_ivec2() == p).then(|| [0, 1, 2].map(|i| now[i] / before[i]))
+        let is_sample = UVec2::from(sample.pixel).as_ivec2() == p;
+        is_sample.then(|| divisor_at(p)).map(|now| [0, 1, 2].map(|i| now[i] / before[i]))
     };
+    let factors = Image::compute(inputs.guide.extent(), frame.render_extent, |p| factor_at(p).unwrap_or([1.0; 3]));
     let corrected = |irradiance: &&Image<[f32; 4]>| {
         Image::compute(irradiance.extent(), frame.render_extent, |p| {
             let [r, g, b, a] = irradiance.at(p);
-            let [fr, fg, fb] = factor_at(p).unwrap_or([1.0; 3]);
+            let [fr, fg, fb] = factors.at(p);
             [store(r * fr), store(g * fg), store(b * fb), a]
         })
     };
@@ -88,6 +89,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference::binary16::round_to_half;
     use crate::reference::test_scene::*;
     use crate::reference::{pack_gradient_sample, GradientSample};
     use crate::Flags;

@@ -77,6 +77,11 @@ pub fn all() -> Vec<Contender> {
     ]
 }
 
+/// Some of [`all`], in its order.
+pub fn named(names: &[&str]) -> Vec<Contender> {
+    all().into_iter().filter(|contender| names.contains(&contender.name)).collect()
+}
+
 /// Those of scenes with a sun, which is rendered apart from all other light for them.
 pub fn of_sun() -> Vec<Contender> {
     vec![Contender::new(BEST_AND_SUN, Preset::Best)]

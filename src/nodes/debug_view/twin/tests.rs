@@ -8,15 +8,13 @@ use glam::Vec3;
 
 const EXTENT: [u32; 2] = [16, 14];
 
-/// A plane whose left half is background.
-fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f32; 4]> {
-    let guides = guides(EXTENT, |x, _| if x < 8 { surface(0.0) } else { surface(3.0) });
-    let moments = Image::new(EXTENT, pack_moments(moments));
-    let inputs = DebugViewInputs {
+/// Nothing but guides and counters.
+fn bare<'a>(guides: &'a Guides, statistics: &'a Statistics) -> DebugViewInputs<'a> {
+    DebugViewInputs {
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,
         statistics,
-        moments: &[&moments],
+        moments: &[],
         irradiance_history: &[],
         history_confidence: None,
         gradient: None,
@@ -26,7 +24,14 @@ fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f
         reflection: None,
         visibility_history: None,
         albedo: None,
-    };
+    }
+}
+
+/// A plane whose left half is background.
+fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f32; 4]> {
+    let guides = guides(EXTENT, |x, _| if x < 8 { surface(0.0) } else { surface(3.0) });
+    let moments = Image::new(EXTENT, pack_moments(moments));
+    let inputs = DebugViewInputs { moments: &[&moments], ..bare(&guides, statistics) };
     debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..svgf_tuning() }, &inputs, view)
 }
 
@@ -90,20 +95,15 @@ fn the_legend_has_the_colours_of_the_picture() {
     // A pixel of the plane is 2/14 scene units high: 4 of them.
     let history = VisibilityHistory { mean: 0.5, occluder_distance: 8.0 / 14.0, ..VisibilityHistory::default() };
     let visibility = Image::new(EXTENT, pack_visibility(&history));
+    let (statistics, confidence) = (Statistics::default(), Image::new(EXTENT, 0.5));
     let inputs = DebugViewInputs {
-        guide: &guides.guide,
-        surface_motion: &guides.surface_motion,
-        statistics: &Statistics::default(),
         moments: &[&two],
         irradiance_history: &[&deviation],
-        history_confidence: Some(&Image::new(EXTENT, 0.5)),
+        history_confidence: Some(&confidence),
         gradient: Some(&gradient),
-        stratum_size: 3,
-        block_percentiles: &[],
-        noisy: &[],
         reflection: Some(&reflection),
         visibility_history: Some(&visibility),
-        albedo: None,
+        ..bare(&guides, &statistics)
     };
     let tuning = Tuning { alpha: 0.0, light_radius: 1.0, ..svgf_tuning() };
     let colour = |inputs: &DebugViewInputs, shown| {
@@ -151,21 +151,8 @@ fn virtual_motion_is_that_of_the_image_behind_the_mirror() {
     guides.surface_motion = Image::new(EXTENT, pack_surface_motion([-pixels(4.0), 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
     let length = |hit_distance, roughness| {
         let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None));
-        let inputs = DebugViewInputs {
-            guide: &guides.guide,
-            surface_motion: &guides.surface_motion,
-            statistics: &Statistics::default(),
-            moments: &[],
-            irradiance_history: &[],
-            history_confidence: None,
-            gradient: None,
-            stratum_size: 3,
-            block_percentiles: &[],
-            noisy: &[],
-            reflection: Some(&reflection),
-            visibility_history: None,
-            albedo: None,
-        };
+        let statistics = Statistics::default();
+        let inputs = DebugViewInputs { reflection: Some(&reflection), ..bare(&guides, &statistics) };
         debug_view(&frame, &Tuning::default(), &inputs, DebugView::VirtualMotion).at(IVec2::new(8, 7))[3]
     };
     for (hit_distance, roughness, depth) in [(4.0, 0.0, 8.0), (12.0, 0.0, 16.0), (0.0, 0.0, 4.0), (4.0, 1.0, 4.0)] {

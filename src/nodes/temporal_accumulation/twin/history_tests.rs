@@ -1,5 +1,6 @@
 //! Pixels of the previous frame that are a pixel's history, and the reasons why there are none.
 
+use super::tests::inputs;
 use super::*;
 use crate::reference::test_scene::*;
 use crate::reference::{pack_depth_gradient, pack_guide, pack_surface_motion};
@@ -46,24 +47,20 @@ impl Scene {
             pack_moments(&Moments { mean: x as f32, deviation: 0.5, history_length: 1000.0 + y as f32, reason: 1 })
         });
         let new = Image::new(EXTENT, [NEW, NEW, NEW, 0.0]);
+        let guides = Guides {
+            guide: Image::new(EXTENT, pack_guide(&self.now)),
+            surface_motion: Image::new(EXTENT, pack_surface_motion(self.motion, Some(self.expected))),
+            depth_gradient: Image::new(EXTENT, pack_depth_gradient(self.gradient)),
+        };
         let output = temporal_accumulation(
             &frame(EXTENT),
             &tuning,
             &TemporalAccumulationInputs {
-                guide: &Image::new(EXTENT, pack_guide(&self.now)),
-                surface_motion: &Image::new(EXTENT, pack_surface_motion(self.motion, Some(self.expected))),
-                depth_gradient: &Image::new(EXTENT, pack_depth_gradient(self.gradient)),
-                irradiance: &[&new],
-                object_normals: None,
-                history_confidence: None,
-                repair: false,
-                sharp: false,
-                has_holes: false,
-                light_ratio: None,
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
                     signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
                 }),
+                ..inputs(&guides, &[&new])
             },
         );
         (output.irradiance[0].get(3, 3).expect("inside")[0], unpack_moments(*output.moments[0].get(3, 3).expect("inside")))

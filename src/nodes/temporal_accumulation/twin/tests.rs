@@ -30,7 +30,7 @@ fn tuned(
 }
 
 /// Nothing but guides and irradiance.
-fn inputs<'a>(guides: &'a Guides, irradiance: &'a [&'a Image<[f32; 4]>]) -> TemporalAccumulationInputs<'a> {
+pub(super) fn inputs<'a>(guides: &'a Guides, irradiance: &'a [&'a Image<[f32; 4]>]) -> TemporalAccumulationInputs<'a> {
     TemporalAccumulationInputs {
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,

@@ -4,14 +4,14 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use atrous::config::{Preset, Signals};
+use atrous_demo::measure::luminance;
 use atrous_demo::{FrameDenoiser, Result, Scene, SceneOptions, TracerOptions};
 use atrous_picture::Picture;
 use atrous_quality::{rmse, Rgb};
 
 use super::{Figures, Findings};
 use crate::evaluate::claims::Claim;
-use crate::evaluate::contenders::{Contender, ASVGF, BEST, SVGF};
+use crate::evaluate::contenders::{self, Contender, ASVGF, BEST, SVGF};
 use crate::evaluate::scene::Lab;
 use crate::running;
 
@@ -33,7 +33,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let frames = if lab.settings.frames < 32 { STEP..3 * STEP } else { 4 * STEP..6 * STEP };
     lab.bar.inc_length(u64::from(frames.end) + 2);
     let mut tracer = lab.tracer(&scene, TracerOptions::default())?;
-    let contenders = contenders();
+    let contenders = contenders::named(&[SVGF, ASVGF, "percentile", BEST]);
     let mut filters = lab.start(&tracer, &contenders)?;
     let mut measured: Vec<Measured> = contenders.iter().map(|_| Measured::default()).collect();
     let mut pictures = Vec::new();
@@ -90,17 +90,6 @@ struct Measured {
     errors: Vec<f64>,
 }
 
-fn contenders() -> Vec<Contender> {
-    let mut svgf = Contender::new(SVGF, Preset::Svgf);
-    svgf.options.signals = Signals::Together;
-    vec![
-        svgf,
-        Contender::new(ASVGF, Preset::Asvgf),
-        Contender::new("percentile", Preset::Percentile),
-        Contender::new(BEST, Preset::Best),
-    ]
-}
-
 fn lambda(denoiser: &mut FrameDenoiser) -> Result<Vec<f32>> {
     if denoiser.executor().denoiser().declaration().find("history_confidence").is_none() {
         return Ok(Vec::new());
@@ -114,7 +103,6 @@ fn change([bright, dim]: &[Vec<[f32; 3]>; 2], [width, height]: [u32; 2]) -> Vec<
     let around = |pixels: &[[f32; 3]], x: i32, y: i32| -> f32 {
         let rows = (y - WINDOW).max(0)..(y + WINDOW + 1).min(height);
         let columns = (x - WINDOW).max(0)..(x + WINDOW + 1).min(width);
-        let luminance = |[r, g, b]: [f32; 3]| 0.2126 * r + 0.7152 * g + 0.0722 * b;
         rows.flat_map(|y| columns.clone().map(move |x| (y * width + x) as usize)).map(|i| luminance(pixels[i])).sum()
     };
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));

@@ -3,11 +3,12 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use atrous_demo::measure::luminance;
 use atrous_demo::{Result, Scene, SceneOptions, TracerOptions};
 
 use super::Lines;
 use super::{Figures, Findings};
-use crate::evaluate::contenders::{self, Contender, ASVGF, BEST, EAW_ACCUMULATED, NOISY, SVGF};
+use crate::evaluate::contenders::{self, ASVGF, BEST, EAW_ACCUMULATED, NOISY, SVGF};
 use crate::evaluate::scene::Lab;
 use crate::running;
 
@@ -20,7 +21,7 @@ pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
     let frames = if lab.settings.frames < 32 { 20 } else { 60 };
     lab.bar.inc_length(frames);
     let mut tracer = lab.tracer(&scene, TracerOptions::default())?;
-    let contenders: Vec<Contender> = contenders::all().into_iter().filter(|c| SHOWN.contains(&c.name)).collect();
+    let contenders = contenders::named(&SHOWN);
     let mut filters = lab.start(&tracer, &contenders)?;
     let names: Vec<_> = std::iter::once(NOISY).chain(contenders.iter().map(|c| c.name)).collect();
     let mut changes = vec![Vec::new(); names.len()];
@@ -38,7 +39,7 @@ pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
 }
 
 fn luminances(pixels: &[[f32; 3]]) -> Vec<f32> {
-    pixels.iter().map(|[r, g, b]| 0.2126 * r + 0.7152 * g + 0.0722 * b).collect()
+    pixels.iter().map(|pixel| luminance(*pixel)).collect()
 }
 
 /// Mean difference of two pictures.
