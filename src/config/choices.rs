@@ -50,7 +50,7 @@ choices! {
         /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`crate::Config::volume`]
         /// adds the same passes to another preset.
         Volume = 5 => "volume",
-        /// The cheapest filter that follows light that changes: SVGF with 7 taps a level and the change test of
+        /// The cheapest filter that follows light that changes: SVGF with 4 levels of 9 taps and the change test of
         /// [`Preset::Percentile`]. Needs nothing of the host that SVGF does not.
         Fast = 6 => "fast",
         /// The filter of choice: [`Preset::Asvgf`] whose history follows light that changes as a whole, is not filtered and stays sharp
@@ -126,10 +126,10 @@ impl Preset {
     }
 
     /// À-trous levels where a configuration asks for no number: 4 for [`Self::Best`], whose history is not filtered and which loses detail to
-    /// a wider filter, else 5.
+    /// a wider filter, and for [`Self::Fast`], else 5.
     pub const fn levels(self) -> u32 {
         match self {
-            Self::Best => 4,
+            Self::Best | Self::Fast => 4,
             _ => 5,
         }
     }

@@ -179,7 +179,7 @@ mod tests {
             let is_level = |name: &str| name.strip_prefix("atrous_").is_some_and(|level| level.parse::<u32>().is_ok());
             declaration.passes().iter().filter(|pass| is_level(&pass.name)).count()
         };
-        assert_eq!((levels(Preset::Svgf, None), levels(Preset::Best, None)), (5, 4));
+        assert_eq!([Preset::Svgf, Preset::Best, Preset::Fast].map(|preset| levels(preset, None)), [5, 4, 4]);
         assert_eq!((levels(Preset::Svgf, Some(4)), levels(Preset::Best, Some(5))), (4, 5));
         for given in [0, 11] {
             let error = Config { levels: Some(given), ..Config::new([64, 36]) }.declare().expect_err("out of range");

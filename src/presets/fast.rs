@@ -6,12 +6,12 @@ use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 
-/// SVGF with taps on a hexagon, and with the change test of [`super::percentile`] before the history: for hosts that count every
+/// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the history: for hosts that count every
 /// microsecond. `docs/performance.md` has what it costs and how good it is beside the others.
 ///
 /// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
-    fast_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Hexagon, ..Atrous::default() })
+    fast_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Box, ..Atrous::default() })
 }
 
 /// [`fast`] with another spatial filter of the light that is not apart; its first level writes the history whatever `feedback` says.
@@ -34,7 +34,6 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
         filtered.into(),
         Specular {
             feedback: Feedback::Filtered,
-            kernel: Kernel::Hexagon,
             variance: Variance::default(),
             confidence: Some(confidence),
             ..Specular::default()

@@ -34,7 +34,7 @@ pub struct AtrousConfig {
     /// Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
     /// `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
     pub signals: u32,
-    /// À-trous levels, 1 to 10; 0 (default): the preset's, 4 for `best`, 5 for the others.
+    /// À-trous levels, 1 to 10; 0 (default): the preset's, 4 for `best` and `fast`, 5 for the others.
     pub levels: u32,
     /// 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
     pub volume: u32,

@@ -27,7 +27,7 @@ pub struct Filter {
 /// What the presets have that are varied.
 const OWN: [(Preset, Spatial); 2] = [
     (Preset::Best, Spatial { kernel: Kernel::Box, levels: 4, smooth: true }),
-    (Preset::Fast, Spatial { kernel: Kernel::Hexagon, levels: 5, smooth: true }),
+    (Preset::Fast, Spatial { kernel: Kernel::Box, levels: 4, smooth: true }),
 ];
 
 const PRESETS: [Preset; 5] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best];

@@ -163,7 +163,7 @@ fn about(preset: atrous::config::Preset) -> &'static str {
         Preset::Best => {
             "A-SVGF whose history follows the light, unfiltered and sharp; by a test of blocks where no gradient is known"
         }
-        Preset::Fast => "SVGF with 7 taps a level, adaptive by a test of blocks: the cheapest that follows changing light",
+        Preset::Fast => "SVGF with 4 levels of 9 taps, adaptive by a test of blocks: the cheapest that follows changing light",
         _ => "Edge-avoiding à-trous wavelets: one frame, no history (Dammertz et al. 2010)",
     }
 }
