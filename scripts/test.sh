@@ -26,7 +26,12 @@ export ATROUS_REQUIRE_DEVICE=1
 if dpkg-query -W -f='${Status}' chromium 2>/dev/null | grep -q '^install ok installed$' && grep -q '^ID=debian$' /etc/os-release; then
     export ATROUS_REQUIRE_BROWSER=1
 fi
-step() { printf '\n== %s\n' "$*"; "$@"; }
+step() {
+    local began=$SECONDS
+    printf '\n== %s\n' "$*"
+    "$@"
+    echo "-- $((SECONDS - began)) s"
+}
 
 if $bevy; then
     host=(--manifest-path examples/host_bevy/Cargo.toml --target-dir target/bevy)
@@ -36,7 +41,7 @@ if $bevy; then
     step cargo "+$version" clippy "${host[@]}" --all-targets --quiet -- -D warnings
     step cargo "+$version" test "${host[@]}" --quiet
     echo
-    echo "test.sh --bevy: all passed"
+    echo "test.sh --bevy: all passed, $SECONDS s"
     exit
 fi
 
@@ -53,4 +58,4 @@ for features in --no-default-features --features=default; do
 done
 RUSTDOCFLAGS="-D warnings" step cargo doc --workspace --features capture,window,hot-reload --no-deps --quiet
 echo
-echo "test.sh: all passed"
+echo "test.sh: all passed, $SECONDS s"
