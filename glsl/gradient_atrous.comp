@@ -46,6 +46,9 @@ layout(set = 0, binding = 3, rgba16f) uniform restrict readonly image2D gradient
 #endif
 
 const float LUMINANCE_EPSILON = 1e-4;
+// From this level on a gradient of exactly 0 is kept: all samples within 3 strata shaded to the same again, so that light did not change
+// here, whatever it did farther away (ours).
+const uint FIRST_KEPT_LEVEL = 2u;
 
 ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
 
@@ -95,6 +98,7 @@ void main() {
         return;
     }
     ivec2 p = pixel_of(s, packed);
+    bool is_unchanged = push.level >= FIRST_KEPT_LEVEL && centre.x == 0.0 && centre.y > 0.0;
     EdgeCentre surface = edge_centre(packed, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
     float sharpness = LOG2_E / (push.sigma_l * deviation_around(s, centre.w) + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
@@ -112,7 +116,8 @@ void main() {
             vec4 value = texel_at(gradient_in, tap);
             vec2 offset = vec2(pixel_of(tap, packed_t) - p);
             float geometry = log2_edge_weight(surface, packed_t, depth_sharpness(surface, offset));
-            float weight = t == tap && unpack_depth(packed_t) != 0.0 ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
+            bool counts = t == tap && !is_unchanged && unpack_depth(packed_t) != 0.0;
+            float weight = counts ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;

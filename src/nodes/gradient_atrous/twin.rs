@@ -78,6 +78,10 @@ pub fn gradient_atrous(
     GradientAtrousOutputs { gradient, light: inputs.light.map(|_| [before, now]) }
 }
 
+/// Level from which on a gradient of exactly 0 is kept: all samples within 3 strata shaded to the same again, so that light did not change
+/// there, whatever it did farther away.
+const FIRST_KEPT_LEVEL: u32 = 2;
+
 /// The ratio of the background.
 const NO_RATIO: [f32; 4] = [1.0, 1.0, 1.0, -1.0];
 
@@ -108,6 +112,10 @@ fn weights(tuning: &Tuning, strata: Strata, level: u32, inputs: &GradientAtrousI
     let surface = unpack_guide(inputs.gradient_guide.at(s));
     if surface.is_background() {
         return None;
+    }
+    let is_unchanged = level >= FIRST_KEPT_LEVEL && centre[0] == 0.0 && centre[1] > 0.0;
+    if is_unchanged {
+        return Some(vec![(s, 1.0)]);
     }
     let p = pixel_of(strata, inputs.gradient_guide, s);
     let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));

@@ -51,6 +51,19 @@ fn a_sample_fills_the_surface_around_it_and_no_other() {
     }
 }
 
+/// One plane, and light that changes on its right half alone.
+#[test]
+fn a_place_whose_samples_all_say_that_nothing_changed_keeps_to_that() {
+    let output = reconstructed(&paint(STRATA, |x, _| [if x < 12 { 0.0 } else { 0.5 }, 1.0, 1.0, 0.1]), |_, _| surface(4.0));
+    let changes: Vec<f32> = (0..24).map(|x| output.at(IVec2::new(x, 10))[0]).collect();
+    assert!(changes[..9].iter().all(|change| *change == 0.0), "{changes:?}");
+    assert!(changes[9..].iter().all(|change| *change > 0.0), "{changes:?}");
+    // Without any light a sample says nothing, and asks its surroundings.
+    let output =
+        reconstructed(&paint(STRATA, |x, _| if x < 12 { [0.0, 0.0, 1.0, 0.1] } else { [0.5, 1.0, 1.0, 0.1] }), |_, _| surface(4.0));
+    assert!((0..24).all(|x| output.at(IVec2::new(x, 10))[0] > 0.0));
+}
+
 #[test]
 fn a_background_stratum_is_left_alone() {
     let input = paint(STRATA, |x, y| [x as f32, y as f32, 1.0, 0.0]);
