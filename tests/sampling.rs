@@ -3,7 +3,9 @@
 
 use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session};
 use atrous::config::{Preset, Sampling, Signals};
-use atrous::{Config, Tuning};
+use atrous::executor::Session;
+use atrous::reference::unpack_moments;
+use atrous::{Config, Tuning, UseFrame};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -35,8 +37,8 @@ fn punch(noisy: &mut [[f32; 4]], index: u32, pattern: Pattern, hole: f32) {
     }
 }
 
-/// The mean error of the last frames of a camera that slides; with it how many bad radiances were counted.
-fn error(config: &Config, change: impl Fn(u32, &mut super::support::scene::Guides)) -> (f64, f32) {
+/// The mean error of the last frames of a camera that slides; with it how many bad radiances were counted, and what ran.
+fn error(config: &Config, change: impl Fn(u32, &mut super::support::scene::Guides)) -> (f64, f32, Session) {
     let scene = Scene { speed: 0.03, ..Scene::new(EXTENT) };
     let mut s = session(config);
     let (mut sum, mut counted) = (0.0, 0.0);
@@ -50,17 +52,26 @@ fn error(config: &Config, change: impl Fn(u32, &mut super::support::scene::Guide
         }
     }
     assert_valid();
-    (sum, counted)
+    (sum, counted, s)
+}
+
+/// The mean history length of each of two signals, frames.
+fn history_lengths(mut s: Session) -> [f32; 2] {
+    ["moments_direct", "moments_indirect"].map(|name| {
+        let bytes = s.download_bytes(name, UseFrame::Current).expect(name);
+        let texels: &[[u16; 4]] = bytemuck::cast_slice(&bytes);
+        texels.iter().map(|texel| unpack_moments(*texel).history_length).sum::<f32>() / texels.len() as f32
+    })
 }
 
 fn every_preset_takes_holes() {
     for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best] {
         let config = Config { preset, ..Config::new(EXTENT) };
-        let (of_all, _) = error(&config, |_, _| {});
+        let (of_all, ..) = error(&config, |_, _| {});
         for (name, sampling, pattern, one_of) in PATTERNS {
-            let (with_holes, counted) =
+            let (with_holes, counted, _) =
                 error(&Config { sampling, ..config }, |i, g| punch(&mut g.noisy_radiance, i, pattern, f32::NAN));
-            let (black, _) = error(&config, |i, g| punch(&mut g.noisy_radiance, i, pattern, 0.0));
+            let (black, ..) = error(&config, |i, g| punch(&mut g.noisy_radiance, i, pattern, 0.0));
             println!("{preset}, {name}: error {with_holes:.4}, of all samples {of_all:.4}, holes as black {black:.4}");
             assert_eq!(counted, 0.0, "{preset}, {name}: holes are no bad values");
             // With so few samples the noise is this many times as large.
@@ -71,10 +82,10 @@ fn every_preset_takes_holes() {
 
 fn one_signal_may_have_holes_alone() {
     let config = Config { signals: Signals::Apart, sampling: Sampling::OneOf4x4, ..Config::new(EXTENT) };
-    let (of_all, _) = error(&config, |_, _| {});
+    let (of_all, ..) = error(&config, |_, _| {});
     let pattern = PATTERNS[2].2;
-    let (indirect, counted) = error(&config, |i, g| punch(&mut g.noisy_indirect, i, pattern, f32::NAN));
-    let (both, _) = error(&config, |i, g| {
+    let (indirect, counted, _) = error(&config, |i, g| punch(&mut g.noisy_indirect, i, pattern, f32::NAN));
+    let (both, ..) = error(&config, |i, g| {
         punch(&mut g.noisy_direct, i, pattern, f32::NAN);
         punch(&mut g.noisy_indirect, i, pattern, f32::NAN);
     });
@@ -82,12 +93,19 @@ fn one_signal_may_have_holes_alone() {
     assert_eq!(counted, 0.0);
     // Direct light, three quarters of it, has all of its samples and as long a history as ever.
     assert!(indirect - of_all < 0.5 * (both - of_all), "{of_all} {indirect} {both}");
+    // Without a test of change, which would cut both histories.
+    let config = Config { preset: Preset::Svgf, ..config };
+    let (_, _, of_indirect) = error(&config, |i, g| punch(&mut g.noisy_indirect, i, pattern, f32::NAN));
+    let (_, _, of_direct) = error(&config, |i, g| punch(&mut g.noisy_direct, i, pattern, f32::NAN));
+    let [[direct, holed_indirect], [holed_direct, indirect]] = [of_indirect, of_direct].map(history_lengths);
+    println!("frames: {direct:.1} of direct light, {holed_direct:.1} with holes; {indirect:.1} of indirect, {holed_indirect:.1} with holes");
+    assert!(holed_indirect < 0.75 * direct && holed_direct < 0.75 * indirect, "each signal counts its own samples");
 }
 
 fn holes_that_nothing_fills_are_counted() {
     let config = Config { sampling: Sampling::OneOf2x2, ..Config::new(EXTENT) };
     // A block of 8×6 pixels without a sample: the 6×4 in its middle see none.
-    let (_, counted) = error(&config, |_, g| {
+    let (_, counted, _) = error(&config, |_, g| {
         for (x, y) in pixels([8, 6]) {
             g.noisy_radiance[((y + 60) * EXTENT[0] + x + 20) as usize] = [f32::NAN; 4];
         }

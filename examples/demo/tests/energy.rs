@@ -5,9 +5,9 @@ mod support;
 use std::sync::Arc;
 
 use atrous_demo::scene::{Environment, Material, View};
-use atrous_demo::{LightSampling, Scene, SceneOptions, TracerOptions};
+use atrous_demo::{LightSampling, Noise, Scene, SceneOptions, TracerOptions};
 use glam::{vec3, Affine3A, Vec3};
-use support::{built_in, cube, mean, render, rgb, tracer, Validated};
+use support::{built_in, cube, mean, render, rgb, tracer, Validated, SMALL};
 
 fn view(eye: Vec3) -> View {
     View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 0.9 }
@@ -79,6 +79,36 @@ fn the_ways_of_finding_lights_agree() {
         assert_near(name, means[1], means[0], 0.02);
         assert_near(name, means[2], means[0], 0.02);
     }
+}
+
+/// Blue noise is as large as white noise, and cancels in a neighbourhood.
+#[test]
+fn blue_noise_cancels_in_a_neighbourhood() {
+    let Some(gpu) = Validated::new() else { return };
+    const FRAMES: u32 = 16;
+    let still = SceneOptions { static_light: true, static_camera: true, static_objects: true };
+    let scene = built_in("cornell", still);
+    // Mean squares of the error of pixels, and of that of means over 2x2 pixels.
+    let errors = |noise: Noise| {
+        let mut tracer = tracer(&gpu, &scene, TracerOptions { noise, ..Default::default() });
+        let reference = tracer.render_reference(1024, |_, _| ()).expect("a reference").direct;
+        let [mut of_pixels, mut of_means] = [0.0; 2];
+        for frame in 0..FRAMES {
+            render(&gpu, &mut tracer, frame);
+            let direct = rgb(gpu.0.read_image(&tracer.outputs().direct).expect("direct"));
+            let error: Vec<_> = direct.iter().zip(&reference).map(|(noisy, clean)| f64::from(noisy[1] - clean[1])).collect();
+            let wide = SMALL.width as usize;
+            let of_block = |x: usize, y: usize| [0, 1, wide, wide + 1].iter().map(|i| error[y * wide + x + i]).sum::<f64>() / 4.0;
+            let blocks = (0..SMALL.height as usize).step_by(2).flat_map(|y| (0..wide).step_by(2).map(move |x| (x, y)));
+            of_pixels += error.iter().map(|e| e * e).sum::<f64>() / error.len() as f64;
+            of_means += blocks.map(|(x, y)| of_block(x, y).powi(2)).sum::<f64>() * 4.0 / error.len() as f64;
+        }
+        [of_pixels, of_means]
+    };
+    let ([white, white_means], [blue, blue_means]) = (errors(Noise::White), errors(Noise::Blue));
+    println!("errors of pixels: white {white:.4}, blue {blue:.4}; of means: white {white_means:.4}, blue {blue_means:.4}");
+    assert_near("blue noise", blue, white, 0.15);
+    assert!(blue_means < 0.75 * white_means, "{blue_means} of {white_means}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 mod support;
 
+use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -95,6 +96,29 @@ fn experiments_and_the_rows_of_some_scenes_stand_in_the_report() {
     succeeded(evaluate(&out, &arguments));
     assert!(!out.join("experiments/flicker/change.png").exists(), "a finished experiment was done again");
     assert_eq!(fs::read_to_string(out.join("quality.md")).expect("a table"), table);
+}
+
+/// Two filters of an experiment that give the same picture are one filter: what tells them apart was not set.
+#[test]
+fn every_experiment_compares_filters_that_differ() {
+    let Some(_gpu) = Validated::new() else { return };
+    let out = empty("evaluate_filters");
+    let all = ["still", "strata", "other", "eaw", "energy"];
+    let asked: Vec<_> = all.iter().flat_map(|name| ["--experiment", name]).collect();
+    succeeded(evaluate(&out, &[&["--scene", "cornell", "--filter", "EAW"], &asked[..]].concat()));
+    for experiment in all {
+        let text = fs::read_to_string(out.join("experiments").join(experiment).join("findings.json")).expect("findings");
+        let kept: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+        for table in kept["findings"]["tables"].as_array().expect("tables") {
+            let rows = table["rows"].as_array().expect("rows");
+            let name = |row: &serde_json::Value| row[0].as_str().expect("a name").to_owned();
+            // The fifth level is already wider than a picture of 48x27 pixels.
+            let rows: Vec<_> = rows.iter().filter(|row| !name(row).ends_with("10 levels")).collect();
+            let first = |row: &serde_json::Value| row[1][0].as_f64().expect("a figure").to_bits();
+            let different: HashSet<_> = rows.iter().map(|row| first(row)).collect();
+            assert!(rows.len() > 1 && different.len() == rows.len(), "{experiment}: {rows:?}");
+        }
+    }
 }
 
 #[test]

@@ -29,8 +29,9 @@ fn apart(source: Option<Gradients>) -> Result<Declaration, Error> {
     g.finish()
 }
 
-/// The least confidence in each history, diffuse and specular, in a frame in which their light is so many times brighter.
-fn confidence_after([diffuse, specular]: [f32; 2]) -> [f32; 2] {
+/// The least confidence in each history, diffuse and specular, in a frame in which their light is so many times brighter; and the
+/// radiance of both in the middle.
+fn after([diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
     let mut engine = Engine::new(apart(None).expect("valid")).expect("twins").keep_transients();
     for i in 0..5 {
         let light = |scale| Image::new(EXTENT, if i == 4 { [scale, scale, scale, 0.0] } else { [1.0, 1.0, 1.0, 0.0] });
@@ -44,17 +45,24 @@ fn confidence_after([diffuse, specular]: [f32; 2]) -> [f32; 2] {
         }
         engine.run(&FrameParams { reshaded: true, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("frame");
     }
-    ["history_confidence", "history_confidence_specular"].map(|name| match engine.texels(name, UseFrame::Current).expect(name) {
+    let confidence = |name| match engine.texels(name, UseFrame::Current).expect(name) {
         Texels::Scalar(image) => image.texels().iter().copied().fold(f32::INFINITY, f32::min),
         other => panic!("{name} is {}", other.kind()),
-    })
+    };
+    let Ok(Texels::Colour(denoised)) = engine.texels("denoised_radiance", UseFrame::Current) else { panic!("a picture") };
+    (["history_confidence", "history_confidence_specular"].map(confidence), denoised.at(glam::IVec2::splat(12))[0])
 }
 
 #[test]
 fn light_that_changes_in_reflections_alone_leaves_diffuse_light_its_history() {
-    assert_eq!(confidence_after([1.0, 1.0]), [1.0, 1.0]);
-    assert_eq!(confidence_after([1.0, 4.0]), [1.0, 0.0]);
-    assert_eq!(confidence_after([4.0, 1.0]), [0.0, 1.0]);
+    // Where a history counts for nothing, the light of the frame is all there is: the sum of both.
+    for (light, confidence, radiance) in
+        [([1.0, 1.0], [1.0, 1.0], 2.0), ([1.0, 4.0], [1.0, 0.0], 5.0), ([4.0, 1.0], [0.0, 1.0], 5.0)]
+    {
+        let (given, sum) = after(light);
+        assert_eq!(given, confidence, "{light:?}");
+        assert!((sum - radiance).abs() < 0.01, "{light:?}: {sum}");
+    }
 }
 
 #[test]
