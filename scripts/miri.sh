@@ -27,6 +27,11 @@ step --package atrous-files --lib -- files_are_read
 # What declares every preset, or filters more than a few pixels, takes minutes a test.
 step --package atrous-capi --no-default-features --lib -- --skip names_and_uses_fit
 step --package atrous --no-default-features --features host-stages --lib -- \
-    choice:: contract::access contract::alias reference::binary16 graph::tests::matching graph::tests::whole::a_cycle
+    choice:: contract::access contract::alias contract::format contract::history_watch contract::tuning reference::binary16 \
+    graph::tests::matching graph::tests::whole::a_cycle
+# The twins that look at few pixels at once.
+step --package atrous --no-default-features --features host-stages --lib -- \
+    nodes::adaptive_alpha nodes::block_percentiles nodes::demodulate nodes::fill_holes nodes::modulate nodes::sample_albedo \
+    nodes::shadowed_light nodes::tone_map nodes::visibility_samples nodes::volume_points
 echo
 echo "miri.sh: all passed"
