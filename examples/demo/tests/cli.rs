@@ -52,6 +52,18 @@ fn a_run_of_each_preset_leaves_strips_a_sequence_and_a_table() {
 }
 
 #[test]
+fn a_capture_is_of_the_default_preset_and_has_references() {
+    let Some(_gpu) = Validated::new() else { return };
+    let (out, _) = run("cli_capture", &["--capture"]);
+    let text = std::fs::read_to_string(out.join("cornell/capture_best/sequence.json")).expect("a capture of `best`");
+    assert!(text.replace(' ', "").contains("\"preset\":\"best\""), "{text}");
+    for frame in 0..3 {
+        let reference = out.join(format!("cornell/capture_best/frame_{frame:04}_ref.exr"));
+        assert_eq!(reference.is_file(), frame > 0, "{}", reference.display());
+    }
+}
+
+#[test]
 fn a_comparison_has_every_preset_in_one_table() {
     let Some(_gpu) = Validated::new() else { return };
     let (out, stdout) = run("cli_compare", &["--compare", "--eaw-weights", "rt,normal"]);

@@ -311,12 +311,17 @@ fn transition(resource: &mut Tracked, id: ResourceId, copy: usize, next: Resourc
     *touched = true;
     let barrier = Barrier { target: target(is_image, id, copy), from: *state, to: next, discard };
     let relayout = is_image && state.layout != next.layout;
-    if !state.writes() && !next.writes() && !relayout && barrier.queue_families().is_none() {
-        state.merge(&next);
+    if state.writes() || next.writes() || relayout || barrier.queue_families().is_some() {
+        found.push(barrier.acquire());
+        *state = next;
         return;
     }
-    found.push(barrier.acquire());
-    *state = next;
+    // What was written before is visible to the reads that met so far, and to no others.
+    let is_visible = state.is_visible_to(&next);
+    state.merge(&next);
+    if !is_visible {
+        found.push(Barrier { to: *state, ..barrier }.acquire());
+    }
 }
 
 #[cfg(test)]

