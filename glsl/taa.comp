@@ -94,10 +94,14 @@ Neighbourhood neighbourhood(ivec2 p) {
     return Neighbourhood(sum / weight_sum, centre + first, sqrt(max(second / count - first * first, 0.0)));
 }
 
+// Half a step of an 8-bit display in the middle. Less is the rounding of halves, by which a grey neighbourhood, a box without any width
+// in chroma, would lose its whole history.
+const float SMALLEST_BOX = 1.0 / 512.0;
+
 // Towards the mean and not per channel, which would shift the hue.
 vec3 clip_to_box(vec3 history, Neighbourhood around) {
     vec3 offset = ycocg(history) - around.mean;
-    vec3 extent = max(push.taa_gamma * around.deviation, 1e-6);
+    vec3 extent = max(push.taa_gamma * around.deviation, max(SMALLEST_BOX * around.mean.x, 1e-6));
     vec3 ratio = abs(offset) / extent;
     return rgb(around.mean + offset / max(1.0, max(ratio.x, max(ratio.y, ratio.z))));
 }

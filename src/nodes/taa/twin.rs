@@ -112,6 +112,10 @@ fn from_ycocg(c: Vec3) -> Vec3 {
     Vec3::new(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z)
 }
 
+/// The smallest half side of the box that history is clipped to, over the mean luma: half a step of an 8-bit display in the middle. Less
+/// is the rounding of halves, by which a grey neighbourhood, a box without any width in chroma, would lose its whole history.
+const SMALLEST_BOX: f32 = 1.0 / 512.0;
+
 /// The history moved towards the mean of the neighbourhood until it is within `gamma` deviations, in YCoCg.
 fn clip(gamma: f32, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, history: Vec3) -> Vec3 {
     let neighbours = || rect.window(p, 1, 1).map(|(_, q)| to_ycocg(rgb(image, q)));
@@ -120,8 +124,8 @@ fn clip(gamma: f32, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, history
     let variance = neighbours().map(|c| (c - mean) * (c - mean)).sum::<Vec3>() / number;
     let half_size = gamma * Vec3::new(variance.x.sqrt(), variance.y.sqrt(), variance.z.sqrt());
     let distance = to_ycocg(history) - mean;
-    // A box of no size: anything beside the mean is outside.
-    let excess = (distance.abs() / half_size.max(Vec3::splat(1e-6))).max_element();
+    let smallest = (SMALLEST_BOX * mean.x).max(1e-6);
+    let excess = (distance.abs() / half_size.max(Vec3::splat(smallest))).max_element();
     from_ycocg(if excess > 1.0 { mean + distance / excess } else { mean + distance }).max(Vec3::ZERO)
 }
 

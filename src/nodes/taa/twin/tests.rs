@@ -115,6 +115,19 @@ fn history_is_clipped_to_the_neighbourhood() {
 }
 
 #[test]
+fn a_grey_neighbourhood_keeps_a_history_that_rounding_tinted() {
+    let grey = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.4 } else { 0.6 }; 4].map(round_to_half));
+    let history = |red| Image::new(EXTENT, [red, 0.55, 0.55, 1.0].map(round_to_half));
+    let at = |red| run(&frame(EXTENT), &flat(EXTENT), &grey, Some(&history(red))).at(IVec2::new(5, 5))[1];
+    let grey = at(0.55);
+    assert!(grey > 0.53, "{grey}");
+    // The next half above: it must not decide whether the history is kept.
+    assert!((at(0.5505) - grey).abs() < 1e-3, "{} for {grey}", at(0.5505));
+    // A colour that is there to see is clipped.
+    assert!((at(0.65) - grey).abs() > 0.02, "{} for {grey}", at(0.65));
+}
+
+#[test]
 fn history_follows_the_nearest_surface() {
     // A near object moves by 2 pixels to the right: at its edge the background pixel beside it takes the object's motion.
     let mut scene = guides(EXTENT, |x, _| surface(if x < 6 { 2.0 } else { 9.0 }));
