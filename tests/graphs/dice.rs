@@ -2,6 +2,7 @@
 
 use crate::support::scene::hash;
 
+#[derive(Clone)]
 pub struct Dice {
     seed: u32,
     thrown: u32,

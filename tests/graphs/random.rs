@@ -84,8 +84,11 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
         dice.one_of(&[Rule::None, Rule::ChangeTest, Rule::Percentiles, Rule::Gradients, Rule::Gradients, Rule::HostConfidence]);
     let mut change = change_of_light(g, dice, guides, &noisy, rule, output);
     let Change { gradient, samples, .. } = change;
-    let has_holes = matches!(rule, Rule::None | Rule::HostConfidence);
-    let sampling = if has_holes { dice.one_of(&[Sampling::OneOf2x2, Sampling::OneOf4x4]) } else { Sampling::Full };
+    let sampling = match rule {
+        Rule::None | Rule::HostConfidence => dice.one_of(&[Sampling::OneOf2x2, Sampling::OneOf4x4]),
+        // Without a throw of the dice, so that other seeds stay what they were.
+        _ => dice.clone().one_of(&[Sampling::Full, Sampling::OneOf2x2, Sampling::OneOf4x4]),
+    };
     let demodulate = Demodulate { albedo: divisor(albedo), gradient, samples, sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
@@ -101,8 +104,13 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
         _ => {}
     }
     let alpha = dice.one_of(&[Value::Own, Value::Fixed(0.05), Value::Tunable("volume_alpha")]);
-    let accumulation =
-        Accumulation { confidence: change.confidence, repair: dice.coin(), alpha, holes: has_holes, ..Accumulation::default() };
+    let accumulation = Accumulation {
+        confidence: change.confidence,
+        repair: dice.coin(),
+        alpha,
+        holes: sampling != Sampling::Full,
+        ..Accumulation::default()
+    };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);

@@ -108,7 +108,8 @@ impl Tracker {
     }
 
     /// Shares an input or an output with the host: each phase finds it in the state `before`, and [`Self::hand_back`] leaves it in
-    /// the state `after`. Between the phases it is the host's.
+    /// the state `after`. Between the phases it is the host's. A `before` of reads alone names every stage and access that the content
+    /// is visible to; others are ordered behind those by a barrier.
     pub fn share(&mut self, id: ResourceId, before: ResourceState, after: ResourceState) {
         self.set_state(id, 0, before);
         if let Some(resource) = self.resources.get_mut(id.0 as usize) {
