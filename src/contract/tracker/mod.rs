@@ -74,13 +74,22 @@ struct Copy {
     is_there: bool,
     /// Whether it was used since it was handed back.
     touched: bool,
+    /// Whether the device may have written it, so that reads have something to wait for.
+    was_written: bool,
+}
+
+impl Copy {
+    fn new(state: ResourceState, is_there: bool) -> Self {
+        let was_written = !(state.stage & !vk::PipelineStageFlags2::HOST).is_empty();
+        Self { state, is_there, touched: false, was_written }
+    }
 }
 
 impl Tracker {
     /// Starts with undefined content everywhere, and without inputs.
     pub fn new(declaration: &Declaration) -> Self {
         let passes = declaration.passes().iter().map(|p| TrackedPass { phase: p.phase, uses: p.uses.clone() }).collect();
-        let copy = |is_there| Copy { state: ResourceState::UNDEFINED, is_there, touched: false };
+        let copy = |is_there| Copy::new(ResourceState::UNDEFINED, is_there);
         let mut resources: Vec<_> = (declaration.resources().iter())
             .map(|resource| Tracked {
                 is_image: matches!(resource.shape, Shape::Image { .. }),
@@ -129,7 +138,7 @@ impl Tracker {
         if let Some(resource) = self.resources.get_mut(id.0 as usize) {
             resource.shared = None;
             if let Some(copy) = resource.copies.get_mut(copy) {
-                *copy = Copy { state, is_there: true, touched: false };
+                *copy = Copy::new(state, true);
             }
         }
     }
@@ -308,17 +317,17 @@ fn take_over(resources: &mut [Tracked], id: ResourceId, next: ResourceState, fou
 
 fn transition(resource: &mut Tracked, id: ResourceId, copy: usize, next: ResourceState, discard: bool, found: &mut Vec<Barrier>) {
     let is_image = resource.is_image;
-    let Copy { state, touched, .. } = &mut resource.copies[copy];
+    let Copy { state, touched, was_written, .. } = &mut resource.copies[copy];
     *touched = true;
     let barrier = Barrier { target: target(is_image, id, copy), from: *state, to: next, discard };
     let relayout = is_image && state.layout != next.layout;
     if state.writes() || next.writes() || relayout || barrier.queue_families().is_some() {
         found.push(barrier.acquire());
-        *state = next;
+        (*state, *was_written) = (next, true);
         return;
     }
     // What was written before is visible to the reads that met so far, and to no others.
-    let is_visible = state.is_visible_to(&next);
+    let is_visible = !*was_written || state.is_visible_to(&next);
     state.merge(&next);
     if !is_visible {
         found.push(Barrier { to: *state, ..barrier }.acquire());

@@ -55,15 +55,14 @@ impl ResourceState {
         self.access.as_raw() & !READS.as_raw() != 0
     }
 
-    /// Whether reads of another state see what these reads saw, without a barrier between them. What the CPU alone wrote, or nobody,
-    /// everyone sees.
+    /// Whether reads of another state see what these reads saw, without a barrier between them.
     pub(super) fn is_visible_to(&self, reads: &Self) -> bool {
         use vk::{AccessFlags2 as A, PipelineStageFlags2 as S};
         let shader_reads = A::SHADER_SAMPLED_READ | A::SHADER_STORAGE_READ;
         let access = if self.access.contains(A::SHADER_READ) { self.access | shader_reads } else { self.access };
         let is_seen_by_stage = self.stage.contains(reads.stage) || self.stage.contains(S::ALL_COMMANDS);
         let is_seen_by_access = access.contains(reads.access) || access.contains(A::MEMORY_READ);
-        (self.stage & !S::HOST).is_empty() || is_seen_by_stage && is_seen_by_access
+        is_seen_by_stage && is_seen_by_access
     }
 
     pub(super) fn merge(&mut self, other: &Self) {

@@ -161,7 +161,7 @@ fn a_write_waits_for_every_read_before_it() {
     let (mut tracker, id) = (Tracker::new(&declaration), declaration.find("frame_constants").expect("a buffer"));
     let read = |stage| ResourceState::new(stage, A::SHADER_STORAGE_READ, L::UNDEFINED);
     assert_eq!(tracker.access(id, 0, read(S::FRAGMENT_SHADER), false), []);
-    tracker.access(id, 0, read(S::VERTEX_SHADER), false);
+    assert_eq!(tracker.access(id, 0, read(S::VERTEX_SHADER), false), []);
     let written = tracker.access(id, 0, Access::Clear.into(), true);
     assert_eq!(written.iter().map(|b| b.from.stage).collect::<Vec<_>>(), [S::FRAGMENT_SHADER | S::VERTEX_SHADER]);
 }
