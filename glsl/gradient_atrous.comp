@@ -97,15 +97,22 @@ void main() {
 #endif
         return;
     }
+#if RATIO
+    vec4 before = texel_at(before_in, s), now = texel_at(now_in, s);
+#endif
+    if (push.level >= FIRST_KEPT_LEVEL && centre.x == 0.0 && centre.y > 0.0) {
+        imageStore(gradient_out, s, centre);
+#if RATIO
+        imageStore(before_out, s, LAST ? light_ratio(before, now.rgb) : before);
+        imageStore(now_out, s, now);
+#endif
+        return;
+    }
     ivec2 p = pixel_of(s, packed);
-    bool is_unchanged = push.level >= FIRST_KEPT_LEVEL && centre.x == 0.0 && centre.y > 0.0;
     EdgeCentre surface = edge_centre(packed, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
     float sharpness = LOG2_E / (push.sigma_l * deviation_around(s, centre.w) + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
-#if RATIO
-    vec4 before = texel_at(before_in, s), now = texel_at(now_in, s);
-#endif
     int step_size = 1 << push.level;
     ivec2 last = ivec2(strata_of(frame.render_extent)) - 1;
     [[unroll]] for (int y = -1; y <= 1; ++y)
@@ -116,7 +123,7 @@ void main() {
             vec4 value = texel_at(gradient_in, tap);
             vec2 offset = vec2(pixel_of(tap, packed_t) - p);
             float geometry = log2_edge_weight(surface, packed_t, depth_sharpness(surface, offset));
-            bool counts = t == tap && !is_unchanged && unpack_depth(packed_t) != 0.0;
+            bool counts = t == tap && unpack_depth(packed_t) != 0.0;
             float weight = counts ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;
