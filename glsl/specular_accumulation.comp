@@ -182,7 +182,7 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         hit_distance = hit_distance_of(c.depth, mix(nearness_of(c.depth, hit_distance), surface.nearness, share));
     }
     float curvature = mean_curvature(c.mirror), share = mirror_share(roughness);
-    float tolerance = 0.5 + 0.5 * radius;
+    float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature), roughness));
     vec2 position = c.mirror.surface_position;
     Reflection r = Reflection(hit_distance, roughness);
     Past image = nothing();

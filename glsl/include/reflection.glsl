@@ -53,9 +53,10 @@ float hit_distance_of(float linear_depth, float nearness) {
     return nearness > 0.0 ? clamp(linear_depth * nearness / max(1.0 - nearness, 1e-6), 1.0 / 16384.0, FARTHEST_HIT) : 0.0;
 }
 
-// Distance behind a surface of the image of what it reflects. Convex surfaces, of positive curvature, pull it near.
-float image_distance(Reflection r, float curvature) {
-    return r.hit_distance * mirror_share(r.roughness) / max(1.0 + 2.0 * curvature * r.hit_distance, 0.1);
-}
+// Distance behind a mirror of the image of what it reflects. Convex surfaces, of positive curvature, pull it near.
+float mirror_image_distance(float hit_distance, float curvature) { return hit_distance / max(1.0 + 2.0 * curvature * hit_distance, 0.1); }
+
+// The same for a surface of any roughness: what its lobe shows moves as if it were nearer.
+float image_distance(Reflection r, float curvature) { return mirror_image_distance(r.hit_distance, curvature) * mirror_share(r.roughness); }
 
 #endif

@@ -40,12 +40,12 @@ bool curvature_towards(Mirror c, ivec2 offset, out float curvature) {
     return true;
 }
 
-// The flatter side of each axis counts: where two faces meet, the other one tells of the edge.
+// The flatter side of each axis counts: where two faces meet, the other one tells of the edge. At an outline, the side that there is.
 float curvature_along(Mirror c, ivec2 axis) {
     float before, behind;
     bool has_before = curvature_towards(c, -CURVATURE_REACH * axis, before);
     bool has_behind = curvature_towards(c, CURVATURE_REACH * axis, behind);
-    if (!has_before || !has_behind) return 0.0;
+    if (!has_before || !has_behind) return has_before ? before : behind;
     return abs(before) < abs(behind) ? before : behind;
 }
 

@@ -75,9 +75,14 @@ pub(crate) fn lobe_radius(frame: &FrameConstants, linear_depth: f32, seen: SeenR
     (lobe_width(seen.roughness) * seen.hit_distance / pixel).min(FARTHEST_HIT)
 }
 
-/// Distance behind the surface of the image of what it mirrors: 1/d' = 1/d + 2κ, times the share that is mirrored.
+/// Distance behind a mirror of the image of what it reflects: 1/d' = 1/d + 2κ. Convex surfaces pull it near.
+pub(crate) fn mirror_image_distance(hit_distance: f32, curvature: f32) -> f32 {
+    hit_distance / (1.0 + 2.0 * curvature * hit_distance).max(0.1)
+}
+
+/// The same for a surface of any roughness: what its lobe shows moves as if it were nearer.
 pub(crate) fn image_distance(seen: SeenReflection, curvature: f32) -> f32 {
-    seen.hit_distance * mirror_share(seen.roughness) / (1.0 + 2.0 * curvature * seen.hit_distance).max(0.1)
+    mirror_image_distance(seen.hit_distance, curvature) * mirror_share(seen.roughness)
 }
 
 /// The hit distance as a share of the way from the eye; 0 of the background, too.

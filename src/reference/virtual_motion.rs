@@ -65,12 +65,11 @@ impl<'a> VirtualMotion<'a> {
         Vec4::from(self.projections.world_point(p.into(), linear_depth)).xyz()
     }
 
-    /// That of the flatter side: where two faces meet, the other side tells of the edge.
+    /// That of the flatter side: where two faces meet, the other side tells of the edge. At an outline, of the side that there is.
     fn curvature_along(&self, mirror: &Mirror, axis: IVec2) -> f32 {
         match (self.curvature_towards(mirror, -REACH * axis), self.curvature_towards(mirror, REACH * axis)) {
             (Some(before), Some(behind)) if before.abs() < behind.abs() => before,
-            (Some(_), Some(behind)) => behind,
-            _ => 0.0,
+            (before, behind) => behind.or(before).unwrap_or(0.0),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
 use crate::reference::projection::extent_ratio;
 use crate::reference::reflection::{
-    hit_distance_of, lobe_radius, lobe_width, mirror_share, nearness, unpack_reflection, SeenReflection,
+    hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_reflection, SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
 use glam::{IVec2, Vec2, Vec4Swizzles};
@@ -72,7 +72,8 @@ impl Scene<'_> {
             seen.hit_distance = hit_distance_of(depth, now + share * (past.nearness - now));
         }
         let (curvature, share) = (self.motion.mean_curvature(&c.mirror), mirror_share(seen.roughness));
-        let tolerance = 0.5 + 0.5 * radius;
+        let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature), ..*seen };
+        let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
         let position_of = |seen| self.motion.image_position(&c.mirror, curvature, seen);
         let position = Some(*seen).filter(|seen| seen.hit_distance > 0.0).and_then(position_of);
         let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));

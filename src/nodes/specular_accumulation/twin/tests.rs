@@ -204,7 +204,9 @@ fn a_ball_is_as_curved_as_its_radius_says() {
     let tuning = tuning();
     let scene = Scene::new(&frame, &tuning, &inputs);
     let curvature = |p: IVec2| scene.motion.mean_curvature(&scene.motion.mirror(p, [0.0; 2]));
-    for p in [IVec2::new(32, 32), IVec2::new(26, 35)] {
+    // The last is on the outline, with the background 3 pixels to its left.
+    let outline = (0..64).find(|x| !scene.motion.surfaces.at(IVec2::new(*x, 32)).is_background()).expect("a ball");
+    for p in [IVec2::new(32, 32), IVec2::new(26, 35), IVec2::new(outline, 32)] {
         assert!((curvature(p) * radius - 1.0).abs() < 0.2, "{p}: {}", curvature(p));
     }
     let flat = Wall::new(0.0, 4.0, 0.0);
@@ -212,6 +214,28 @@ fn a_ball_is_as_curved_as_its_radius_says() {
     let scene = Scene::new(&flat.frame, &tuning, &inputs);
     let p = IVec2::new(10, 8);
     assert_eq!(scene.motion.mean_curvature(&scene.motion.mirror(p, [0.0; 2])), 0.0);
+}
+
+/// A lobe of a convex surface is as narrow on the screen as the image of what it shows, and so is what may be off in its past.
+#[test]
+fn the_lobe_of_a_curved_surface_tolerates_less() {
+    let (hit_distance, roughness) = (50.0, 0.8);
+    let mut wall = Wall::new(STEP, hit_distance, roughness);
+    let bent = |x: i32| Surface { normal: Vec3::new(0.2 * (x - 15) as f32, 0.0, 1.0).normalize().into(), ..surface(WALL) };
+    wall.guides.guide = paint(EXTENT, |x, _| pack_guide(&bent(x)));
+    // Another finish: the past at the image's place is worth less than a frame.
+    let past = SeenReflection { hit_distance, roughness: 0.4 };
+    wall.reflection = Image::new(EXTENT, pack_reflection(&past, None));
+    let tuning = Tuning { normal_tolerance: -1.0, ..tuning() };
+    let outputs = specular_accumulation(&wall.frame, &tuning, &wall.inputs());
+    let length = crate::reference::unpack_moments(outputs.moments.at(IVec2::new(15, 8))).history_length;
+
+    let image = hit_distance / (1.0 + 0.4 * hit_distance);
+    let radius = roughness * roughness * image * FOCAL / (WALL + image);
+    let seen_at = image * crate::reference::reflection::mirror_share(roughness);
+    let error = STEP * FOCAL / WALL - STEP * FOCAL / (WALL + seen_at);
+    let expected = 1.0 + 0.5 * (1.0 + radius) / error;
+    assert!((length - expected).abs() < 0.25, "{length} for {expected}");
 }
 
 #[test]
