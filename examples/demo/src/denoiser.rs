@@ -38,8 +38,9 @@ pub struct DenoiserOptions {
     pub tuning: Tuning,
     /// The output `debug_view`: see [`FrameDenoiser::view`]. What it shows lives until the end of the frame, so transients share less memory.
     pub debug_view: bool,
-    /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart: its reflections are
-    /// followed as they move, and lose their history to gradients that see the same movement.
+    /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart and no medium lies before
+    /// it: its reflections are followed as they move, and lose their history to gradients that see the same movement. In a medium all
+    /// light depends on the eye.
     pub sample_eye: Option<SampleEye>,
     /// A graph in place of that of the preset, which says what the inputs are.
     pub graph: Option<GraphOfConfig>,
@@ -69,9 +70,9 @@ impl DenoiserOptions {
         }
     }
 
-    fn sample_eye(&self) -> SampleEye {
-        let by_signals = if self.signals == Signals::Specular { SampleEye::Kept } else { SampleEye::Current };
-        self.sample_eye.unwrap_or(by_signals)
+    fn sample_eye(&self, tracer: &PathTracer) -> SampleEye {
+        let follows = self.signals == Signals::Specular && tracer.volume().is_none();
+        self.sample_eye.unwrap_or(if follows { SampleEye::Kept } else { SampleEye::Current })
     }
 
     fn config(&self, tracer: &PathTracer) -> Config {
@@ -144,7 +145,7 @@ impl FrameDenoiser {
         let (stage, access) = (vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_WRITE);
         executor.bind_buffer("instance_transforms", transforms.handle, transforms.size, stage, access)?;
         let reshades = executor.denoiser().declaration().find("gradient_samples").is_some();
-        let reshading = if reshades { Some(tracer.reshading(config.stratum_size, options.sample_eye())?) } else { None };
+        let reshading = if reshades { Some(tracer.reshading(config.stratum_size, options.sample_eye(tracer))?) } else { None };
         if let Some(reshading) = &reshading {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;

@@ -103,7 +103,7 @@ pub struct Options {
     /// Noise of the path tracer: white, independent from pixel to pixel, or blue, whose errors cancel in a neighbourhood
     #[arg(long, value_enum, default_value_t)]
     pub noise: Noise,
-    /// Eye for which samples are shaded again: that of the frame, or the one that saw the sample first; default: current, kept where specular light is apart
+    /// Eye for which samples are shaded again: that of the frame, or the one that saw the sample first; default: current; kept where specular light is apart and there is no fog
     #[arg(long, value_enum)]
     pub sample_eye: Option<SampleEye>,
 }

@@ -78,6 +78,15 @@ fn a_highlight_that_moves_with_the_camera_is_seen() {
     assert!(seen[0] == 0 && seen[1..].iter().all(|changed| 5 * changed > pixels), "{seen:?} of {pixels} pixels");
 }
 
+/// In fog by all filters: there the light of diffuse surfaces depends on the eye, too.
+#[test]
+fn fog_before_a_surface_is_seen_to_change_with_the_camera() {
+    let Some(gpu) = Validated::new() else { return };
+    let seen = changes(&gpu, "fog", false, DenoiserOptions::new(Preset::Best));
+    let pixels = (EXTENT.width * EXTENT.height) as usize;
+    assert!(seen[0] == 0 && seen[1..].iter().all(|changed| 5 * changed > pixels), "{seen:?} of {pixels} pixels");
+}
+
 #[test]
 fn flickering_light_leaves_half_of_the_error_of_svgf() {
     let Some(gpu) = Validated::new() else { return };
