@@ -69,22 +69,24 @@ fn where_nothing_changes_the_gradient_is_exactly_zero() {
     }
 }
 
-/// Samples are shaded for the eye of the frame \[ASVGF, Figure 1\].
-#[test]
-fn a_highlight_that_moves_with_the_camera_is_seen() {
+/// Samples are shaded for the eye of the frame: that the camera moves is a change on a fifth of the pixels.
+fn assert_the_camera_is_seen(name: &str, preset: Preset) {
     let Some(gpu) = Validated::new() else { return };
-    let seen = changes(&gpu, "glossy", false, DenoiserOptions::new(Preset::Asvgf));
+    let seen = changes(&gpu, name, false, DenoiserOptions::new(preset));
     let pixels = (EXTENT.width * EXTENT.height) as usize;
     assert!(seen[0] == 0 && seen[1..].iter().all(|changed| 5 * changed > pixels), "{seen:?} of {pixels} pixels");
 }
 
-/// In fog by all filters: there the light of diffuse surfaces depends on the eye, too.
+/// \[ASVGF, Figure 1\]
+#[test]
+fn a_highlight_that_moves_with_the_camera_is_seen() {
+    assert_the_camera_is_seen("glossy", Preset::Asvgf);
+}
+
+/// By all filters: there the light of diffuse surfaces depends on the eye, too.
 #[test]
 fn fog_before_a_surface_is_seen_to_change_with_the_camera() {
-    let Some(gpu) = Validated::new() else { return };
-    let seen = changes(&gpu, "fog", false, DenoiserOptions::new(Preset::Best));
-    let pixels = (EXTENT.width * EXTENT.height) as usize;
-    assert!(seen[0] == 0 && seen[1..].iter().all(|changed| 5 * changed > pixels), "{seen:?} of {pixels} pixels");
+    assert_the_camera_is_seen("fog", Preset::Best);
 }
 
 #[test]
