@@ -4,7 +4,6 @@
 // In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance (filter_ping), irradiance_history, moments (previous).
 //      Pixels without a sample (alpha -1) do not count.
 // Out: block_difference, four half floats a block: mean, deviation, pixels, mean luminance of the brighter side.
-#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -18,14 +17,14 @@ layout(push_constant) uniform Push {
 #include "nearest_history.glsl"
 #include "blocks.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = ROW_PIXELS) in;
 
-layout(set = 0, binding = 1) uniform utexture2D guide;
+layout(set = 0, binding = 1, rgba16ui) uniform restrict readonly uimage2D guide;
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
 layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
-layout(set = 0, binding = 5) uniform texture2D irradiance;
-layout(set = 0, binding = 6) uniform texture2D history;
+layout(set = 0, binding = 5, rgba16f) uniform restrict readonly image2D irradiance;
+layout(set = 0, binding = 6, rgba16f) uniform restrict readonly image2D history;
 layout(set = 0, binding = 7) uniform utexture2D previous_moments;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D block_difference;
 
@@ -37,51 +36,48 @@ struct Sums {
     float uncertainty;  // 1/N: what the noise of the history adds, relative to that of one sample
 };
 
-shared Sums sums[BLOCK_PIXELS];
+// Of the columns of the blocks in a row.
+shared Sums sums[ROW_PIXELS];
 
-Sums sums_of(ivec2 p) {
-    Sums result = Sums(0.0, 0.0, 0.0, 0.0, 0.0);
-    ivec2 tap;
-    if (!is_inside(p)) return result;
-    if (!nearest_history(p, texelFetch(guide, p, 0), surface_motion, depth_gradient, previous_guide, tap)) return result;
-    vec4 texel = texelFetch(irradiance, p, 0);
-    if (texel.a < 0.0) return result;
+// Without branches: software Vulkan masks them, and then reads images a lane at a time.
+Sums sums_of(ivec2 pixel) {
+    ivec2 p = min(pixel, ivec2(frame.render_extent) - 1), tap;
+    bool counts = nearest_history(p, imageLoad(guide, p), surface_motion, depth_gradient, previous_guide, tap);
+    vec4 texel = imageLoad(irradiance, p);
     float now = luminance(texel.rgb);
-    float before = min(luminance(texelFetch(history, tap, 0).rgb) * frame.exposure_ratio, 65504.0);
+    float before = min(luminance(imageLoad(history, tap).rgb) * frame.exposure_ratio, 65504.0);
     float history_length = unpack_moments(texelFetch(previous_moments, tap, 0)).history_length;
-    return Sums(1.0, now, before, (now - before) * (now - before), 1.0 / max(history_length, 1.0));
+    Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), 1.0 / max(history_length, 1.0));
+    if (counts && p == pixel && texel.a >= 0.0) return of_sample;
+    return Sums(0.0, 0.0, 0.0, 0.0, 0.0);
 }
 
-// Adds `count` entries, `stride` apart, to the first of them.
-void reduce(uint first, uint stride, uint count) {
-    Sums sum = sums[first];
-    // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
-    [[dont_unroll]] for (uint i = 1u; i < count; ++i) {
-        Sums other = sums[first + i * stride];
-        sum.count += other.count;
-        sum.now += other.now;
-        sum.before += other.before;
-        sum.squared_difference += other.squared_difference;
-        sum.uncertainty += other.uncertainty;
-    }
-    sums[first] = sum;
+void add(inout Sums sum, Sums other) {
+    sum.count += other.count;
+    sum.now += other.now;
+    sum.before += other.before;
+    sum.squared_difference += other.squared_difference;
+    sum.uncertainty += other.uncertainty;
 }
 
 void main() {
     uint i = gl_LocalInvocationIndex;
-    sums[i] = sums_of(ivec2(gl_GlobalInvocationID.xy));
+    ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
+    // Columns, then the sums of a block's columns: the order is fixed, and one barrier does.
+    Sums sum = sums_of(top);
+    for (int y = 1; y < BLOCK_SIZE; ++y) add(sum, sums_of(top + ivec2(0, y)));
+    sums[i] = sum;
     barrier();
-    // Rows, then the column of their sums: the order is fixed, and two barriers do.
-    if (i < 8u) reduce(i * 8u, 1u, 8u);
-    barrier();
-    if (i != 0u) return;
-    reduce(0u, 8u, 8u);
-    Sums sum = sums[0];
+    if (i >= ROW_BLOCKS) return;
+    ivec2 block = ivec2(gl_WorkGroupID.x * ROW_BLOCKS + i, gl_WorkGroupID.y);
+    if (!is_block(block)) return;
+    sum = sums[i * uint(BLOCK_SIZE)];
+    for (uint x = 1u; x < uint(BLOCK_SIZE); ++x) add(sum, sums[i * uint(BLOCK_SIZE) + x]);
     float inverse = 1.0 / max(sum.count, 1.0);
     float mean = (sum.now - sum.before) * inverse;
     float variance = max(0.0, sum.squared_difference * inverse - mean * mean) * (1.0 + sum.uncertainty * inverse);
     float brighter = max(sum.now, sum.before) * inverse;
     vec3 values = clamp(vec3(mean, sqrt(variance), brighter), -65504.0, 65504.0);
     uvec4 packed = uvec4(half_bits(values.x), half_bits(values.y), half_bits(sum.count), half_bits(values.z));
-    imageStore(block_difference, ivec2(gl_WorkGroupID.xy), packed);
+    imageStore(block_difference, block, packed);
 }

@@ -4,6 +4,7 @@
 // in both directions (docs/stages.md).
 // In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop); the least of the signals.
 // optional: block_difference_1
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -18,7 +19,7 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "blocks.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = ROW_PIXELS) in;
 
 const uint BLOCK_DIFFERENCE_1 = 3u;
 
@@ -31,23 +32,29 @@ float lin(float a, float b, float x) { return clamp((x - a) / (b - a), 0.0, 1.0)
 // A change of the mean that is smaller than this share of it is not worth the history, however certain it is.
 const float CHANGE_EPSILON = 0.01;
 
-// The 5x5 blocks around this one, and the change of the inner 3x3.
-shared vec4 blocks[25];
-shared float changes[9];
+// The blocks of the row with two around them, and the change of these with one around them.
+const uint WIDTH = ROW_BLOCKS + 4u;
+const uint CHANGES_WIDTH = ROW_BLOCKS + 2u;
+const uint CHANGES = CHANGES_WIDTH * 3u;
+shared vec4 blocks[WIDTH * 5u];
+shared float changes[CHANGES];
+
+ivec2 first_block() { return ivec2(gl_WorkGroupID.xy) * ivec2(ROW_BLOCKS, 1); }
 
 void load_blocks(utexture2D differences) {
     uint i = gl_LocalInvocationIndex;
-    if (i >= 25u) return;
-    ivec2 block = ivec2(gl_WorkGroupID.xy) + ivec2(int(i % 5u), int(i / 5u)) - 2;
+    if (i >= WIDTH * 5u) return;
+    ivec2 block = first_block() + ivec2(int(i % WIDTH), int(i / WIDTH)) - 2;
     uvec4 packed = is_block(block) ? texelFetch(differences, block, 0) : uvec4(0u);
     blocks[i] = vec4(half_value(packed.x), half_value(packed.y), half_value(packed.z), half_value(packed.w));
 }
 
 // 0 to 1: the mean difference over 3x3 blocks, in standard errors, against the threshold.
-float change_of(uint centre) {
+float change_of(uint corner) {
     float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0;
-    for (uint i = 0u; i < 9u; ++i) {
-        vec4 block = blocks[centre + i % 3u + 5u * (i / 3u) - 6u];
+    // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
+    [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
+        vec4 block = blocks[corner + i % 3u + WIDTH * (i / 3u)];
         count += block.z;
         sum += block.z * block.x;
         variance += block.z * block.y * block.y;
@@ -58,40 +65,50 @@ float change_of(uint centre) {
     return lin(push.change_threshold, 2.0 * push.change_threshold, errors);
 }
 
-float change_at(ivec2 p) {
-    vec2 position = block_position(p), corner = floor(position), f = position - corner;
-    ivec2 origin = ivec2(gl_WorkGroupID.xy) - 1;
-    float sum = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 offset = ivec2(i & 1, i >> 1);
-        ivec2 block = clamp(ivec2(corner) + offset, ivec2(0), block_extent() - 1) - origin;
-        float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        sum += weight * changes[block.x + 3 * block.y];
-    }
-    return sum;
-}
-
-float confidence_at(ivec2 p) {
+// Of the worst signal.
+void load_changes() {
     uint i = gl_LocalInvocationIndex;
+    uint corner = i % CHANGES_WIDTH + WIDTH * (i / CHANGES_WIDTH);
     float change = 0.0;
-    uint centre = 6u + i % 3u + 5u * (i / 3u);
     load_blocks(block_difference_0);
     barrier();
-    if (i < 9u) change = change_of(centre);
+    if (i < CHANGES) change = change_of(corner);
     if (is_present(BLOCK_DIFFERENCE_1)) {
         barrier();
         load_blocks(block_difference_1);
         barrier();
-        if (i < 9u) change = max(change, change_of(centre));
+        if (i < CHANGES) change = max(change, change_of(corner));
     }
-    if (i < 9u) changes[i] = change;
+    if (i < CHANGES) changes[i] = change;
     barrier();
-    return 1.0 - push.adaptivity * change_at(p);
+}
+
+// The changes of the blocks above, here and below, of the nearest existing ones in that column.
+vec3 column(int x) {
+    ivec2 last = block_extent() - 1, origin = first_block() - 1;
+    int row = int(gl_WorkGroupID.y), place = clamp(x, 0, last.x) - origin.x;
+    ivec3 rows = clamp(ivec3(row - 1, row, row + 1), 0, last.y) - origin.y;
+    return vec3(changes[place + rows.x * int(CHANGES_WIDTH)], changes[place + rows.y * int(CHANGES_WIDTH)],
+        changes[place + rows.z * int(CHANGES_WIDTH)]);
 }
 
 void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     // Every invocation of a workgroup takes part in the barriers.
-    float confidence = confidence_at(p);
-    if (is_inside(p)) imageStore(history_confidence, p, vec4(confidence));
+    load_changes();
+    ivec2 p = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
+    if (!is_inside(p)) return;
+    vec2 position = block_position(p), corner = floor(position);
+    vec3 left = column(int(corner.x)), right = column(int(corner.x) + 1);
+    float fraction = position.x - corner.x;
+    [[unroll]] for (int y = 0; y < BLOCK_SIZE; ++y) {
+        ivec2 q = p + ivec2(0, y);
+        float at = block_position(q).y, f = at - floor(at);
+        // The upper half of a block lies between its centre and that of the one above.
+        vec4 around = y < BLOCK_SIZE / 2 ? vec4(left.x, right.x, left.y, right.y) : vec4(left.y, right.y, left.z, right.z);
+        float change = (1.0 - fraction) * (1.0 - f) * around.x;
+        change += fraction * (1.0 - f) * around.y;
+        change += (1.0 - fraction) * f * around.z;
+        change += fraction * f * around.w;
+        if (is_inside(q)) imageStore(history_confidence, q, vec4(1.0 - push.adaptivity * change));
+    }
 }

@@ -1,10 +1,13 @@
-// Blocks of 8x8 pixels, which are the workgroups. Twin: src/reference/blocks.rs.
+// Blocks of 8x8 pixels, which are the workgroups, or eight of which in a row are a workgroup with an invocation a column: what invocations
+// share then is an eighth, and software Vulkan runs a workgroup once more for each barrier. Twin: src/reference/blocks.rs.
 #ifndef BLOCKS_GLSL
 #define BLOCKS_GLSL
 #include "frame.glsl"
 
 const int BLOCK_SIZE = 8;
 const uint BLOCK_PIXELS = 64u;
+const uint ROW_BLOCKS = 8u;
+const uint ROW_PIXELS = 64u;
 
 // Blocks that hold at least one pixel of the render extent.
 ivec2 block_extent() { return (ivec2(frame.render_extent) + (BLOCK_SIZE - 1)) / BLOCK_SIZE; }

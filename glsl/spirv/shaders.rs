@@ -125,15 +125,15 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
     ]),
 };
 pub(crate) static BLOCK_DIFFERENCE: Shader = Shader {
-    stage: Cow::Borrowed("block_difference"), name: Cow::Borrowed("block_difference"), spirv: Cow::Borrowed(include_bytes!("block_difference.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("block_difference"), name: Cow::Borrowed("block_difference"), spirv: Cow::Borrowed(include_bytes!("block_difference.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("irradiance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("history"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("irradiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
         ShaderBinding { number: 7, name: Cow::Borrowed("previous_moments"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 8, name: Cow::Borrowed("block_difference"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::WriteOnly), optional: false },
     ]),
@@ -161,7 +161,7 @@ pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
     ]),
 };
 pub(crate) static CHANGE_TEST: Shader = Shader {
-    stage: Cow::Borrowed("change_test"), name: Cow::Borrowed("change_test"), spirv: Cow::Borrowed(include_bytes!("change_test.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("change_test"), name: Cow::Borrowed("change_test"), spirv: Cow::Borrowed(include_bytes!("change_test.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },

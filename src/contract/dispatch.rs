@@ -60,6 +60,8 @@ pub(crate) enum Grid {
     Pixels,
     /// One a stratum of so many pixels a side, of this frame and of the previous one, which is walked, too.
     Strata(u32),
+    /// One a column of so many pixels of this frame.
+    Columns(u32),
 }
 
 impl PassDecl {

@@ -3,6 +3,7 @@
 pub(crate) mod twin;
 
 use super::BLOCK_SIZE;
+use crate::contract::Grid;
 use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};
 use crate::shaders;
 
@@ -22,6 +23,7 @@ impl Graph {
                 continue;
             };
             let pass = Pass::new(&node, &shaders::BLOCK_DIFFERENCE)
+                .grid(Grid::Columns(BLOCK_SIZE))
                 .bind("guide", guides.guide)
                 .previous("previous_guide", guides.guide)
                 .bind("surface_motion", guides.surface_motion)

@@ -2,7 +2,8 @@
 
 pub(crate) mod twin;
 
-use crate::contract::Lifetime;
+use super::BLOCK_SIZE;
+use crate::contract::{Grid, Lifetime};
 use crate::graph::{Confidence, Difference, Graph, Pass, Port, CONFIDENCE};
 use crate::shaders;
 
@@ -13,6 +14,7 @@ impl Graph {
         let node = self.node("change_test", &label);
         let confidence = self.named_image("history_confidence", &label, CONFIDENCE, 1, Lifetime::Transient);
         let pass = Pass::new(&node, &shaders::CHANGE_TEST)
+            .grid(Grid::Columns(BLOCK_SIZE))
             .bind("history_confidence", confidence)
             .each("block_difference", difference.images());
         self.add(pass);
