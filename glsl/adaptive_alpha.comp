@@ -6,6 +6,7 @@
 // Constants: STRATUM_SIZE, with SOURCE 0.
 // optional: light_ratio, other_confidence
 // variants: SOURCE=0 SOURCE=1
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
@@ -50,18 +51,17 @@ void add_stratum(inout Surroundings around, ivec2 s) {
     around.brightest = max(around.brightest, value.y);
     if (!is_present(LIGHT_RATIO)) return;
     vec4 ratio = texelFetch(light_ratio, s, 0);
-    if (ratio.a < 0.0) return;
-    around.least = min(around.least, ratio);
-    around.largest = max(around.largest, ratio);
+    bool known = ratio.a >= 0.0;
+    around.least = known ? min(around.least, ratio) : around.least;
+    around.largest = known ? max(around.largest, ratio) : around.largest;
 }
 
-// The 3x3 pixels lie in at most four strata.
+// The 3x3 pixels lie in at most 2x2 strata; one that is met again changes nothing.
 float confidence_at(ivec2 p) {
     ivec2 first = max(p - 1, ivec2(0)) / int(STRATUM_SIZE);
     ivec2 last = min(p + 1, ivec2(frame.render_extent) - 1) / int(STRATUM_SIZE);
     Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
-    for (int y = first.y; y <= last.y; ++y)
-        for (int x = first.x; x <= last.x; ++x) add_stratum(around, ivec2(x, y));
+    [[unroll]] for (int i = 0; i < 4; ++i) add_stratum(around, ivec2((i & 1) == 0 ? first.x : last.x, i < 2 ? first.y : last.y));
     if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return texelFetch(other_confidence, p, 0).x;
     if (around.least.a > around.largest.a) return 1.0 - around.change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
