@@ -1,11 +1,9 @@
 //! The command line: what it writes, and what it says when something is wrong.
 
-mod support;
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use support::Validated;
+use crate::support::Validated;
 
 fn demo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));

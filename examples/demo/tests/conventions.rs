@@ -1,14 +1,12 @@
 //! The library's own test of the guides, on the guides of a renderer: what is right is called right, and what is declared wrongly is named.
 
-mod support;
-
+use crate::support::{built_in, Validated};
 use ash::vk::Extent2D;
 use atrous::config::{Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit};
 use atrous::reference::Image;
 use atrous::FrameParams;
 use atrous_conventions::{check, Guides, Report, Verdict};
 use atrous_demo::{PathTracer, SceneOptions, TracerOptions};
-use support::{built_in, Validated};
 
 const EXTENT: Extent2D = Extent2D { width: 128, height: 72 };
 

@@ -1,14 +1,12 @@
 //! What the denoiser reaches on real path-traced input, inside the engine, under validation.
 
-mod support;
-
+use crate::support::{built_in, Validated, SMALL};
 use ash::vk::Extent2D;
 use atrous::config::{EawWeights, Preset, Signals};
 use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
-use support::{built_in, Validated};
 
-const EXTENT: Extent2D = Extent2D { width: 320, height: 180 };
+const EXTENT: Extent2D = Extent2D { width: 256, height: 144 };
 
 /// Scores of the noisy picture of the last of `frames` frames, and of each denoised one, lights and nothing else held still.
 fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptions]) -> Vec<Scores> {
@@ -83,7 +81,7 @@ fn two_runs_are_bit_identical() {
     let run = || {
         let scene = built_in("pillars", SceneOptions::default());
         let tracer_options = TracerOptions { jitter: true, ..TracerOptions::default() };
-        let mut tracer = PathTracer::new(&gpu.0, &scene, support::SMALL, tracer_options).expect("a path tracer");
+        let mut tracer = PathTracer::new(&gpu.0, &scene, SMALL, tracer_options).expect("a path tracer");
         let options = DenoiserOptions { taa: true, ..DenoiserOptions::new(Preset::Svgf) };
         let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
         for index in 0..5 {

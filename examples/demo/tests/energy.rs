@@ -1,13 +1,11 @@
 //! The light is right: known answers, ways of sampling that agree, and a reference that is the mean of the noise.
 
-mod support;
-
 use std::sync::Arc;
 
+use crate::support::{built_in, cube, mean, render, rgb, tracer, Validated, SMALL};
 use atrous_demo::scene::{Environment, Material, View};
 use atrous_demo::{LightSampling, Noise, Scene, SceneOptions, TracerOptions};
 use glam::{vec3, Affine3A, Vec3};
-use support::{built_in, cube, mean, render, rgb, tracer, Validated, SMALL};
 
 fn view(eye: Vec3) -> View {
     View { eye, target: Vec3::ZERO, up: Vec3::Y, vertical_fov: 0.9 }

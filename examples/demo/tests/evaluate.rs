@@ -1,13 +1,11 @@
 //! The command `evaluate`: what it writes, what it keeps, and what it refuses.
 
-mod support;
-
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use support::Validated;
+use crate::support::Validated;
 
 fn evaluate(out: &Path, arguments: &[&str]) -> Output {
     measuring(2, out, arguments)

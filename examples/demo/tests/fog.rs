@@ -1,16 +1,14 @@
 //! Fog: its estimator against a known answer and its own reference, and what the filter of volumes reaches beside that of surfaces.
 
-mod support;
-
 use std::sync::Arc;
 
+use crate::support::{built_in, cube, mean, render, rgb, tracer, Validated, SMALL};
 use ash::vk::Extent2D;
 use atrous::config::Preset;
 use atrous_demo::measure::Frame;
 use atrous_demo::scene::{Material, Medium, View};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, Scene, SceneOptions, TracerOptions};
 use glam::{vec3, Affine3A, Vec3};
-use support::{built_in, mean, render, rgb, tracer, Validated};
 
 /// Thin fog in front of a wall that shines evenly from all sides: what it scatters is its coefficient times the length of the ray.
 #[test]
@@ -19,14 +17,14 @@ fn thin_fog_in_even_light_is_as_bright_as_it_is_deep() {
     for anisotropy in [0.0, 0.6] {
         let view = View { eye: Vec3::ZERO, target: Vec3::NEG_Z, up: Vec3::Y, vertical_fov: 0.9 };
         let mut scene = Scene::new("furnace", view);
-        scene.place(support::cube(true), Material { emission: Vec3::ONE, ..Material::diffuse(Vec3::ZERO) }, Affine3A::IDENTITY);
+        scene.place(cube(true), Material { emission: Vec3::ONE, ..Material::diffuse(Vec3::ZERO) }, Affine3A::IDENTITY);
         let scattering = vec3(1e-3, 5e-4, 0.0);
         scene.medium = Some(Medium { scattering, extinction: 1e-3, anisotropy });
         let mut tracer = tracer(&gpu, &Arc::new(scene), TracerOptions::default());
         let reference = tracer.render_reference(512, |_, _| ()).expect("a reference");
         let volume = reference.volume.expect("a medium");
         // The far wall is a plane at depth 1: the ray of a pixel is as long as its direction with depth 1.
-        let [w, h] = [support::SMALL.width as f32, support::SMALL.height as f32];
+        let [w, h] = [SMALL.width as f32, SMALL.height as f32];
         let length = |i: usize| {
             let (x, y) = ((i % 32) as f32 + 0.5, (i / 32) as f32 + 0.5);
             let tangent = 0.45_f32.tan();

@@ -1,14 +1,12 @@
 //! Frames are the same every time, move as they say, and hold nothing that is not a number.
 
-mod support;
-
 use std::sync::Arc;
 
+use crate::support::{built_in, render, tracer, Validated, SMALL};
 use ash::vk::Extent2D;
 use atrous_demo::scene::BUILT_IN;
 use atrous_demo::{Error, Gpu, GpuOptions, Image, PathTracer, Scene, SceneOptions, TracerOptions};
 use glam::Vec3;
-use support::{built_in, render, tracer, Validated, SMALL};
 
 fn all_images(tracer: &PathTracer) -> Vec<&Image> {
     let outputs = tracer.outputs();

@@ -1,13 +1,11 @@
 //! glTF files: a whole one is seen, and a broken one is an error that names the file and the trouble.
 
-mod support;
-
 use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::support::{render, tracer, Validated};
 use atrous_demo::{Error, Scene, SceneOptions, TracerOptions};
-use support::{render, tracer, Validated};
 
 fn file(name: &str, content: &[u8]) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);

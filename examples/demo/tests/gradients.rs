@@ -1,13 +1,11 @@
 //! A-SVGF in the engine: gradient samples that are shaded again, under validation.
 
-mod support;
-
+use crate::support::{built_in, Validated};
 use ash::vk::Extent2D;
 use atrous::config::Preset;
 use atrous::DebugView;
 use atrous_demo::measure::Frame;
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SampleEye, SceneOptions, TracerOptions};
-use support::{built_in, Validated};
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
 

@@ -1,13 +1,11 @@
 //! Saved shaders, from the file to the pipeline.
 
-mod support;
-
 use std::path::{Path, PathBuf};
 
+use crate::support::{built_in, tracer, Validated};
 use atrous::config::Preset;
 use atrous_demo::hot_reload::{Compiled, Owner, Recompiled, ShaderFolders, ShaderWatch, Stale};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
-use support::{built_in, tracer, Validated};
 
 /// A copy of the GLSL, and its watch.
 struct Sources {

@@ -1,10 +1,8 @@
 //! Motion vectors and camera matrices agree.
 
-mod support;
-
+use crate::support::{built_in, render, tracer, Validated, SMALL};
 use atrous_demo::{Camera, SceneOptions, TracerOptions};
 use glam::{Mat4, Vec3, Vec4};
-use support::{built_in, render, tracer, Validated, SMALL};
 
 fn matrices(camera: &Camera) -> (Mat4, Mat4) {
     (Mat4::from_cols_array_2d(&camera.view_from_world), Mat4::from_cols_array_2d(&camera.clip_from_view))

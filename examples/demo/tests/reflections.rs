@@ -1,13 +1,11 @@
 //! Reflections: no older than the picture around them, and as good as the light that is not mirrored.
 
-mod support;
-
+use crate::support::{built_in, Validated};
 use ash::vk::Extent2D;
 use atrous::config::{Preset, Signals};
 use atrous_demo::measure::Frame;
 use atrous_demo::{DenoiserOptions, FrameDenoiser, Gpu, PathTracer, SceneOptions, TracerOptions};
 use atrous_quality::{rmse, Rgb};
-use support::{built_in, Validated};
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
 const PATHS: u32 = 64;

@@ -1,12 +1,10 @@
 //! The sun apart from the path: its estimator against the one of all light, and what the filter of its visibility reaches at the edges of shadows.
 
-mod support;
-
+use crate::support::{built_in, mean, render, rgb, tracer, Validated};
 use ash::vk::Extent2D;
 use atrous::config::Preset;
 use atrous_demo::shadows::{ShadowEdges, ShadowGuides};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
-use support::{built_in, mean, render, rgb, tracer, Validated};
 
 /// The light of the sun times its visibility, with the light that has none of it, is all light.
 #[test]

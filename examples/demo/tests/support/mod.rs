@@ -1,5 +1,4 @@
 //! A device under validation, and small pictures.
-#![allow(dead_code)] // each test binary uses a part of this
 
 use std::sync::Arc;
 
