@@ -150,11 +150,6 @@ impl Config {
         self.levels.unwrap_or(self.preset.levels())
     }
 
-    /// Whether some pixels have no sample.
-    pub(crate) fn has_holes(&self) -> bool {
-        self.sampling != Sampling::Full
-    }
-
     /// Whether a volume is filtered.
     pub(crate) fn has_volume(&self) -> bool {
         self.volume || self.preset == Preset::Volume

@@ -28,6 +28,8 @@ impl Image {
 pub struct Port<K> {
     images: [Image; 2],
     count: usize,
+    /// Whether a negative alpha marks pixels without a sample of their own.
+    holes: bool,
     kind: PhantomData<K>,
 }
 
@@ -43,12 +45,12 @@ impl<K> Copy for Port<K> {}
 impl<K> Port<K> {
     /// A port of one image. What is in it is up to the caller; its format is checked where it is read.
     pub fn of(image: Image) -> Self {
-        Self { images: [image; 2], count: 1, kind: PhantomData }
+        Self { images: [image; 2], count: 1, holes: false, kind: PhantomData }
     }
 
     pub(crate) fn of_images(images: &[Image]) -> Option<Self> {
         let (first, last) = (images.first()?, images.last()?);
-        (images.len() <= 2).then_some(Self { images: [*first, *last], count: images.len(), kind: PhantomData })
+        (images.len() <= 2).then_some(Self { images: [*first, *last], count: images.len(), holes: false, kind: PhantomData })
     }
 
     /// The images, one for each signal.
@@ -68,7 +70,7 @@ impl<K> Port<K> {
 
     /// The images of this port under another kind, for what two kinds have in common.
     pub(crate) fn cast<L>(self) -> Port<L> {
-        Port { images: self.images, count: self.count, kind: PhantomData }
+        Port { images: self.images, count: self.count, holes: false, kind: PhantomData }
     }
 }
 
@@ -152,6 +154,20 @@ pub type VisibilitySamples = Port<kind::VisibilitySamples>;
 pub type VisibilityAccumulated = Port<kind::VisibilityAccumulated>;
 /// Share of a light that is seen.
 pub type Visibility = Port<kind::Visibility>;
+
+impl Irradiance {
+    /// Says that a negative alpha marks pixels without a sample of their own, whose irradiance was filled in. The node `fill_holes`
+    /// says so of what it returns; for images that a stage of the host wrote. An accumulation keeps the history of such pixels, and
+    /// counts what was filled in for half a frame.
+    pub fn with_filled_holes(mut self) -> Self {
+        self.holes = true;
+        self
+    }
+
+    pub(crate) fn has_filled_holes(&self) -> bool {
+        self.holes
+    }
+}
 
 impl From<Accumulated> for Irradiance {
     fn from(accumulated: Accumulated) -> Self {

@@ -7,9 +7,9 @@ use crate::graph::{Graph, Guides, Irradiance, Pass, HDR};
 use crate::shaders;
 
 impl Graph {
-    /// Irradiance whose holes are filled, which [`Self::demodulate`] marked; one pass for every signal. Filled pixels keep their mark:
-    /// give the accumulation behind it [`holes`](crate::nodes::Accumulation::holes), so that it counts them for less than samples.
-    /// With [`Sampling::Full`] there are none, and the irradiance is returned as it came.
+    /// Irradiance whose holes are filled, which [`Self::demodulate`] marked; one pass for every signal. Filled pixels keep their mark,
+    /// and the accumulation behind it counts them for half a frame: see [`Irradiance::with_filled_holes`]. With [`Sampling::Full`]
+    /// there are none, and the irradiance is returned as it came.
     pub fn fill_holes(&mut self, guides: &Guides, irradiance: &Irradiance, sampling: Sampling) -> Irradiance {
         // As far as the one sample of a block of pixels may lie.
         let radius = match sampling {
@@ -29,6 +29,6 @@ impl Graph {
                 .bind("filled", *to);
             self.add(pass);
         }
-        self.renewed(&filled)
+        self.renewed(&filled).with_filled_holes()
     }
 }

@@ -15,8 +15,6 @@ pub struct SpecularAccumulation {
     pub feedback: Feedback,
     /// Confidence that may shorten the history of a pixel \[ASVGF\]. Default: none.
     pub confidence: Option<Confidence>,
-    /// Whether some pixels have no sample of their own, as in [`crate::nodes::Accumulation::holes`]. Default: false.
-    pub holes: bool,
     /// Smallest weight of the new sample. Default: [`crate::Tuning::alpha`].
     pub alpha: Value,
     /// Smallest weight of the new sample in the moments. Default: [`crate::Tuning::alpha_moments`].
@@ -52,7 +50,7 @@ impl Graph {
         let history = self.history(&accumulated, parameters.feedback);
         let reflection = self.named_image("reflection", &label, PACKED_32, 1, Lifetime::History);
         let pass = Pass::new(&node, &shaders::SPECULAR_ACCUMULATION)
-            .constant("HOLES", u32::from(parameters.holes))
+            .constant("HOLES", u32::from(irradiance.has_filled_holes()))
             .value("alpha", parameters.alpha)
             .value("alpha_moments", parameters.alpha_moments)
             .bind("guide", guides.guide)

@@ -17,9 +17,6 @@ pub struct Accumulation {
     /// Whether irradiance of the history is looked up by the cubic of Catmull and Rom, where 4×4 pixels show the surface. Else, and
     /// there, by 2×2 pixels, which blur a little more with every frame that moves. Default: false.
     pub sharp: bool,
-    /// Whether some pixels have no sample of their own, as the node `fill_holes` leaves them: these keep their history, and what was
-    /// filled in counts for half a frame. Each signal then has a history length of its own. Default: false.
-    pub holes: bool,
     /// Ratio of light by which history is scaled before the blend, with the confidence of the same gradients. Default: none.
     pub light_ratio: Option<LightRatio>,
     /// Smallest weight of the new sample in the irradiance. Default: [`crate::Tuning::alpha`].
@@ -35,7 +32,8 @@ pub struct Accumulation {
 }
 
 impl Graph {
-    /// Accumulates one or two signals in place. Their moments reach `history` by the node `variance`. \[SVGF\] 4.1, \[ASVGF\] 3.5.
+    /// Accumulates one or two signals in place. Their moments reach `history` by the node `variance`. Behind
+    /// [`Irradiance::with_filled_holes`] each has a history length of its own. \[SVGF\] 4.1, \[ASVGF\] 3.5.
     pub fn temporal_accumulation(
         &mut self,
         guides: &Guides,
@@ -48,7 +46,7 @@ impl Graph {
         let mut pass = Pass::new(&node, by_signals(irradiance, modules.0, modules.1))
             .constant("REPAIR", u32::from(accumulation.repair))
             .constant("SHARP", u32::from(accumulation.sharp))
-            .constant("HOLES", u32::from(accumulation.holes))
+            .constant("HOLES", u32::from(irradiance.has_filled_holes()))
             .value("alpha", accumulation.alpha)
             .value("alpha_moments", accumulation.alpha_moments)
             .value("max_history_length", accumulation.max_history_length)

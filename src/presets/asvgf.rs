@@ -22,7 +22,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
-    let accumulation = Accumulation { confidence: Some(change.confidence), holes: config.has_holes(), ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
     let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };

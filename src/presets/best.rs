@@ -40,8 +40,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
         None => g.host_confidence(),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
-    let holes = config.has_holes();
-    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, holes, ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);

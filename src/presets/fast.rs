@@ -23,7 +23,7 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let history = g.history(&irradiance, Feedback::Filtered);
     let difference = g.block_difference(guides, &irradiance, &history);
     let confidence = g.change_test(&difference);
-    let accumulation = Accumulation { confidence: Some(confidence), holes: config.has_holes(), ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let filtered = g.atrous(guides, &estimate, Atrous { feedback: Some(history), ..spatial });

@@ -23,8 +23,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             g.change_test(&difference)
         }
     };
-    let holes = config.has_holes();
-    let accumulation = Accumulation { confidence: Some(confidence), repair: true, holes, ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);

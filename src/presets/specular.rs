@@ -53,7 +53,7 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let own = gradient.map(|gradient| g.scope(SCOPE, |g| g.adaptive_alpha(&gradient)));
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let confidence = own.or(confidence);
-    let parameters = SpecularAccumulation { feedback, confidence, holes: config.has_holes(), ..SpecularAccumulation::default() };
+    let parameters = SpecularAccumulation { feedback, confidence, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, parameters);
     let estimate = g.variance(guides, &found.accumulated, &found.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(found.history);

@@ -15,12 +15,7 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
-    let accumulated = g.temporal_accumulation(
-        guides,
-        &irradiance,
-        &history,
-        Accumulation { holes: config.has_holes(), ..Accumulation::default() },
-    );
+    let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(guides, &accumulated, &history, Variance::default());
     let filtered = g.atrous(guides, &estimate, Atrous { levels: config.levels(), feedback: Some(history), ..Atrous::default() });
     let (radiance, reflection) = modulated(

@@ -104,13 +104,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
         _ => {}
     }
     let alpha = dice.one_of(&[Value::Own, Value::Fixed(0.05), Value::Tunable("volume_alpha")]);
-    let accumulation = Accumulation {
-        confidence: change.confidence,
-        repair: dice.coin(),
-        alpha,
-        holes: sampling != Sampling::Full,
-        ..Accumulation::default()
-    };
+    let accumulation = Accumulation { confidence: change.confidence, repair: dice.coin(), alpha, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);
