@@ -5,22 +5,40 @@ use crate::support::spy::{Spy, REFUSED};
 use crate::support::{assert_valid, gpu, scene::Scene, session, soak, upload};
 use ash::vk;
 use atrous::config::{PostProcess, Preset};
-use atrous::executor::{Executor, ExecutorOptions};
-use atrous::{Config, Error, FrameParams, Phase, Tuning};
+use atrous::executor::{Executor, ExecutorOptions, Session};
+use atrous::{Config, Error, FrameParams, Tuning};
 
 const EXTENT: [u32; 2] = [33, 21];
 
-/// A sequence of one preset, as hashable bits.
-fn sequence(preset: Preset) -> Vec<Vec<[u32; 4]>> {
-    let scene = Scene { speed: 0.1, ..Scene::new(EXTENT) };
-    let mut s = session(&Config { preset, ..Config::new(EXTENT) });
-    let frame = |index: u32| {
-        upload(&mut s, &scene.frame(index, index));
-        s.run(&FrameParams { reshaded: true, ..scene.params(index) }, &Tuning::default()).expect("a frame");
-        let texels = s.download("denoised_radiance").expect("an output");
+/// A session of one preset, and the bits of its pictures frame by frame.
+struct Sequence {
+    session: Session,
+    scene: Scene,
+    index: u32,
+}
+
+impl Sequence {
+    fn new(preset: Preset) -> Self {
+        let session = session(&Config { preset, ..Config::new(EXTENT) });
+        Self { session, scene: Scene { speed: 0.1, ..Scene::new(EXTENT) }, index: 0 }
+    }
+
+    fn frame(&mut self) -> Vec<[u32; 4]> {
+        upload(&mut self.session, &self.scene.frame(self.index, self.index));
+        let params = FrameParams { reshaded: true, ..self.scene.params(self.index) };
+        self.session.run(&params, &Tuning::default()).expect("a frame");
+        self.index += 1;
+        let texels = self.session.download("denoised_radiance").expect("an output");
         texels.into_iter().map(|texel| texel.map(f32::to_bits)).collect()
-    };
-    (0..soak::times(6)).map(frame).collect()
+    }
+
+    fn frames(&mut self, count: u32) -> Vec<Vec<[u32; 4]>> {
+        (0..count).map(|_| self.frame()).collect()
+    }
+}
+
+fn sequence(preset: Preset) -> Vec<Vec<[u32; 4]>> {
+    Sequence::new(preset).frames(soak::times(6))
 }
 
 pub fn four_threads_on_one_device_give_the_same_bits() {
@@ -32,6 +50,45 @@ pub fn four_threads_on_one_device_give_the_same_bits() {
     });
     for ((preset, alone), together) in presets.into_iter().zip(alone).zip(together) {
         assert!(alone == together, "{preset} has other bits beside three other threads");
+    }
+    assert_valid();
+}
+
+/// Presets of light on surfaces.
+const EXCHANGED: [Preset; 6] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw];
+
+/// One preset in the place of another on the same device, again and again, while a third goes on.
+pub fn presets_exchanged_at_run_time_give_their_own_bits() {
+    let mut alone = Sequence::new(Preset::Best).frames(2 * EXCHANGED.len() as u32).into_iter();
+    let mut goes_on = Sequence::new(Preset::Best);
+    let mut first = Vec::new();
+    for round in 0..2 {
+        for (i, preset) in EXCHANGED.into_iter().enumerate() {
+            let bits = Sequence::new(preset).frames(2);
+            assert!(Some(goes_on.frame()) == alone.next(), "best has other bits beside {preset}, round {round}");
+            match first.get(i) {
+                Some(first) => assert!(*first == bits, "{preset} has other bits when it comes back"),
+                None => first.push(bits),
+            }
+        }
+    }
+    assert!(first.windows(2).all(|pair| pair[0] != pair[1]), "two presets have the same bits");
+    assert_valid();
+}
+
+pub fn presets_exchanged_at_run_time_leave_nothing_behind() {
+    let spy = Spy::new();
+    for preset in EXCHANGED {
+        let config = Config { preset, ..Config::new(EXTENT) };
+        let mut rig = Rig::on(spy.host(vk::PipelineCache::null()), gpu(), &config, 1, ExecutorOptions::default());
+        rig.fill_inputs();
+        for index in 0..3 {
+            let params = FrameParams { frame_slot: index % 2, reshaded: true, ..FrameParams::new(EXTENT) };
+            rig.frame(&params);
+        }
+        assert!(!spy.live().is_empty(), "{preset} made nothing");
+        drop(rig);
+        assert!(spy.live().is_empty(), "{preset}: {:?} are left", spy.live());
     }
     assert_valid();
 }
@@ -88,13 +145,7 @@ pub fn a_thousand_frames_take_no_more_than_a_few() {
         }
         let extent = rig.executor.denoiser().declaration().allocated_extent();
         let params = FrameParams { frame_slot: index % 2, reshaded: true, ..FrameParams::new(extent) };
-        let frame = rig.executor.begin_frame(&params, &Tuning::default()).expect("a frame");
-        rig.submit(|rig, cmd| {
-            for phase in Phase::ALL {
-                // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
-                unsafe { rig.executor.record(cmd, &frame, phase) }.expect("recorded");
-            }
-        });
+        rig.frame(&params);
         if index % (each * extents.len() as u32) == each - 1 {
             let now = (spy.live(), rig.executor.allocated());
             println!("frame {index}: {} KiB resident, {} open files, {now:?}", resident(), open_files());

@@ -18,6 +18,8 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_picture_of_sky_alone_passes_untouched", extremes::a_picture_of_sky_alone_passes_untouched),
     ("every_tunable_may_be_at_either_end", extremes::every_tunable_may_be_at_either_end),
     ("four_threads_on_one_device_give_the_same_bits", endurance::four_threads_on_one_device_give_the_same_bits),
+    ("presets_exchanged_at_run_time_give_their_own_bits", endurance::presets_exchanged_at_run_time_give_their_own_bits),
+    ("presets_exchanged_at_run_time_leave_nothing_behind", endurance::presets_exchanged_at_run_time_leave_nothing_behind),
     ("a_refused_call_leaves_nothing_behind", endurance::a_refused_call_leaves_nothing_behind),
     ("a_thousand_frames_take_no_more_than_a_few", endurance::a_thousand_frames_take_no_more_than_a_few),
 ];

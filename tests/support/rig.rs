@@ -2,7 +2,7 @@
 
 use ash::vk;
 use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice, HostImage};
-use atrous::{Config, Device, Lifetime, ResourceId, Shape};
+use atrous::{Config, Device, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -109,6 +109,17 @@ impl Rig {
                     device.cmd_pipeline_barrier2(cmd, &vk::DependencyInfo::default().image_memory_barriers(&[barrier]));
                     device.cmd_clear_color_image(cmd, image, layout, &colour, &[whole()]);
                 }
+            }
+        });
+    }
+
+    /// A whole frame, in one submission.
+    pub fn frame(&mut self, params: &FrameParams) {
+        let frame = self.executor.begin_frame(params, &Tuning::default()).expect("a frame");
+        self.submit(|rig, cmd| {
+            for phase in Phase::ALL {
+                // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
+                unsafe { rig.executor.record(cmd, &frame, phase) }.expect("recorded");
             }
         });
     }
