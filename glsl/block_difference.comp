@@ -41,7 +41,7 @@ shared Sums sums[ROW_PIXELS];
 
 // Without branches: software Vulkan masks them, and then reads images a lane at a time.
 Sums sums_of(ivec2 pixel) {
-    ivec2 p = min(pixel, ivec2(frame.render_extent) - 1), tap;
+    ivec2 p = nearest_inside(pixel), tap;
     bool counts = nearest_history(p, imageLoad(guide, p), surface_motion, depth_gradient, previous_guide, tap);
     vec4 texel = imageLoad(irradiance, p);
     float now = luminance(texel.rgb);

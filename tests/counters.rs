@@ -4,7 +4,7 @@ use super::support::rig::Rig;
 use super::support::{assert_valid, gpu, scene::Scene, session, upload};
 use ash::vk;
 use atrous::executor::Session;
-use atrous::{Config, Counter, FrameParams, Phase, Statistics, Tuning};
+use atrous::{Config, Counter, FrameParams, Statistics, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -65,11 +65,5 @@ fn a_buffer_of_the_host_is_left_to_it() {
 
 fn run(rig: &mut Rig, frame: u32) {
     let params = FrameParams { frame_slot: frame % 2, ..FrameParams::new(EXTENT) };
-    let frame = rig.executor.begin_frame(&params, &Tuning::default()).expect("a frame");
-    rig.submit(|rig, cmd| {
-        for phase in Phase::ALL {
-            // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
-            unsafe { rig.executor.record(cmd, &frame, phase) }.expect("recorded");
-        }
-    });
+    rig.frame(&params);
 }

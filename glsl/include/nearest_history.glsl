@@ -10,7 +10,7 @@ bool nearest_history(ivec2 p, uvec4 packed, utexture2D surface_motion, utexture2
     float z = unpack_depth(packed);
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     ivec2 wanted = ivec2(floor(previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent)));
-    tap = clamp(wanted, ivec2(0), ivec2(frame.previous_render_extent) - 1);
+    tap = nearest_inside_previous(wanted);
     uvec4 previous = texelFetch(previous_guide, tap, 0);
     float previous_z = unpack_depth(previous), expected = z * (1.0 + m.depth_ratio);
     vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);

@@ -33,10 +33,7 @@ fn run(rig: &mut Rig) -> (Vec<u8>, Option<ResetReason>) {
     let size = rig.executor.readback("denoised_radiance", &frame, UseFrame::Current).expect("an output").bytes as usize;
     let (buffer, mapped) = rig.staging(size);
     rig.submit(|rig, cmd| {
-        for phase in Phase::ALL {
-            // SAFETY: the command buffer is recording, and everything that was submitted before is complete.
-            unsafe { rig.executor.record(cmd, &frame, phase) }.expect("recorded");
-        }
+        rig.record(cmd, &frame);
         // SAFETY: the command buffer is recording, and the buffer has room for the output.
         unsafe { rig.executor.record_copy(cmd, &frame, "denoised_radiance", UseFrame::Current, buffer) }.expect("copied");
     });

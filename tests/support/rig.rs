@@ -2,7 +2,7 @@
 
 use ash::vk;
 use atrous::executor::{Executor, ExecutorOptions, HeadlessDevice, HostImage};
-use atrous::{Config, Device, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
+use atrous::{Config, Device, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Shape, Tuning};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -113,15 +113,18 @@ impl Rig {
         });
     }
 
-    /// A whole frame, in one submission.
+    /// Records a whole frame; every submission before was waited for.
+    pub fn record(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext) {
+        for phase in Phase::ALL {
+            // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
+            unsafe { self.executor.record(cmd, frame, phase) }.expect("recorded");
+        }
+    }
+
+    /// Runs a whole frame.
     pub fn frame(&mut self, params: &FrameParams) {
         let frame = self.executor.begin_frame(params, &Tuning::default()).expect("a frame");
-        self.submit(|rig, cmd| {
-            for phase in Phase::ALL {
-                // SAFETY: the command buffer is recording, and everything that was recorded before is complete.
-                unsafe { rig.executor.record(cmd, &frame, phase) }.expect("recorded");
-            }
-        });
+        self.submit(|rig, cmd| rig.record(cmd, &frame));
     }
 
     /// Another extent, with new inputs.
