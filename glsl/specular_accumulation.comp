@@ -64,13 +64,15 @@ struct Centre {
 
 // Pixels: a picture that moves by as much from frame to frame does not stand still.
 const float STILL = 0.01;
+// Radians: seen from a side that turns by as much from frame to frame, what a lobe gathers does not stand still.
+const float TURNED = 1e-3;
 // Of a past that is sure, the smallest weight of the new sample, as a share of that of others: a mirror is accumulated and not filtered, so that
 // all noise of what it shows is left to its history.
 const float STEADY_ALPHA = 0.4;
 
 // What the past holds at one position.
 struct Past {
-    float weight;
+    bool found;
     float frames;
     float nearness;  // mean of hit distance / (depth + hit distance)
     float roughness;
@@ -112,28 +114,29 @@ bool is_same_surface(Centre c, ivec2 tap) {
     return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(unpack_normal(packed), there) == REASON_NONE;
 }
 
-Past nothing() { return Past(0.0, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
+Past nothing() { return Past(false, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
 
 // The tested 2x2 taps around a position, as a mean.
 Past past_at(Centre c, vec2 position) {
     Past sum = nothing();
-    vec2 corner = floor(position), f = position - corner;
+    float weights = 0.0;
     [[dont_unroll]] for (int i = 0; i < 4; ++i) {
-        ivec2 offset = ivec2(i & 1, i >> 1), tap = ivec2(corner) + offset;
-        float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
+        vec2 centre = floor(position) + vec2(i & 1, i >> 1), tent = 1.0 - abs(position - centre);
+        ivec2 tap = ivec2(centre);
+        float weight = tent.x * tent.y;
         if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
         Moments m = unpack_moments(texelFetch(previous_moments, tap, 0));
         Reflection r = unpack_reflection(texelFetch(previous_reflection, tap, 0).x);
-        sum.weight += weight;
+        weights += weight;
         sum.frames += weight * m.history_length;
         sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
         sum.roughness += weight * r.roughness;
         add_history(sum.light, texelFetch(history, tap, 0).rgb, m, weight);
     }
-    if (sum.weight < MIN_TAP_WEIGHT) return nothing();
-    float scale = 1.0 / sum.weight;
+    if (weights < MIN_TAP_WEIGHT) return nothing();
+    float scale = 1.0 / weights;
     History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
-    return Past(sum.weight, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, light);
+    return Past(true, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, light);
 }
 
 // Whether the surface at a pixel of the previous frame mirrored the same thing: the lobe there holds the direction to it.
@@ -160,15 +163,17 @@ float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFe
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
                             mix(a.light.second_moment, b.light.second_moment, share));
-    return Past(1.0, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share), light);
+    return Past(true, mix(a.frames, b.frames, share), mix(a.nearness, b.nearness, share), mix(a.roughness, b.roughness, share), light);
 }
 
-// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and half as much of a picture that stands
-// still, where light may change that a wide lobe gathers.
+// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands still before
+// an eye that does. Where the eye moves around what stands still, light may change that a wide lobe gathers: half as much.
 float steadiness_of(Centre c, float radius, vec2 image_position) {
     vec2 still = previous_position(c.mirror.p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
     float moved = max(distance(image_position, still), distance(c.mirror.surface_position, still));
-    return max(1.0 - radius, 0.5 - 0.5 * moved / STILL);
+    vec3 sight = normalize(c.mirror.position - previous_world_position(c.mirror.p, 0.0).xyz);
+    float turned = distance(sight, c.mirror.sight);
+    return max(1.0 - radius, (1.0 - moved / STILL) * (1.0 - 0.5 * min(1.0, turned / TURNED)));
 }
 
 // The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
@@ -176,7 +181,7 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
 Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
     float radius = lobe_radius(c.depth, Reflection(hit_distance, roughness));
-    if (surface.weight > 0.0 && surface.nearness > 0.0 && hit_distance > 0.0) {
+    if (surface.found && surface.nearness > 0.0 && hit_distance > 0.0) {
         // A lobe that covers pixels is blurred anyway, and its hits are noisy.
         float share = radius * radius / (1.0 + radius * radius) * surface.frames / (1.0 + surface.frames);
         hit_distance = hit_distance_of(c.depth, mix(nearness_of(c.depth, hit_distance), surface.nearness, share));
@@ -190,7 +195,7 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
     if (found && is_in_lobe(c, position, hit_distance, roughness)) image = past_at(c, position);
     if (found) surface.frames = worth(surface.frames, distance(position, c.mirror.surface_position), tolerance);
-    if (image.weight > 0.0) {
+    if (image.found) {
         vec2 remembered = position;
         Reflection before = Reflection(hit_distance_of(c.depth, image.nearness), roughness);
         bool known = virtual_position(c.mirror, image_distance(before, curvature), share, remembered);
@@ -200,9 +205,9 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         change += abs(roughness - image.roughness) * 8.0;
         image.frames = worth(image.frames, change, 2.0);
     }
-    image_share = surface.weight == 0.0 ? 1.0 : 0.0;
-    if (surface.weight == 0.0) return image;
-    if (image.weight == 0.0) return surface;
+    image_share = surface.found ? 0.0 : 1.0;
+    if (!surface.found) return image;
+    if (!image.found) return surface;
     float a = surface.frames * surface.frames, b = image.frames * image.frames;
     image_share = b / max(a + b, 1e-20);
     return mixed(surface, image, image_share);
@@ -232,7 +237,7 @@ void main() {
             float share, steadiness;
             Past past = best_past(c, rough, seen.hit_distance, share, steadiness);
             moments.reason = REASON_DEPTH;
-            if (past.weight > 0.0) {
+            if (past.found) {
                 image_share = share;
                 float change = change_at(p), worth = HOLES ? sample_worth(value.a) : 1.0;
                 vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));

@@ -163,7 +163,7 @@ tuning! {
     gradient_scale: "1", 0.0 ..= 16.0, 5.0;
     /// Largest reach of the filter of specular light, in radii of what the lobe of the surface blurs. Raising it blurs reflections more;
     /// 0 filters none but those of the roughest surfaces.
-    specular_blur: "lobe radii", 0.0 ..= 16.0, 1.0;
+    specular_blur: "lobe radii", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
     /// Weight of the new frame in temporal anti-aliasing (Karis 2014). Raising it is sharper in motion and jitters more.

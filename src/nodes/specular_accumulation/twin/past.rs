@@ -13,6 +13,8 @@ use glam::{IVec2, Vec2, Vec4Swizzles};
 
 /// Pixels: a picture that moves by as much from frame to frame does not stand still.
 const STILL: f32 = 0.01;
+/// Radians: seen from a side that turns by as much from frame to frame, what a lobe gathers does not stand still.
+const TURNED: f32 = 1e-3;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -103,12 +105,15 @@ impl Scene<'_> {
         Some(BestPast { past, image_share, steadiness })
     }
 
-    /// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and half as much of a
-    /// picture that stands still, where light may change that a wide lobe gathers.
+    /// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands
+    /// still before an eye that does. Where the eye moves around what stands still, light may change that a wide lobe gathers: half as
+    /// much.
     fn steadiness(&self, c: &Centre, radius: f32, image_position: Vec2) -> f32 {
         let still = (c.mirror.p.as_vec2() + 0.5) * extent_ratio(self.frame) - 0.5;
         let moved = image_position.distance(still).max(c.mirror.surface_position.distance(still));
-        (1.0 - radius).max(0.5 - 0.5 * moved / STILL).max(0.0)
+        let eye = previous_world_position(self.frame, c.mirror.p, 0.0).xyz();
+        let turned = (c.mirror.position - eye).normalize().distance(c.mirror.sight);
+        (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * (turned / TURNED).min(1.0))).max(0.0)
     }
 
     /// The mean of the tested 2×2 taps around a position.

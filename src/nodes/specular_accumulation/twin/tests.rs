@@ -2,7 +2,7 @@ use super::*;
 use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs};
 use crate::reference::guide::pack_guide;
 use crate::reference::projection::view_position;
-use crate::reference::reflection::unpack_reflection;
+use crate::reference::reflection::{mirror_share, unpack_reflection};
 use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;
 use crate::Config;
@@ -152,15 +152,16 @@ fn a_lobe_takes_the_distance_of_its_surroundings_and_a_mirror_its_own() {
     assert!(of(0.9) > 3.0, "{}", of(0.9));
 }
 
+/// Weight of the new sample in a past that is worth more frames than `alpha` lets count.
+fn weight_of_sample(mut wall: Wall) -> f32 {
+    wall.history = Image::new(EXTENT, [1.0; 4]);
+    let tuning = Tuning { alpha: 0.2, alpha_moments: 0.2, ..tuning() };
+    1.0 - specular_accumulation(&wall.frame, &tuning, &wall.inputs()).accumulated.at(IVec2::new(15, 8))[0]
+}
+
 #[test]
 fn where_a_past_is_sure_the_new_sample_weighs_less() {
-    let weight = |step, hit_distance, roughness| {
-        let mut wall = Wall::new(step, hit_distance, roughness);
-        wall.history = Image::new(EXTENT, [1.0; 4]);
-        let tuning = Tuning { alpha: 0.2, alpha_moments: 0.2, ..tuning() };
-        1.0 - specular_accumulation(&wall.frame, &tuning, &wall.inputs()).accumulated.at(IVec2::new(15, 8))[0]
-    };
-    let rough_but_still = 0.2 * (1.0 - 0.3 * crate::reference::reflection::mirror_share(0.5));
+    let rough_but_still = 0.2 * (1.0 - 0.6 * mirror_share(0.5));
     for (step, hit_distance, roughness, expected) in [
         (0.0, 4.0, 0.0, 0.08),
         (STEP, 4.0, 0.0, 0.08),
@@ -169,9 +170,21 @@ fn where_a_past_is_sure_the_new_sample_weighs_less() {
         (0.0, 4.0, 1.0, 0.2),
         (0.0, 0.0, 0.0, 0.2),
     ] {
-        let given = weight(step, hit_distance, roughness);
+        let given = weight_of_sample(Wall::new(step, hit_distance, roughness));
         assert!((given - expected).abs() < 2e-3, "step {step}, {hit_distance}, {roughness}: {given} for {expected}");
     }
+}
+
+#[test]
+fn what_stands_still_before_an_eye_that_turns_is_half_as_sure() {
+    // The wall goes along with the camera, which looks at the world from another side then.
+    let (step, share) = (0.005, mirror_share(0.5));
+    let mut wall = Wall::new(step, WALL, 0.5);
+    wall.guides.surface_motion = Image::new(EXTENT, pack_surface_motion([0.0; 2], Some((0.0, [0.0, 0.0, 1.0]))));
+    let moved = step * FOCAL * (1.0 / (WALL + share * WALL) - (1.0 - share) / WALL);
+    let expected = 0.2 * (1.0 - 0.6 * share * 0.5 * (1.0 - moved / 0.01));
+    let given = weight_of_sample(wall);
+    assert!((given - expected).abs() < 2e-3, "{given} for {expected}");
 }
 
 #[test]
