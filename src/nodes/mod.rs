@@ -42,7 +42,7 @@ pub use gradient::Gradients;
 pub use gradient_atrous::GradientAtrous;
 pub use import::Import;
 pub use modulate::Modulate;
-pub use specular_accumulation::SpecularAccumulation;
+pub use specular_accumulation::{AccumulatedSpecular, SpecularAccumulation, SpecularHistory};
 pub use temporal_accumulation::Accumulation;
 pub use variance::{Estimator, Variance};
 pub use volume_points::Volume;

@@ -11,8 +11,6 @@ use crate::shaders;
 /// Parameters of the node `specular_accumulation`.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SpecularAccumulation {
-    /// Source of the history. Default: [`Feedback::Accumulated`].
-    pub feedback: Feedback,
     /// Confidence that may shorten the history of a pixel \[ASVGF\]. Default: none.
     pub confidence: Option<Confidence>,
     /// Smallest weight of the new sample. Default: [`crate::Tuning::alpha`].
@@ -21,24 +19,39 @@ pub struct SpecularAccumulation {
     pub alpha_moments: Value,
 }
 
+/// History of specular light, with the image that its accumulation writes.
+#[derive(Clone, Copy, Debug)]
+pub struct SpecularHistory {
+    /// The history that the next frame reads; give it to the node `variance`.
+    pub history: History,
+    accumulated: Accumulated,
+}
+
 /// Outputs of the node `specular_accumulation`.
 #[derive(Clone, Copy, Debug)]
 pub struct AccumulatedSpecular {
     /// Specular irradiance, blended with its past.
     pub accumulated: Accumulated,
-    /// The history that the next frame reads; give it to the node `variance`.
-    pub history: History,
     /// What is seen in the surfaces.
     pub reflection: Reflection,
 }
 
 impl Graph {
+    /// Makes the history that [`Self::specular_accumulation`] of this light leaves for the next frame. Make it before the nodes that read
+    /// the previous one.
+    pub fn specular_history(&mut self, irradiance: &Irradiance, feedback: Feedback) -> SpecularHistory {
+        let label = self.label_of(irradiance);
+        let accumulated: Accumulated = Port::of(self.named_image("accumulated", &label, HDR, 1, Lifetime::Transient));
+        SpecularHistory { history: self.history(&accumulated, feedback), accumulated }
+    }
+
     /// Accumulates what [`Self::demodulate`] made of specular light with [`crate::nodes::Albedo::Specular`]; one signal. The optional
     /// input `roughness` says how wide lobes are; without it all surfaces are rough.
     pub fn specular_accumulation(
         &mut self,
         guides: &Guides,
         irradiance: &Irradiance,
+        history: &SpecularHistory,
         parameters: SpecularAccumulation,
     ) -> AccumulatedSpecular {
         let label = self.label_of(irradiance);
@@ -46,8 +59,7 @@ impl Graph {
         if irradiance.signals() != 1 {
             self.fail(&node, "irradiance", "two signals were given; specular light is one".to_owned());
         }
-        let accumulated: Accumulated = Port::of(self.named_image("accumulated", &label, HDR, 1, Lifetime::Transient));
-        let history = self.history(&accumulated, parameters.feedback);
+        let SpecularHistory { history, accumulated } = history;
         let reflection = self.named_image("reflection", &label, PACKED_32, 1, Lifetime::History);
         let pass = Pass::new(&node, &shaders::SPECULAR_ACCUMULATION)
             .constant("HOLES", u32::from(irradiance.has_filled_holes()))
@@ -67,10 +79,6 @@ impl Graph {
             .bind("new_moments", history.new_moments()[0])
             .bind("reflection", reflection);
         self.add(pass);
-        AccumulatedSpecular {
-            accumulated: self.renewed(&accumulated),
-            history,
-            reflection: Reflection { image: self.refreshed(reflection) },
-        }
+        AccumulatedSpecular { accumulated: self.renewed(accumulated), reflection: Reflection { image: self.refreshed(reflection) } }
     }
 }

@@ -31,13 +31,16 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Accumulated);
-    let confidence = match &gradient {
+    let (confidence, other) = match &gradient {
         Some(gradient) => {
             let difference = g.block_difference(guides, &irradiance, &history);
             let tested = g.scope("tested", |g| g.change_test(&difference));
-            g.adaptive_alpha_or(gradient, &tested)
+            (g.adaptive_alpha_or(gradient, &tested), tested)
         }
-        None => g.host_confidence(),
+        None => {
+            let confidence = g.host_confidence();
+            (confidence, confidence)
+        }
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
@@ -45,7 +48,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let filtered = g.atrous(guides, &estimate, Atrous { shared_deviation: true, ..spatial });
-    let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(confidence), ..Specular::default() };
+    let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(other), gradient, ..Specular::default() };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let known = Known {
         history: Some(history),

@@ -35,7 +35,7 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
         Specular {
             feedback: Feedback::Filtered,
             variance: Variance::default(),
-            confidence: Some(confidence),
+            difference: Some(difference),
             ..Specular::default()
         },
     );

@@ -16,11 +16,11 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
-    let confidence = match config.adaptive_rule {
-        AdaptiveRule::Percentiles => g.percentile_rule(guides, &percentiles, &history),
+    let (confidence, difference) = match config.adaptive_rule {
+        AdaptiveRule::Percentiles => (g.percentile_rule(guides, &percentiles, &history), None),
         AdaptiveRule::ChangeTest => {
             let difference = g.block_difference(guides, &irradiance, &history);
-            g.change_test(&difference)
+            (g.change_test(&difference), Some(difference))
         }
     };
     let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
@@ -35,7 +35,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         guides,
         config,
         filtered.into(),
-        Specular { feedback: Feedback::Filtered, confidence: Some(confidence), ..Specular::default() },
+        Specular { feedback: Feedback::Filtered, confidence: Some(confidence), difference, ..Specular::default() },
     );
     let known = Known {
         history: Some(history),

@@ -31,8 +31,8 @@ fn apart(source: Option<Gradients>) -> Result<Declaration, Error> {
 
 /// The least confidence in each history, diffuse and specular, in a frame in which their light is so many times brighter; and the
 /// radiance of both in the middle.
-fn after([diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
-    let mut engine = Engine::new(apart(None).expect("valid")).expect("twins").keep_transients();
+fn after(declaration: Declaration, reshaded: bool, [diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
+    let mut engine = Engine::new(declaration).expect("twins").keep_transients();
     for i in 0..5 {
         let light = |scale| Image::new(EXTENT, if i == 4 { [scale, scale, scale, 0.0] } else { [1.0, 1.0, 1.0, 0.0] });
         for (name, image) in [
@@ -43,7 +43,7 @@ fn after([diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
         ] {
             engine.upload(name, image.texels()).expect(name);
         }
-        engine.run(&FrameParams { reshaded: true, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("frame");
+        engine.run(&FrameParams { reshaded, ..FrameParams::new(EXTENT) }, &Tuning::default()).expect("frame");
     }
     let confidence = |name| match engine.texels(name, UseFrame::Current).expect(name) {
         Texels::Scalar(image) => image.texels().iter().copied().fold(f32::INFINITY, f32::min),
@@ -59,7 +59,7 @@ fn light_that_changes_in_reflections_alone_leaves_diffuse_light_its_history() {
     for (light, confidence, radiance) in
         [([1.0, 1.0], [1.0, 1.0], 2.0), ([1.0, 4.0], [1.0, 0.0], 5.0), ([4.0, 1.0], [0.0, 1.0], 5.0)]
     {
-        let (given, sum) = after(light);
+        let (given, sum) = after(apart(None).expect("valid"), true, light);
         assert_eq!(given, confidence, "{light:?}");
         assert!((sum - radiance).abs() < 0.01, "{light:?}: {sum}");
     }
@@ -69,4 +69,26 @@ fn light_that_changes_in_reflections_alone_leaves_diffuse_light_its_history() {
 fn gradients_of_all_light_are_none_of_specular_light() {
     let message = apart(Some(Gradients::Sparse { stratum_size: 3 })).expect_err("of all light").to_string();
     assert!(message.contains("gradients") && message.contains("forward-projected samples"), "{message}");
+}
+
+fn of_preset(preset: Preset) -> Declaration {
+    Config { preset, signals: Signals::Specular, surface_id: false, ..Config::new(EXTENT) }.declare().expect("valid")
+}
+
+#[test]
+fn light_that_rises_as_a_whole_rises_in_reflections_too() {
+    // Diffuse history follows the ratio of the light. That of specular light does not, and may not be trusted for its sake.
+    let (confidence, sum) = after(of_preset(Preset::Best), true, [4.0, 4.0]);
+    assert_eq!(confidence, [1.0, 0.0]);
+    assert!((sum - 8.0).abs() < 0.05, "{sum}");
+}
+
+#[test]
+fn the_change_test_sees_light_that_changes_in_reflections_alone() {
+    for preset in [Preset::Percentile, Preset::Fast] {
+        for (light, expected) in [([1.0, 1.0], [1.0, 1.0]), ([1.0, 4.0], [1.0, 0.0]), ([4.0, 1.0], [0.0, 0.0])] {
+            let (confidence, _) = after(of_preset(preset), false, light);
+            assert_eq!(confidence, expected, "{preset}: {light:?}");
+        }
+    }
 }
