@@ -52,7 +52,7 @@ layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D output_1;
 #endif
 
 #ifdef SPECULAR
-layout(set = 0, binding = 5) uniform utexture2D reflection;
+PACKED_IMAGE_32(5, reflection);
 #endif
 
 const uint SPLINE_KERNEL = 0u;
@@ -140,7 +140,7 @@ struct Lobe {
 
 // Narrows the tolerance of normals as well.
 Lobe lobe_of(ivec2 p, uvec4 packed, inout EdgeCentre surface) {
-    Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
+    Reflection r = unpack_reflection(packed_at(reflection, p).x);
     float share = mirror_share(r.roughness), width = lobe_width(r.roughness);
     float radius = max(push.specular_blur * lobe_radius(unpack_depth(packed), r), 0.01);
     float sigma_n = share / (width * width + 1e-3);
@@ -150,7 +150,7 @@ Lobe lobe_of(ivec2 p, uvec4 packed, inout EdgeCentre surface) {
 }
 
 float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, uvec4 packed_tap) {
-    float distance = unpack_reflection(texelFetch(reflection, tap, 0).x).hit_distance;
+    float distance = unpack_reflection(packed_at(reflection, tap).x).hit_distance;
     float difference = nearness_of(unpack_depth(packed_tap), distance) - lobe.nearness;
     return -(float(offset.x * offset.x + offset.y * offset.y) * lobe.spatial_sharpness + difference * difference * lobe.distance_sharpness);
 }

@@ -9,6 +9,8 @@
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+// Of sampled images in packed_image.glsl.
+#define SIGNALS 2
 
 layout(push_constant) uniform Push {
     uint level;  // number of the view
@@ -20,6 +22,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "packed_image.glsl"
 #include "optional.glsl"
 #include "finite.glsl"
 #include "surface_motion.glsl"
@@ -49,7 +52,7 @@ const uint REFLECTION = 16u;
 const uint VISIBILITY_HISTORY = 17u;
 
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
-layout(set = 0, binding = 2) uniform utexture2D guide;
+PACKED_IMAGE(2, guide);
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
 layout(set = 0, binding = MOMENTS_0) uniform utexture2D moments_0;
 layout(set = 0, binding = MOMENTS_1) uniform utexture2D moments_1;
@@ -264,7 +267,7 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uint view = min(push.level, VIEW_PENUMBRA);
-    uvec4 packed = texelFetch(guide, p, 0);
+    uvec4 packed = packed_at(guide, p);
     vec4 value = vec4(0.0);
     if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);
     else if (view == VIEW_BAD_VALUES) value = bad_values_at(p);

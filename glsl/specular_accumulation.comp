@@ -10,6 +10,8 @@
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+// Of storage images in packed_image.glsl.
+#define SIGNALS 1
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -26,6 +28,7 @@ layout(push_constant) uniform Push {
 
 #include "frame.glsl"
 #include "optional.glsl"
+#include "packed_image.glsl"
 #include "surface_motion.glsl"
 #include "moments.glsl"
 #include "luminance.glsl"
@@ -39,7 +42,7 @@ layout(push_constant) uniform Push {
 const uint ROUGHNESS = 6u;
 const uint HISTORY_CONFIDENCE = 7u;
 
-layout(set = 0, binding = 1) uniform utexture2D guide;
+PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
 layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
@@ -88,16 +91,17 @@ Centre centre_of(ivec2 p, uvec4 packed) {
 // Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs.
 float hit_distance_now(Centre c, float own, float roughness) {
     float radius = lobe_radius(c.depth, Reflection(own, roughness));
-    float sharpness = 1.0 / max(radius * radius, 1e-6);
+    // Of a tap one pixel away.
+    float weight_aside = exp2(-min(1.0 / max(radius * radius, 1e-6), 64.0));
     vec2 sum = vec2(0.0);
     // Registers are scarce here: unrolled, its taps would all be in flight at once.
     [[dont_unroll]] for (int y = -1; y <= 1; ++y)
         [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = c.mirror.p + ivec2(x, y), tap = nearest_inside(q);
             float distance = texelFetch(noisy, tap, 0).a;
-            uvec4 packed = texelFetch(guide, tap, 0);
+            uvec4 packed = packed_at(guide, tap);
             bool same = q == tap && distance > 0.0 && unpack_depth(packed) != 0.0 && unpack_id(packed) == unpack_id(c.mirror.packed);
-            float weight = same ? exp2(-float(x * x + y * y) * min(sharpness, 64.0)) : 0.0;
+            float weight = same ? (x == 0 ? 1.0 : weight_aside) * (y == 0 ? 1.0 : weight_aside) : 0.0;
             sum += weight * vec2(nearness_of(unpack_depth(packed), distance), 1.0);
         }
     return sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
@@ -222,7 +226,7 @@ float length_with(float frames, float worth, float least) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = texelFetch(guide, p, 0);
+    uvec4 packed = packed_at(guide, p);
     vec4 value = texelFetch(noisy, p, 0);
     float rough = roughness_of(is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0);
     bool background = unpack_depth(packed) == 0.0;

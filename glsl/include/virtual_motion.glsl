@@ -1,5 +1,5 @@
 // Where the image of what is seen in a surface was in the previous frame. Twin: src/reference/virtual_motion.rs.
-// Source: [Zimmer et al. 2015]. Needs `utexture2D guide` of this frame.
+// Source: [Zimmer et al. 2015]. Needs `guide` of this frame, by packed_image.glsl.
 #ifndef VIRTUAL_MOTION_GLSL
 #define VIRTUAL_MOTION_GLSL
 #include "frame.glsl"
@@ -32,7 +32,7 @@ bool curvature_towards(Mirror c, ivec2 offset, out float curvature) {
     ivec2 q = c.p + offset;
     curvature = 0.0;
     if (!is_inside(q)) return false;
-    uvec4 packed = texelFetch(guide, q, 0);
+    uvec4 packed = packed_at(guide, q);
     float z = unpack_depth(packed);
     if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
     vec3 way = world_position(q, z) - c.position;

@@ -284,11 +284,6 @@ impl Gradient {
     pub fn light_ratio(&self) -> Option<LightRatio> {
         self.light_ratio
     }
-
-    /// The same gradients without the ratio: for confidence in a history that nothing scales.
-    pub fn without_light_ratio(self) -> Self {
-        Self { light_ratio: None, ..self }
-    }
 }
 
 /// Pixels that the host shades again, one a stratum at most. \[ASVGF\] 3.1.

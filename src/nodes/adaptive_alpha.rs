@@ -6,28 +6,52 @@ use crate::contract::Lifetime;
 use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, CONFIDENCE, HOST_SCALAR};
 use crate::shaders;
 
+/// Confidence from gradients in two kinds of history.
+#[derive(Clone, Copy, Debug)]
+pub struct Confidences {
+    /// In a history that the ratio of light scales: [`crate::nodes::Accumulation::light_ratio`].
+    pub scaled: Confidence,
+    /// In a history that nothing scales, as that of specular light.
+    pub unscaled: Confidence,
+}
+
+impl Confidences {
+    /// The same in both.
+    pub fn equal(confidence: Confidence) -> Self {
+        Self { scaled: confidence, unscaled: confidence }
+    }
+}
+
 impl Graph {
     /// Confidence in the history, from the reconstructed gradient. With a ratio of light it is confidence in the history that
     /// [`crate::nodes::Accumulation::light_ratio`] scales.
     pub fn adaptive_alpha(&mut self, gradient: &Gradient) -> Confidence {
-        self.add_adaptive_alpha(gradient, None)
+        self.add_adaptive_alpha(gradient, None, None)
     }
 
     /// [`Self::adaptive_alpha`], which takes the confidence of pixels that no gradient is known for from `other`: of all pixels in frames
     /// that the host did not shade again.
     pub fn adaptive_alpha_or(&mut self, gradient: &Gradient, other: &Confidence) -> Confidence {
-        self.add_adaptive_alpha(gradient, Some(other.image()))
+        self.add_adaptive_alpha(gradient, Some(other.image()), None)
     }
 
-    fn add_adaptive_alpha(&mut self, gradient: &Gradient, other: Option<Image>) -> Confidence {
+    /// [`Self::adaptive_alpha_or`], and in the same pass the confidence in a history that the ratio of light does not scale.
+    pub fn adaptive_alphas_or(&mut self, gradient: &Gradient, other: &Confidence) -> Confidences {
+        let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
+        let scaled = self.add_adaptive_alpha(gradient, Some(other.image()), unscaled);
+        Confidences { scaled, unscaled: unscaled.map_or(scaled, |image| Port::of(self.refreshed(image))) }
+    }
+
+    fn add_adaptive_alpha(&mut self, gradient: &Gradient, other: Option<Image>, unscaled: Option<Image>) -> Confidence {
         let node = self.node("adaptive_alpha", "");
-        let confidence = self.confidence_image();
+        let confidence = self.confidence_image("history_confidence");
         let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_0)
             .constant("STRATUM_SIZE", gradient.stratum_size)
             .bind("gradient", gradient.image)
             .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
             .bind_some("other_confidence", other)
-            .bind("history_confidence", confidence);
+            .bind("history_confidence", confidence)
+            .bind_some("unscaled_confidence", unscaled);
         self.add(pass);
         Port::of(self.refreshed(confidence))
     }
@@ -35,7 +59,7 @@ impl Graph {
     /// Confidence in the history, from the host's own estimate: its input `confidence`.
     pub fn host_confidence(&mut self) -> Confidence {
         let node = self.node("adaptive_alpha", "");
-        let confidence = self.confidence_image();
+        let confidence = self.confidence_image("history_confidence");
         let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_1)
             .bind("confidence", self.input("confidence", HOST_SCALAR, 1, false))
             .bind("history_confidence", confidence);
@@ -43,7 +67,7 @@ impl Graph {
         Port::of(self.refreshed(confidence))
     }
 
-    fn confidence_image(&mut self) -> Image {
-        self.named_image("history_confidence", "", CONFIDENCE, 1, Lifetime::Transient)
+    fn confidence_image(&mut self, name: &str) -> Image {
+        self.named_image(name, "", CONFIDENCE, 1, Lifetime::Transient)
     }
 }

@@ -32,6 +32,7 @@ pub(crate) mod visibility_samples;
 pub(crate) mod volume_motion;
 pub(crate) mod volume_points;
 
+pub use adaptive_alpha::Confidences;
 pub use atrous::{Atrous, Kernel, VolumeAtrous};
 pub use block_percentiles::BLOCK_SIZE;
 pub use debug_view::{Known, Ramp, ViewLegend};
@@ -58,7 +59,11 @@ pub static STAGES: &[Stage] = &[
     Stage::new("forward_project", forward_project::twin::twin, FORWARD_PROJECT),
     Stage::new("gradient", gradient::twin::twin, GRADIENT),
     Stage::new("gradient_atrous", gradient_atrous::twin::twin, GRADIENT_ATROUS),
-    Stage::new("adaptive_alpha", adaptive_alpha::twin::twin, &[pixels("history_confidence", HALF)]),
+    Stage::new(
+        "adaptive_alpha",
+        adaptive_alpha::twin::twin,
+        &[pixels("history_confidence", HALF), pixels("unscaled_confidence", HALF)],
+    ),
     Stage::new("demodulate", demodulate::twin::twin, DEMODULATE),
     Stage::new("sample_albedo", sample_albedo::twin::twin, SAMPLE_ALBEDO),
     Stage::new(

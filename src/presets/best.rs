@@ -2,9 +2,9 @@
 
 use super::specular::{compared, modulated, Specular};
 use super::{gradient_samples, noisy, Denoised};
-use crate::config::Config;
+use crate::config::{Config, Signals};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
+use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
 
 /// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
 /// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
@@ -31,16 +31,16 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Accumulated);
-    let (confidence, other) = match &gradient {
+    let Confidences { scaled: confidence, unscaled } = match &gradient {
         Some(gradient) => {
             let difference = g.block_difference(guides, &irradiance, &history);
             let tested = g.scope("tested", |g| g.change_test(&difference));
-            (g.adaptive_alpha_or(gradient, &tested), tested)
+            match config.signals {
+                Signals::Specular => g.adaptive_alphas_or(gradient, &tested),
+                _ => Confidences::equal(g.adaptive_alpha_or(gradient, &tested)),
+            }
         }
-        None => {
-            let confidence = g.host_confidence();
-            (confidence, confidence)
-        }
+        None => Confidences::equal(g.host_confidence()),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
     let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
@@ -48,7 +48,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let filtered = g.atrous(guides, &estimate, Atrous { shared_deviation: true, ..spatial });
-    let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(other), gradient, ..Specular::default() };
+    let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(unscaled), ..Specular::default() };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let known = Known {
         history: Some(history),

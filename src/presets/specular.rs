@@ -17,13 +17,11 @@ pub struct Specular {
     pub kernel: Kernel,
     /// Whether luminance is compared by the deviation of taps, too.
     pub shared_deviation: bool,
-    /// Confidence in the history, of which nothing scales the light. With a gradient: of pixels that it is not known for.
+    /// Confidence in the history, which no ratio of light scales.
     pub confidence: Option<Confidence>,
     /// Difference of diffuse light from its history: with that of specular light it is what a change test looks at, whose confidence takes
     /// the place of `confidence`. Default: none.
     pub difference: Option<Difference>,
-    /// Gradients of all light, from which a confidence is made whose history no ratio of light scales. Default: none.
-    pub gradient: Option<Gradient>,
     /// Source of gradients of specular light alone, from which it then has a confidence of its own in place of `confidence`: light that
     /// changes only what is seen in a mirror leaves diffuse light its history, where that has gradients of its own, too. Samples that the
     /// host shades again alone are a source: the others are of all light. Costs 8 bytes a pixel. Default: none.
@@ -41,7 +39,6 @@ impl Default for Specular {
             shared_deviation: false,
             confidence: None,
             difference: None,
-            gradient: None,
             gradients: None,
             samples: None,
         }
@@ -54,23 +51,23 @@ impl Default for Specular {
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
     let Specular { feedback, variance, kernel, shared_deviation, samples, .. } = specular;
-    let own_gradient = specular.gradients.map(|source| own_gradient(g, guides, &noisy, source));
-    let demodulate = Demodulate { albedo: Albedo::Specular, gradient: own_gradient, samples, sampling: config.sampling };
+    let gradient = specular.gradients.map(|source| own_gradient(g, guides, &noisy, source));
+    let demodulate = Demodulate { albedo: Albedo::Specular, gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.specular_history(&irradiance, feedback);
-    let gradient = own_gradient.or(specular.gradient).map(Gradient::without_light_ratio);
     let tested = specular.difference.map(|diffuse| {
         let own = g.block_difference(guides, &irradiance, &history.history);
         let both = g.pair(&own, &diffuse);
         g.scope(if gradient.is_some() { "specular_tested" } else { SCOPE }, |g| g.change_test(&both))
     });
-    let other = tested.or(specular.confidence);
-    let confidence = match (gradient, other) {
-        (Some(gradient), Some(other)) => Some(g.scope(SCOPE, |g| g.adaptive_alpha_or(&gradient, &other))),
-        (Some(gradient), None) => Some(g.scope(SCOPE, |g| g.adaptive_alpha(&gradient))),
-        (None, other) => other,
-    };
+    let own = gradient.map(|gradient| {
+        g.scope(SCOPE, |g| match &tested {
+            Some(tested) => g.adaptive_alpha_or(&gradient, tested),
+            None => g.adaptive_alpha(&gradient),
+        })
+    });
+    let confidence = own.or(tested).or(specular.confidence);
     let found = g.specular_accumulation(guides, &irradiance, &history, SpecularAccumulation { confidence, ..Default::default() });
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(history.history);

@@ -54,7 +54,7 @@ pub(crate) mod virtual_motion;
 pub(crate) mod visibility;
 pub(crate) mod volume;
 
-pub use crate::nodes::adaptive_alpha::twin::{adaptive_alpha, AdaptiveAlphaInput};
+pub use crate::nodes::adaptive_alpha::twin::{adaptive_alpha, AdaptiveAlphaInput, AdaptiveAlphaOutputs};
 pub use crate::nodes::atrous::twin::{atrous, volume_atrous, AtrousInputs, AtrousLevel, LUMINANCE_EPSILON};
 pub use crate::nodes::block_difference::twin::{
     block_difference, pack_difference, unpack_difference, BlockDifferenceInputs, Difference,

@@ -23,24 +23,39 @@ pub enum AdaptiveAlphaInput<'a> {
     Confidence(&'a Image<[f32; 4]>),
 }
 
-/// `history_confidence` = 1 − λ for an image of `extent`: 1 keeps the history, 0 drops it.
-pub fn adaptive_alpha(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2], input: AdaptiveAlphaInput) -> Image<f32> {
+/// Outputs of [`adaptive_alpha`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct AdaptiveAlphaOutputs {
+    /// 1 − λ: 1 keeps the history, which the ratio of light scales where there is one, 0 drops it.
+    pub history_confidence: Image<f32>,
+    /// The same of a history that nothing scales.
+    pub unscaled_confidence: Image<f32>,
+}
+
+/// Confidence for images of `extent`.
+pub fn adaptive_alpha(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    extent: [u32; 2],
+    input: AdaptiveAlphaInput,
+) -> AdaptiveAlphaOutputs {
     let rect = RenderRect::new(frame.render_extent);
-    Image::compute(extent, frame.render_extent, |p| match input {
+    let texels = Image::compute(extent, frame.render_extent, |p| match input {
         AdaptiveAlphaInput::Gradient { gradient, stratum_size, light_ratio, other } => {
             let strata = || rect.window(p, 1, 1).map(|(_, q)| q / stratum_size as i32);
             if let Some(other) = other.filter(|_| strata().all(|s| gradient.at(s)[1] == 0.0)) {
-                return other.at(p);
+                return [other.at(p); 2];
             }
             let change = strata().map(|s| change(tuning, gradient.at(s))).fold(0.0, f32::max);
             let ratios = light_ratio.map_or_else(Vec::new, |ratio| strata().map(|s| ratio.at(s)).collect());
-            1.0 - change * (1.0 - coherence(&ratios))
+            [1.0 - change * (1.0 - coherence(&ratios)), 1.0 - change]
         }
         AdaptiveAlphaInput::Confidence(host) => match host.at(p)[0] {
-            c if c.is_finite() => c.clamp(0.0, 1.0),
-            _ => 1.0,
+            c if c.is_finite() => [c.clamp(0.0, 1.0); 2],
+            _ => [1.0; 2],
         },
-    })
+    });
+    AdaptiveAlphaOutputs { history_confidence: texels.map(|t| t[0]), unscaled_confidence: texels.map(|t| t[1]) }
 }
 
 /// How far history that is scaled by these ratios is true: 0 to 1.
@@ -75,8 +90,12 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             other: b.optional_scalar("other_confidence")?,
         },
     };
-    let confidence = adaptive_alpha(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
-    b.write("history_confidence", confidence)
+    let outputs = adaptive_alpha(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
+    b.write("history_confidence", outputs.history_confidence)?;
+    if b.has("unscaled_confidence") {
+        b.write("unscaled_confidence", outputs.unscaled_confidence)?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -95,7 +114,7 @@ mod tests {
                 _ => [0.0, 1.0, 0.0, 0.0],
             });
             let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: None };
-            let confidence = adaptive_alpha(&frame([7, 7]), &tuning, [7, 7], input);
+            let confidence = adaptive_alpha(&frame([7, 7]), &tuning, [7, 7], input).history_confidence;
             let expected = paint([7, 7], |x, y| if (2..=6).contains(&x) && (2..=6).contains(&y) { 0.5 } else { 1.0 });
             assert_eq!(confidence, expected);
         }
@@ -113,7 +132,10 @@ mod tests {
             });
             let input =
                 AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: Some(&ratio), other: None };
-            adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input).texels()[..9].to_vec()
+            let outputs = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
+            let unscaled = outputs.unscaled_confidence.texels()[..9].to_vec();
+            assert_eq!(unscaled, [0.0; 9], "light changed, and nothing scales this history");
+            outputs.history_confidence.texels()[..9].to_vec()
         };
         assert_eq!(confidence(0.5, 1.0), [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0], "none of the background");
         assert_eq!(confidence(0.5, 0.25)[..5], [0.25, 0.25, 0.25, 0.25, 1.0], "as far as samples agree");
@@ -125,14 +147,15 @@ mod tests {
         let gradient = paint([3, 1], |x, _| if x == 0 { [0.0, 1.0, 0.0, 0.0] } else { [0.0; 4] });
         let other = paint([9, 3], |_, _| 0.25);
         let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: Some(&other) };
-        let confidence = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
+        let confidence = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input).unscaled_confidence;
         assert_eq!(confidence.texels()[..9], [1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.25]);
     }
 
     #[test]
     fn what_a_host_says_is_bounded() {
         let host = paint([6, 1], |x, _| [[0.25, -1.0, 9.0, f32::NAN, f32::INFINITY, 1.0][x as usize], 0.0, 0.0, 0.0]);
-        let confidence = adaptive_alpha(&frame([6, 1]), &svgf_tuning(), [6, 1], AdaptiveAlphaInput::Confidence(&host));
+        let confidence =
+            adaptive_alpha(&frame([6, 1]), &svgf_tuning(), [6, 1], AdaptiveAlphaInput::Confidence(&host)).history_confidence;
         assert_eq!(confidence.texels(), [0.25, 0.0, 1.0, 1.0, 1.0, 1.0]);
     }
 }

@@ -29,9 +29,12 @@ fn apart(source: Option<Gradients>) -> Result<Declaration, Error> {
     g.finish()
 }
 
-/// The least confidence in each history, diffuse and specular, in a frame in which their light is so many times brighter; and the
-/// radiance of both in the middle.
-fn after(declaration: Declaration, reshaded: bool, [diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
+/// Confidence of specular light where it is its own.
+const SPECULAR: &str = "history_confidence_specular";
+
+/// The least confidence in the history of diffuse light and in that of specular light, the image of this name, in a frame in which
+/// their light is so many times brighter; and the radiance of both in the middle.
+fn after(declaration: Declaration, reshaded: bool, of_specular: &str, [diffuse, specular]: [f32; 2]) -> ([f32; 2], f32) {
     let mut engine = Engine::new(declaration).expect("twins").keep_transients();
     for i in 0..5 {
         let light = |scale| Image::new(EXTENT, if i == 4 { [scale, scale, scale, 0.0] } else { [1.0, 1.0, 1.0, 0.0] });
@@ -50,7 +53,7 @@ fn after(declaration: Declaration, reshaded: bool, [diffuse, specular]: [f32; 2]
         other => panic!("{name} is {}", other.kind()),
     };
     let Ok(Texels::Colour(denoised)) = engine.texels("denoised_radiance", UseFrame::Current) else { panic!("a picture") };
-    (["history_confidence", "history_confidence_specular"].map(confidence), denoised.at(glam::IVec2::splat(12))[0])
+    (["history_confidence", of_specular].map(confidence), denoised.at(glam::IVec2::splat(12))[0])
 }
 
 #[test]
@@ -59,7 +62,7 @@ fn light_that_changes_in_reflections_alone_leaves_diffuse_light_its_history() {
     for (light, confidence, radiance) in
         [([1.0, 1.0], [1.0, 1.0], 2.0), ([1.0, 4.0], [1.0, 0.0], 5.0), ([4.0, 1.0], [0.0, 1.0], 5.0)]
     {
-        let (given, sum) = after(apart(None).expect("valid"), true, light);
+        let (given, sum) = after(apart(None).expect("valid"), true, SPECULAR, light);
         assert_eq!(given, confidence, "{light:?}");
         assert!((sum - radiance).abs() < 0.01, "{light:?}: {sum}");
     }
@@ -78,7 +81,7 @@ fn of_preset(preset: Preset) -> Declaration {
 #[test]
 fn light_that_rises_as_a_whole_rises_in_reflections_too() {
     // Diffuse history follows the ratio of the light. That of specular light does not, and may not be trusted for its sake.
-    let (confidence, sum) = after(of_preset(Preset::Best), true, [4.0, 4.0]);
+    let (confidence, sum) = after(of_preset(Preset::Best), true, "unscaled_confidence", [4.0, 4.0]);
     assert_eq!(confidence, [1.0, 0.0]);
     assert!((sum - 8.0).abs() < 0.05, "{sum}");
 }
@@ -87,7 +90,7 @@ fn light_that_rises_as_a_whole_rises_in_reflections_too() {
 fn the_change_test_sees_light_that_changes_in_reflections_alone() {
     for preset in [Preset::Percentile, Preset::Fast] {
         for (light, expected) in [([1.0, 1.0], [1.0, 1.0]), ([1.0, 4.0], [1.0, 0.0]), ([4.0, 1.0], [0.0, 0.0])] {
-            let (confidence, _) = after(of_preset(preset), false, light);
+            let (confidence, _) = after(of_preset(preset), false, SPECULAR, light);
             assert_eq!(confidence, expected, "{preset}: {light:?}");
         }
     }
