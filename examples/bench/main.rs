@@ -23,7 +23,7 @@ use clap::Parser;
 use clock::Clock;
 use measure::{Graph, Measurement};
 use options::Options;
-use report::Report;
+use report::{Case, Report};
 use std::error::Error;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -45,9 +45,12 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     let sizes = options.sizes(cpu_device);
     println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
     let mut report = Report::new(gpu.name(), clock);
-    for &size in &sizes {
+    let measured = |size| -> Result<Vec<Case>, Box<dyn Error>> {
         let (contents, frames, rounds) = (&options.contents(), options.frames, options.rounds);
-        let cases = Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)?;
+        Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)
+    };
+    for &size in &sizes {
+        let cases = measured(size)?;
         for case in &cases {
             println!("{}", tables::passes(case)?);
         }
@@ -58,6 +61,11 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     println!("{}", tables::summary(&report)?);
     if options.growth {
+        for _ in 1..growth::VISITS {
+            for &size in &sizes {
+                report.add_least(measured(size)?);
+            }
+        }
         println!("{}\n{}", growth::with_size(&report, &sizes)?, growth::with_content(&report, &sizes)?);
     }
     if let Some(before) = &before {

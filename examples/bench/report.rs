@@ -73,6 +73,9 @@ pub struct Floor {
     /// `None` where the copy takes no longer than a submission without work.
     pub copy_gb_per_s: Option<f64>,
     pub arithmetic_ms: f64,
+    /// The least of the arithmetic loop; 0 in figures of a version that did not write it.
+    #[serde(default)]
+    pub least_arithmetic_ms: f64,
     /// CPU time of a submission without work, which is taken off; 0 where timestamps are used.
     pub empty_submission_ms: Spread,
 }
@@ -104,6 +107,20 @@ impl Report {
         self.cases.iter().find(|c| c.graph == graph && c.size == size && c.content == content)
     }
 
+    /// Adds cases of another visit: of each the frame that took the least is kept, and the yardstick that did.
+    pub fn add_least(&mut self, cases: Vec<Case>) {
+        for case in cases {
+            let known = self.cases.iter_mut().find(|c| c.graph == case.graph && c.size == case.size && c.content == case.content);
+            match known {
+                Some(known) => {
+                    known.frame.least = known.frame.least.min(case.frame.least);
+                    known.floor.least_arithmetic_ms = known.floor.least_arithmetic_ms.min(case.floor.least_arithmetic_ms);
+                }
+                None => self.cases.push(case),
+            }
+        }
+    }
+
     pub fn of_content(&self, graph: &str, size: [u32; 2], content: Content) -> Option<&Case> {
         self.find(graph, size, content.name())
     }
@@ -121,6 +138,11 @@ impl Case {
     /// Nanoseconds that a frame takes for each pixel.
     pub fn ns_per_pixel(&self) -> f64 {
         self.frame.median * 1e6 / self.pixels()
+    }
+
+    /// Nanoseconds that the fastest frame took for each pixel.
+    pub fn least_ns_per_pixel(&self) -> f64 {
+        self.frame.least * 1e6 / self.pixels()
     }
 }
 

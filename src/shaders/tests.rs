@@ -118,7 +118,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 22] = [
+    const RENAMED: [(&str, &[&str]); 23] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "accumulated", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -139,6 +139,7 @@ fn names_of_bindings_match_those_of_resources() {
         ("now_out", &["light_now_even", "light_now_odd"]),
         ("light_ratio", &["light_before_even"]),
         ("other_confidence", &["history_confidence"]),
+        ("history_confidence", &["unscaled_confidence"]),
         ("filter_in", &["visibility_history", "visibility_even", "visibility_odd"]),
         ("filter_out", &["visibility_even", "visibility_odd"]),
     ];

@@ -43,7 +43,8 @@ pub const SVGF: &str = "SVGF";
 pub const ASVGF: &str = "A-SVGF";
 /// The filter of choice, with reflections apart.
 pub const BEST: &str = "best";
-
+/// The filter of choice on the light that all others have.
+pub const ONE_SIGNAL: &str = "best, one signal";
 /// The filter of choice, and the sun's visibility filtered by itself.
 pub const BEST_AND_SUN: &str = "best, visibility apart";
 /// Wavelets that stop at no edge, of accumulated light.
@@ -72,7 +73,7 @@ pub fn all() -> Vec<Contender> {
         Contender::new(ASVGF, Preset::Asvgf),
         Contender::new("percentile", Preset::Percentile),
         Contender::new("fast", Preset::Fast),
-        together(Contender::new("best, one signal", Preset::Best)),
+        together(Contender::new(ONE_SIGNAL, Preset::Best)),
         Contender::new(BEST, Preset::Best),
     ]
 }

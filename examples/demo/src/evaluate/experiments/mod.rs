@@ -7,6 +7,7 @@ mod flicker;
 mod other;
 mod still;
 mod strata;
+mod variance;
 
 use std::path::Path;
 use std::sync::Arc;
@@ -33,9 +34,10 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 6] = [
+pub const ALL: [Experiment; 7] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "still", is_quick: false, run: still::run },
+    Experiment { name: "variance", is_quick: true, run: variance::run },
     Experiment { name: "strata", is_quick: false, run: strata::run },
     Experiment { name: "other", is_quick: false, run: other::run },
     Experiment { name: "eaw", is_quick: false, run: eaw::run },
