@@ -63,7 +63,7 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     if options.growth {
         for _ in 1..growth::VISITS {
             for &size in &sizes {
-                report.add_least(measured(size)?);
+                measured(size)?.iter().for_each(|case| report.lower_least(case));
             }
         }
         println!("{}\n{}", growth::with_size(&report, &sizes)?, growth::with_content(&report, &sizes)?);

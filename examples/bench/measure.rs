@@ -60,12 +60,17 @@ impl Measurement<'_> {
             }
         }
         let empty = if self.clock == Clock::ProcessCpuTime { Spread::of(&empty_ms) } else { Spread::default() };
-        let times = |runner: &Runner| runner.samples.iter().map(|s| Spread::of(s).less(empty.median)).collect::<Vec<_>>();
-        let time = |runner: &Runner| times(runner).iter().map(|t| t.median).fold(0.0, f64::max);
+        let time = |runner: &Runner, of: fn(Spread) -> f64| {
+            runner.samples.iter().map(|s| of(Spread::of(s).less(empty.median))).fold(0.0, f64::max)
+        };
         let bytes = |declaration: &Declaration| declaration.passes().iter().map(|p| bytes(declaration, p)).sum::<u64>() as f64;
-        let copy_gb_per_s = Some(time(&copy)).filter(|ms| *ms > 0.0).map(|ms| bytes(copy.declaration()) / ms * 1e-6);
-        let least_arithmetic_ms = times(&arithmetic).iter().map(|t| t.least).fold(0.0, f64::max);
-        let floor = Floor { copy_gb_per_s, arithmetic_ms: time(&arithmetic), least_arithmetic_ms, empty_submission_ms: empty };
+        let copy_gb_per_s = Some(time(&copy, |t| t.median)).filter(|ms| *ms > 0.0).map(|ms| bytes(copy.declaration()) / ms * 1e-6);
+        let floor = Floor {
+            copy_gb_per_s,
+            arithmetic_ms: time(&arithmetic, |t| t.median),
+            least_arithmetic_ms: time(&arithmetic, |t| t.least),
+            empty_submission_ms: empty,
+        };
         Ok(running.into_iter().map(|running| self.case(running, &floor)).collect())
     }
 

@@ -107,17 +107,11 @@ impl Report {
         self.cases.iter().find(|c| c.graph == graph && c.size == size && c.content == content)
     }
 
-    /// Adds cases of another visit: of each the frame that took the least is kept, and the yardstick that did.
-    pub fn add_least(&mut self, cases: Vec<Case>) {
-        for case in cases {
-            let known = self.cases.iter_mut().find(|c| c.graph == case.graph && c.size == case.size && c.content == case.content);
-            match known {
-                Some(known) => {
-                    known.frame.least = known.frame.least.min(case.frame.least);
-                    known.floor.least_arithmetic_ms = known.floor.least_arithmetic_ms.min(case.floor.least_arithmetic_ms);
-                }
-                None => self.cases.push(case),
-            }
+    /// Lowers the least times of a case to those of another visit.
+    pub fn lower_least(&mut self, visit: &Case) {
+        if let Some(case) = self.cases.iter_mut().find(|case| case.name() == visit.name()) {
+            case.frame.least = case.frame.least.min(visit.frame.least);
+            case.floor.least_arithmetic_ms = case.floor.least_arithmetic_ms.min(visit.floor.least_arithmetic_ms);
         }
     }
 

@@ -20,7 +20,7 @@ pub struct Specular {
     /// Confidence in the history, which no ratio of light scales.
     pub confidence: Option<Confidence>,
     /// Difference of diffuse light from its history: with that of specular light it is what a change test looks at, whose confidence takes
-    /// the place of `confidence`. Default: none.
+    /// the place of `confidence`, unless there are `gradients`. Default: none.
     pub difference: Option<Difference>,
     /// Source of gradients of specular light alone, from which it then has a confidence of its own in place of `confidence`: light that
     /// changes only what is seen in a mirror leaves diffuse light its history, where that has gradients of its own, too. Samples that the
@@ -56,18 +56,15 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.specular_history(&irradiance, feedback);
-    let tested = specular.difference.map(|diffuse| {
-        let own = g.block_difference(guides, &irradiance, &history.history);
-        let both = g.pair(&own, &diffuse);
-        g.scope(if gradient.is_some() { "specular_tested" } else { SCOPE }, |g| g.change_test(&both))
-    });
-    let own = gradient.map(|gradient| {
-        g.scope(SCOPE, |g| match &tested {
-            Some(tested) => g.adaptive_alpha_or(&gradient, tested),
-            None => g.adaptive_alpha(&gradient),
-        })
-    });
-    let confidence = own.or(tested).or(specular.confidence);
+    let confidence = match (gradient, specular.difference) {
+        (Some(gradient), _) => Some(g.scope(SCOPE, |g| g.adaptive_alpha(&gradient))),
+        (None, Some(diffuse)) => {
+            let own = g.block_difference(guides, &irradiance, &history.history);
+            let both = g.pair(&own, &diffuse);
+            Some(g.scope(SCOPE, |g| g.change_test(&both)))
+        }
+        (None, None) => specular.confidence,
+    };
     let found = g.specular_accumulation(guides, &irradiance, &history, SpecularAccumulation { confidence, ..Default::default() });
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(history.history);

@@ -1,6 +1,7 @@
 //! A lamp that is hit ever more rarely from left to right: what the estimate of the variance leaves of stripes of light.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
@@ -46,8 +47,10 @@ pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
     let mut table = Figures::new("a", columns.iter().map(|(name, decimals)| (name.as_str(), *decimals)));
     let first = FRAMES - MEASURED;
     table.row(NOISY, &Stripes::of((first..FRAMES).map(|frame| noisy(frame, lab.settings.seed))).values());
+    let gpu = HeadlessDevice::new(&HeadlessOptions { device: Some(lab.gpu.info().name.clone()), ..HeadlessOptions::default() })?;
+    let gpu = Arc::new(gpu);
     for filter in filters() {
-        table.row(filter.name, &filtered(lab, &filter)?.values());
+        table.row(filter.name, &filtered(&gpu, lab.settings.seed, &filter)?.values());
         lab.bar.inc(1);
     }
     Ok(Findings {
@@ -67,8 +70,13 @@ fn range(part: usize) -> String {
     format!("a to {:.2}", (part + 1) as f32 / PARTS as f32)
 }
 
+/// 0: dark, 1: bright.
+fn stripe_of(y: u32) -> usize {
+    (y / STRIPE % 2) as usize
+}
+
 fn light_of(y: u32) -> f32 {
-    LIGHT[(y / STRIPE % 2) as usize]
+    LIGHT[stripe_of(y)]
 }
 
 /// \[SVGF\] Fig. 9: 0 for a random number below a, else 1 / (1 − a).
@@ -83,16 +91,16 @@ fn noisy(frame: u32, seed: u32) -> Picture {
     pixels.map(texel).collect()
 }
 
-fn filtered(lab: &Lab, filter: &Filter) -> Result<Stripes> {
-    let gpu = HeadlessDevice::new(&HeadlessOptions { device: Some(lab.gpu.info().name.clone()), ..HeadlessOptions::default() })?;
+fn filtered(gpu: &Arc<HeadlessDevice>, seed: u32, filter: &Filter) -> Result<Stripes> {
     let config = Config { preset: filter.preset, surface_id: false, ..Config::new(EXTENT) };
-    let mut session = Session::new(gpu.into(), config.declare()?, SessionOptions::default())?;
+    let mut session = Session::new(gpu.clone(), config.declare()?, SessionOptions::default())?;
     let count = (EXTENT[0] * EXTENT[1]) as usize;
+    let (depth, normal) = (vec![[4.0, 0.0, 0.0, 0.0]; count], vec![[0.0, 0.0, 1.0, 0.0]; count]);
     let mut pictures = Vec::new();
     for frame in 0..FRAMES {
-        session.upload("depth", &vec![[4.0, 0.0, 0.0, 0.0]; count])?;
-        session.upload("normal", &vec![[0.0, 0.0, 1.0, 0.0]; count])?;
-        session.upload("noisy_radiance", &noisy(frame, lab.settings.seed))?;
+        session.upload("depth", &depth)?;
+        session.upload("normal", &normal)?;
+        session.upload("noisy_radiance", &noisy(frame, seed))?;
         session.run(&FrameParams::new(EXTENT), &filter.tuning)?;
         if frame + MEASURED >= FRAMES {
             pictures.push(session.download("denoised_radiance")?);
@@ -127,7 +135,7 @@ impl Stripes {
         let mut stripes = Self::default();
         for (i, texel) in pictures.flat_map(|picture| picture.into_iter().enumerate()) {
             let (x, y) = (i as u32 % EXTENT[0], i as u32 / EXTENT[0]);
-            let sum = &mut stripes.0[x as usize * PARTS / EXTENT[0] as usize][(y / STRIPE % 2) as usize];
+            let sum = &mut stripes.0[x as usize * PARTS / EXTENT[0] as usize][stripe_of(y)];
             let value = f64::from(texel[0]);
             (sum.count, sum.values, sum.squares) = (sum.count + 1.0, sum.values + value, sum.squares + value * value);
         }
