@@ -5,7 +5,7 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
 // Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
-// Constant: HOLES: as in temporal_accumulation.comp.
+// Constants: HOLES: as in temporal_accumulation.comp. FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // optional: roughness, history_confidence
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -16,6 +16,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool HOLES = false;
+layout(constant_id = 2) const bool FILTERED = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -171,13 +172,14 @@ Past mixed(Past a, Past b, float share) {
 }
 
 // How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands still before
-// an eye that does. Where the eye moves around what stands still, light may change that a wide lobe gathers: half as much.
+// an eye that does. Where the eye moves around what stands still, light may change that a wide lobe gathers: half as much, as where history is
+// filtered.
 float steadiness_of(Centre c, float radius, vec2 image_position) {
     vec2 still = previous_position(c.mirror.p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
     float moved = max(distance(image_position, still), distance(c.mirror.surface_position, still));
     vec3 sight = normalize(c.mirror.position - previous_world_position(c.mirror.p, 0.0).xyz);
-    float turned = distance(sight, c.mirror.sight);
-    return max(1.0 - radius, (1.0 - moved / STILL) * (1.0 - 0.5 * min(1.0, turned / TURNED)));
+    float turned = FILTERED ? 1.0 : min(1.0, distance(sight, c.mirror.sight) / TURNED);
+    return max(1.0 - radius, (1.0 - moved / STILL) * (1.0 - 0.5 * turned));
 }
 
 // The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.

@@ -167,7 +167,7 @@ fn written_before(folder: &Path) -> String {
     };
     let mut writer = SequenceWriter::new(folder, &config.declare().expect("valid")).expect("a writer");
     let bytes = texels();
-    let first = Tuning { alpha: 0.05, specular_blur: 1.0, ..Tuning::for_preset(Preset::Svgf) };
+    let first = Tuning { alpha: 0.05, ..Tuning::for_preset(Preset::Svgf) };
     let later = Tuning { sigma_l: 2.3, ..first };
     for (reset, tuning) in [(Some(crate::ResetReason::OriginShift), first), (None, later)] {
         let mut params = FrameParams { reset, jitter: [0.1, -0.7], exposure_ratio: 1.1, ..FrameParams::new(EXTENT) };

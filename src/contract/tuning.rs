@@ -205,13 +205,13 @@ impl Tuning {
     ///
     /// | preset | what differs from [`Preset::Best`], whose numbers the fields document |
     /// | --- | --- |
-    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2 |
-    /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `percentile_range` 2 |
+    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `percentile_range` 2, `specular_blur` 1 |
     ///
     /// Presets that are told of changed light react less by themselves, with an `alpha` of 0.1 (ASVGF). What was accumulated with
     /// a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has a
@@ -223,6 +223,7 @@ impl Tuning {
             sigma_l: 4.0,
             sigma_n: 128.0,
             sigma_z: 1.0,
+            specular_blur: 1.0,
             depth_tolerance: 0.02,
             normal_tolerance: 0.9,
             percentile_range: 2.0,

@@ -25,6 +25,7 @@ pub struct SpecularHistory {
     /// The history that the next frame reads; give it to the node `variance`.
     pub history: History,
     accumulated: Accumulated,
+    feedback: Feedback,
 }
 
 /// Outputs of the node `specular_accumulation`.
@@ -42,7 +43,7 @@ impl Graph {
     pub fn specular_history(&mut self, irradiance: &Irradiance, feedback: Feedback) -> SpecularHistory {
         let label = self.label_of(irradiance);
         let accumulated: Accumulated = Port::of(self.named_image("accumulated", &label, HDR, 1, Lifetime::Transient));
-        SpecularHistory { history: self.history(&accumulated, feedback), accumulated }
+        SpecularHistory { history: self.history(&accumulated, feedback), accumulated, feedback }
     }
 
     /// Accumulates what [`Self::demodulate`] made of specular light with [`crate::nodes::Albedo::Specular`]; one signal. The optional
@@ -59,10 +60,11 @@ impl Graph {
         if irradiance.signals() != 1 {
             self.fail(&node, "irradiance", "two signals were given; specular light is one".to_owned());
         }
-        let SpecularHistory { history, accumulated } = history;
+        let SpecularHistory { history, accumulated, feedback } = history;
         let reflection = self.named_image("reflection", &label, PACKED_32, 1, Lifetime::History);
         let pass = Pass::new(&node, &shaders::SPECULAR_ACCUMULATION)
             .constant("HOLES", u32::from(irradiance.has_filled_holes()))
+            .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
             .value("alpha", parameters.alpha)
             .value("alpha_moments", parameters.alpha_moments)
             .bind("guide", guides.guide)

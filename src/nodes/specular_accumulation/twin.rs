@@ -48,6 +48,8 @@ pub struct SpecularAccumulationInputs<'a> {
     pub noisy: &'a Image<[f32; 4]>,
     /// Whether a negative alpha marks pixels without a sample of their own.
     pub has_holes: bool,
+    /// Whether the history was filtered.
+    pub is_filtered: bool,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// Confidence in the history.
@@ -188,6 +190,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         depth_gradient: b.uint("depth_gradient")?,
         noisy: b.colour("noisy")?,
         has_holes: b.is_on("HOLES")?,
+        is_filtered: b.is_on("FILTERED")?,
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
         previous: PreviousSpecular {

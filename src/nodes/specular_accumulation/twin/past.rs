@@ -107,13 +107,14 @@ impl Scene<'_> {
 
     /// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands
     /// still before an eye that does. Where the eye moves around what stands still, light may change that a wide lobe gathers: half as
-    /// much.
+    /// much, as where history is filtered: what is kept longer there is blurred more often.
     fn steadiness(&self, c: &Centre, radius: f32, image_position: Vec2) -> f32 {
         let still = (c.mirror.p.as_vec2() + 0.5) * extent_ratio(self.frame) - 0.5;
         let moved = image_position.distance(still).max(c.mirror.surface_position.distance(still));
         let eye = previous_world_position(self.frame, c.mirror.p, 0.0).xyz();
-        let turned = (c.mirror.position - eye).normalize().distance(c.mirror.sight);
-        (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * (turned / TURNED).min(1.0))).max(0.0)
+        let turned = ((c.mirror.position - eye).normalize().distance(c.mirror.sight) / TURNED).min(1.0);
+        let turned = if self.inputs.is_filtered { 1.0 } else { turned };
+        (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * turned)).max(0.0)
     }
 
     /// The mean of the tested 2×2 taps around a position.

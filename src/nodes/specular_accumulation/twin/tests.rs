@@ -24,6 +24,7 @@ struct Wall {
     history: Image<[f32; 4]>,
     moments: Image<[u16; 4]>,
     reflection: Image<u32>,
+    is_filtered: bool,
 }
 
 impl Wall {
@@ -41,6 +42,7 @@ impl Wall {
             history: paint(EXTENT, |x, _| [x as f32; 4]),
             moments: Image::new(EXTENT, pack_moments(&moments)),
             reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
+            is_filtered: false,
         }
     }
 
@@ -51,6 +53,7 @@ impl Wall {
             depth_gradient: &self.guides.depth_gradient,
             noisy: &self.noisy,
             has_holes: false,
+            is_filtered: self.is_filtered,
             roughness: Some(&self.roughness),
             history_confidence: None,
             previous: PreviousSpecular {
@@ -188,6 +191,13 @@ fn what_stands_still_before_an_eye_that_turns_is_half_as_sure() {
 }
 
 #[test]
+fn what_stands_still_is_half_as_sure_where_history_is_filtered() {
+    let wall = |is_filtered| Wall { is_filtered, ..Wall::new(0.0, WALL, 0.5) };
+    let given = [true, false].map(|is_filtered| 0.2 - weight_of_sample(wall(is_filtered)));
+    assert!((given[0] - 0.5 * given[1]).abs() < 2e-3 && given[1] > 0.05, "{given:?}");
+}
+
+#[test]
 fn a_ball_is_as_curved_as_its_radius_says() {
     let (radius, middle, extent) = (2.0, Vec3::new(0.0, 0.0, -5.0), [64, 64]);
     let at = camera(extent, Vec3::ZERO);
@@ -210,6 +220,7 @@ fn a_ball_is_as_curved_as_its_radius_says() {
         depth_gradient: &guides.depth_gradient,
         noisy: &noisy,
         has_holes: false,
+        is_filtered: false,
         roughness: None,
         history_confidence: None,
         previous: PreviousSpecular { guide: &guides.guide, history: &history, moments: &moments, reflection: &reflection },
