@@ -82,9 +82,12 @@ pub fn conventions() -> Conventions {
     }
 }
 
+/// The path tracer shades nothing again, so that the change test tells where light changes.
+const PRESET: Preset = Preset::Best;
+
 /// The prepass has no ids: edges are found by depth and normals.
 fn config(extent: [u32; 2]) -> Config {
-    Config { preset: Preset::Svgf, surface_id: false, conventions: conventions(), ..Config::new(extent) }
+    Config { preset: PRESET, surface_id: false, conventions: conventions(), ..Config::new(extent) }
 }
 
 /// The matrices of a view, without jitter, and its jitter. y of Bevy's clip space points up, Vulkan's points down.
@@ -167,7 +170,7 @@ fn import(view: ViewQuery<View>, mut context: RenderContext) -> Result<(), BevyE
     this.denoiser.set_output("denoised_radiance", target.main_texture())?;
     let reset = asked.reset.then_some(ResetReason::CameraCut);
     this.params = FrameParams { reset, ..params(view, jitter, this.extent) };
-    let frame = this.denoiser.begin_frame(&this.params, &Tuning::for_preset(Preset::Svgf))?;
+    let frame = this.denoiser.begin_frame(&this.params, &Tuning::for_preset(PRESET))?;
     this.frame = Some(frame);
     // SAFETY: Bevy submits what a system added in its order, once, and behind the prepass.
     let recorded = unsafe { this.denoiser.encode(&frame, Phase::BeforeLighting)? };
