@@ -29,14 +29,25 @@ impl References {
     /// # Errors
     /// A lost device, or a file that cannot be written.
     pub fn of_frame(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32) -> Result<Vec<[f32; 3]>> {
+        self.seeded(tracer, scene, frame, frame)
+    }
+
+    /// The reference of a frame with the random numbers of another: what differs between two with the same numbers is light, not noise. Nothing
+    /// moves in it.
+    ///
+    /// # Errors
+    /// As [`Self::of_frame`].
+    pub fn seeded(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32, seed: u32) -> Result<Vec<[f32; 3]>> {
         let [width, height] = [tracer.extent().width, tracer.extent().height].map(|side| side as usize);
         let content = content(scene, frame);
-        let path = self.folder.join(format!("{}_{frame:04}_{width}x{height}_{}_{content:016x}.exr", scene.name, self.samples));
+        let name = format!("{}_{frame:04}_{seed:04}_{width}x{height}_{}_{content:016x}.exr", scene.name, self.samples);
+        let path = self.folder.join(name);
         // A file that cannot be read, or is of another size, is rendered again: it was cut off, or is not ours.
         if let Some(kept) = read(&path).filter(|kept| kept.len() == width * height) {
             return Ok(kept);
         }
-        tracer.begin_frame(frame)?;
+        let moment = scene.moment(frame);
+        tracer.begin_moment(seed, &moment, &moment)?;
         let reference = tracer.render_reference(self.samples, |_, _| ())?.radiance();
         let pixel = |at: Vec2<usize>| <(f32, f32, f32)>::from(reference[at.y() * width + at.x()]);
         let mut bytes = Cursor::new(Vec::new());

@@ -49,7 +49,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     }
     let mut of_frame = |frame| {
         lab.bar.inc(1);
-        lab.references.of_frame(&mut tracer, &scene, frame)
+        lab.references.seeded(&mut tracer, &scene, frame, 0)
     };
     let references = [of_frame(0)?, of_frame(STEP)?];
     let change = change(&references, pictures[0].extent);
