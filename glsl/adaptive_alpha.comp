@@ -2,10 +2,10 @@
 // How far the history of a pixel is still true: 1 where light did not change, 0 where nothing of it is left.
 // Source: [ASVGF] 3.5, eq. 14: λ = |δ| / Δ, and its maximum over 3x3 pixels; confidence is 1 - λ.
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
-//      take theirs that no gradient is known for. SOURCE 1: confidence of the host per pixel. Out: history_confidence, 0..1; unscaled_confidence
+//      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the host per pixel. Out: history_confidence, 0..1; unscaled_confidence
 //      is the same of a history that no ratio of light scales.
 // Constants: STRATUM_SIZE, with SOURCE 0.
-// optional: light_ratio, other_confidence, unscaled_confidence
+// optional: light_ratio, other_confidence, unscaled_confidence, steadiness
 // variants: SOURCE=0 SOURCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -24,15 +24,18 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "light_ratio.glsl"
 #include "strata.glsl"
+#include "blocks.glsl"
 
 const uint LIGHT_RATIO = 3u;
 const uint OTHER_CONFIDENCE = 4u;
 const uint UNSCALED_CONFIDENCE = 5u;
+const uint STEADINESS = 6u;
 
 layout(set = 0, binding = 1) uniform texture2D gradient;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 layout(set = 0, binding = OTHER_CONFIDENCE) uniform texture2D other_confidence;
 layout(set = 0, binding = UNSCALED_CONFIDENCE, r32f) uniform writeonly image2D unscaled_confidence;
+layout(set = 0, binding = STEADINESS) uniform texture2D steadiness;
 #else
 layout(set = 0, binding = 1) uniform texture2D confidence;
 #endif
@@ -59,6 +62,15 @@ void add_stratum(inout Surroundings around, ivec2 s) {
     around.largest = known ? max(around.largest, ratio) : around.largest;
 }
 
+// Between the centres of the blocks; beyond the edge the last one stands in.
+float steadiness_at(ivec2 p) {
+    vec2 position = block_position(p), corner = floor(position), f = position - corner;
+    ivec2 last = block_extent() - 1, first = clamp(ivec2(corner), ivec2(0), last), second = clamp(ivec2(corner) + 1, ivec2(0), last);
+    float upper = mix(texelFetch(steadiness, first, 0).x, texelFetch(steadiness, ivec2(second.x, first.y), 0).x, f.x);
+    float lower = mix(texelFetch(steadiness, ivec2(first.x, second.y), 0).x, texelFetch(steadiness, second, 0).x, f.x);
+    return mix(upper, lower, f.y);
+}
+
 // In a history that the ratio scales, and in one that nothing scales. The 3x3 pixels lie in at most 2x2 strata; one that is met again changes
 // nothing.
 vec2 confidence_at(ivec2 p) {
@@ -67,11 +79,13 @@ vec2 confidence_at(ivec2 p) {
     Surroundings around = Surroundings(0.0, 0.0, vec4(65504.0), vec4(0.0));
     [[unroll]] for (int i = 0; i < 4; ++i) add_stratum(around, ivec2((i & 1) == 0 ? first.x : last.x, i < 2 ? first.y : last.y));
     if (is_present(OTHER_CONFIDENCE) && around.brightest == 0.0) return vec2(texelFetch(other_confidence, p, 0).x);
-    if (around.least.a > around.largest.a) return vec2(1.0 - around.change);
+    // The blocks that are steady are those of the history that the ratio scales.
+    vec2 change = around.change * vec2(is_present(STEADINESS) ? 1.0 - steadiness_at(p) : 1.0, 1.0);
+    if (around.least.a > around.largest.a) return 1.0 - change;
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
     // Between strata history is scaled by what lies between their ratios.
-    return 1.0 - around.change * vec2(1.0 - around.least.a * coherence_of(difference), 1.0);
+    return 1.0 - change * vec2(1.0 - around.least.a * coherence_of(difference), 1.0);
 }
 #else
 vec2 confidence_at(ivec2 p) {

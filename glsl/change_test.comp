@@ -2,8 +2,9 @@
 // How far the history of a pixel is still true: unless the frame departs from it by more than noise explains. No re-shaded samples are needed.
 // Source: ours, in the place of the rule of [PSVGF]: a test of the mean difference against its standard error, over 24x24 pixels, which works
 // in both directions (docs/stages.md).
-// In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop); the least of the signals.
-// optional: block_difference_1
+// In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop), and steadiness, one texel a block: 1 where neither the mean
+//      nor one of its blocks departs by what could be more than noise, to 0; the least of the signals.
+// optional: block_difference_1, steadiness
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -22,15 +23,21 @@ layout(push_constant) uniform Push {
 layout(local_size_x = ROW_PIXELS) in;
 
 const uint BLOCK_DIFFERENCE_1 = 3u;
+const uint STEADINESS = 4u;
 
 layout(set = 0, binding = 1, r32f) uniform writeonly image2D history_confidence;
 layout(set = 0, binding = 2) uniform utexture2D block_difference_0;
 layout(set = 0, binding = BLOCK_DIFFERENCE_1) uniform utexture2D block_difference_1;
+layout(set = 0, binding = STEADINESS, r32f) uniform writeonly image2D steadiness;
 
 float lin(float a, float b, float x) { return clamp((x - a) / (b - a), 0.0, 1.0); }
 
 // A change of the mean that is smaller than this share of it is not worth the history, however certain it is.
 const float CHANGE_EPSILON = 0.01;
+
+// Shares of the threshold between which steadiness falls from 1 to 0: of the mean, and of the worst of nine blocks, whose noise is larger.
+const vec2 STEADY_MEAN = vec2(0.6, 1.2);
+const vec2 STEADY_BLOCK = vec2(1.0, 1.6);
 
 // The blocks of the row with two around them, and the change of these with one around them.
 const uint WIDTH = ROW_BLOCKS + 4u;
@@ -49,9 +56,15 @@ void load_blocks(utexture2D differences) {
     blocks[i] = vec4(half_value(packed.x), half_value(packed.y), half_value(packed.z), half_value(packed.w));
 }
 
-// 0 to 1: the mean difference over 3x3 blocks, in standard errors, against the threshold.
-float change_of(uint corner) {
-    float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0;
+// A difference in standard errors.
+float errors_of(float sum, float variance, float brighter) {
+    float floor_of_error = CHANGE_EPSILON * brighter;
+    return abs(sum) / max(sqrt(variance + floor_of_error * floor_of_error), 1e-6);
+}
+
+// x: 0 to 1, the mean difference over 3x3 blocks, in standard errors, against the threshold. y: 1 - steadiness.
+vec2 change_of(uint corner) {
+    float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
         vec4 block = blocks[corner + i % 3u + WIDTH * (i / 3u)];
@@ -59,17 +72,19 @@ float change_of(uint corner) {
         sum += block.z * block.x;
         variance += block.z * block.y * block.y;
         brighter += block.z * block.w;
+        if (is_present(STEADINESS)) worst = max(worst, errors_of(block.z * block.x, block.z * block.y * block.y, block.z * block.w));
     }
-    float floor_of_error = CHANGE_EPSILON * brighter;
-    float errors = abs(sum) / max(sqrt(variance + floor_of_error * floor_of_error), 1e-6);
-    return lin(push.change_threshold, 2.0 * push.change_threshold, errors);
+    float errors = errors_of(sum, variance, brighter);
+    vec2 mean = push.change_threshold * STEADY_MEAN, block = push.change_threshold * STEADY_BLOCK;
+    float steady = count == 0.0 ? 0.0 : (1.0 - lin(mean.x, mean.y, errors)) * (1.0 - lin(block.x, block.y, worst));
+    return vec2(lin(push.change_threshold, 2.0 * push.change_threshold, errors), 1.0 - steady);
 }
 
 // Of the worst signal.
 void load_changes() {
     uint i = gl_LocalInvocationIndex;
     uint corner = i % CHANGES_WIDTH + WIDTH * (i / CHANGES_WIDTH);
-    float change = 0.0;
+    vec2 change = vec2(0.0);
     load_blocks(block_difference_0);
     barrier();
     if (i < CHANGES) change = change_of(corner);
@@ -79,7 +94,10 @@ void load_changes() {
         barrier();
         if (i < CHANGES) change = max(change, change_of(corner));
     }
-    if (i < CHANGES) changes[i] = change;
+    if (i < CHANGES) changes[i] = change.x;
+    ivec2 block = first_block() - 1 + ivec2(i % CHANGES_WIDTH, i / CHANGES_WIDTH);
+    bool is_own = i > CHANGES_WIDTH && i < 2u * CHANGES_WIDTH - 1u;
+    if (is_present(STEADINESS) && is_own && is_block(block)) imageStore(steadiness, block, vec4(1.0 - change.y));
     barrier();
 }
 

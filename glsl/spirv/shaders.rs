@@ -23,6 +23,7 @@ pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader {
         ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 4, name: Cow::Borrowed("other_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 5, name: Cow::Borrowed("unscaled_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("steadiness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -168,6 +169,7 @@ pub(crate) static CHANGE_TEST: Shader = Shader {
         ShaderBinding { number: 1, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("block_difference_0"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("block_difference_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("steadiness"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

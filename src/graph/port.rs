@@ -104,6 +104,9 @@ pub mod kind {
     /// Share of the history that is still true: 1, keep it, to 0, drop it.
     #[derive(Debug)]
     pub enum Confidence {}
+    /// How sure it is that light did not change, for every 8×8 pixels: 1, no difference from the history is seen, to 0.
+    #[derive(Debug)]
+    pub enum Steadiness {}
     /// Two percentiles of luminance for every 8×8 pixels, packed half floats.
     #[derive(Debug)]
     pub enum Percentiles {}
@@ -142,6 +145,8 @@ pub type VolumeEstimate = Port<kind::VolumeEstimate>;
 pub type VolumeMotion = Port<kind::VolumeMotion>;
 /// Share of the history that is still true.
 pub type Confidence = Port<kind::Confidence>;
+/// How sure it is that light did not change.
+pub type Steadiness = Port<kind::Steadiness>;
 /// Percentiles of luminance of blocks.
 pub type Percentiles = Port<kind::Percentiles>;
 /// Departure of blocks from their history.

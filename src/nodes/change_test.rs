@@ -4,19 +4,48 @@ pub(crate) mod twin;
 
 use super::BLOCK_SIZE;
 use crate::contract::{Grid, Lifetime};
-use crate::graph::{Confidence, Difference, Graph, Pass, Port, CONFIDENCE};
+use crate::graph::{Confidence, Difference, Graph, Image, Pass, Port, Steadiness, CONFIDENCE};
 use crate::shaders;
+
+/// What the change test knows of a history, for [`Graph::adaptive_alpha_or`].
+#[derive(Clone, Copy, Debug)]
+pub struct Tested {
+    /// Confidence in the history.
+    pub confidence: Confidence,
+    /// Where no change is seen, block by block: there a gradient is noise.
+    pub steadiness: Option<Steadiness>,
+}
+
+impl From<Confidence> for Tested {
+    fn from(confidence: Confidence) -> Self {
+        Self { confidence, steadiness: None }
+    }
+}
 
 impl Graph {
     /// Confidence in the history, which falls where a mean over 24×24 pixels departs by more than its standard error explains.
     pub fn change_test(&mut self, difference: &Difference) -> Confidence {
+        self.add_change_test(difference, None)
+    }
+
+    /// [`Self::change_test`], and in the same pass how sure it is that nothing changed: neither that mean nor one of its nine blocks
+    /// departs by what could be more than noise.
+    pub fn change_and_steadiness(&mut self, difference: &Difference) -> Tested {
+        let label = self.label_of(difference);
+        let steadiness = self.named_image("steadiness", &label, CONFIDENCE, BLOCK_SIZE, Lifetime::Transient);
+        let confidence = self.add_change_test(difference, Some(steadiness));
+        Tested { confidence, steadiness: Some(Port::of(self.refreshed(steadiness))) }
+    }
+
+    fn add_change_test(&mut self, difference: &Difference, steadiness: Option<Image>) -> Confidence {
         let label = self.label_of(difference);
         let node = self.node("change_test", &label);
         let confidence = self.named_image("history_confidence", &label, CONFIDENCE, 1, Lifetime::Transient);
         let pass = Pass::new(&node, &shaders::CHANGE_TEST)
             .grid(Grid::Columns(BLOCK_SIZE))
             .bind("history_confidence", confidence)
-            .each("block_difference", difference.images());
+            .each("block_difference", difference.images())
+            .bind_some("steadiness", steadiness);
         self.add(pass);
         Port::of(self.refreshed(confidence))
     }

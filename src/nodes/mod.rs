@@ -35,6 +35,7 @@ pub(crate) mod volume_points;
 pub use adaptive_alpha::Confidences;
 pub use atrous::{Atrous, Kernel, VolumeAtrous};
 pub use block_percentiles::BLOCK_SIZE;
+pub use change_test::Tested;
 pub use debug_view::{Known, Ramp, ViewLegend};
 pub use demodulate::{Albedo, Demodulate};
 pub use eaw::Eaw;
@@ -74,8 +75,16 @@ pub static STAGES: &[Stage] = &[
     Stage::new("fill_holes", fill_holes::twin::twin, &[STATISTICS, pixels("filled", HALF)]),
     Stage::new("firefly", firefly::twin::twin, &[pixels("irradiance", HALF)]),
     Stage::new("block_difference", block_difference::twin::twin, BLOCK_DIFFERENCE),
-    Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),
-    Stage::new("change_test", change_test::twin::twin, &[pixels("history_confidence", STEEP)]),
+    Stage::new(
+        "percentile_rule",
+        percentile_rule::twin::twin,
+        &[pixels("history_confidence", STEEP), rule("steadiness", Per::Block, Values::Plain, STEEP)],
+    ),
+    Stage::new(
+        "change_test",
+        change_test::twin::twin,
+        &[pixels("history_confidence", STEEP), rule("steadiness", Per::Block, Values::Plain, STEEP)],
+    ),
     Stage::new("temporal_accumulation", temporal_accumulation::twin::twin, TEMPORAL_ACCUMULATION),
     Stage::new("specular_accumulation", specular_accumulation::twin::twin, SPECULAR_ACCUMULATION),
     Stage::new("variance", variance::twin::twin, VARIANCE),

@@ -34,7 +34,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let Confidences { scaled: confidence, unscaled } = match &gradient {
         Some(gradient) => {
             let difference = g.block_difference(guides, &irradiance, &history);
-            let tested = g.scope("tested", |g| g.change_test(&difference));
+            let tested = g.scope("tested", |g| g.change_and_steadiness(&difference));
             match config.signals {
                 Signals::Specular => g.adaptive_alphas_or(gradient, &tested),
                 _ => Confidences::equal(g.adaptive_alpha_or(gradient, &tested)),

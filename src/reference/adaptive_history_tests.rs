@@ -30,7 +30,7 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
     let published = percentile_rule(&frame, &tuning, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
     let history = SignalHistory { irradiance: &history, moments: &moments };
     let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-    let test = change_test(&frame, &tuning, EXTENT, &[&difference]);
+    let test = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;
     let mean = |image: &Image<f32>| image.texels().iter().sum::<f32>() / image.texels().len() as f32;
     (mean(&published), mean(&test))
 }
@@ -70,7 +70,7 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
         let history = SignalHistory { irradiance: &history, moments: &moments };
         let irradiance = Image::new(EXTENT, [now; 4]);
         let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
-        change_test(&frame, &tuning, EXTENT, &[&difference]).texels()[700]
+        change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.texels()[700]
     };
     assert_eq!(confidence(1.02), 1.0);
     assert!(confidence(1.1) < 0.01);
@@ -80,7 +80,26 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
 fn without_adaptivity_every_history_is_kept() {
     let (frame, tuning) = (frame(EXTENT), Tuning { adaptivity: 0.0, ..svgf_tuning() });
     let difference = Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0 }));
-    assert!(change_test(&frame, &tuning, EXTENT, &[&difference]).texels().iter().all(|c| *c == 1.0));
+    assert!(change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.texels().iter().all(|c| *c == 1.0));
     let percentiles = Percentiles { low: 0.0, up: 0.1 };
     assert_eq!(weight_of_history(&tuning, &percentiles, 9.0), 1.0);
+}
+
+#[test]
+fn blocks_are_steady_where_neither_their_mean_nor_one_of_them_departs() {
+    let frame = frame([40, 40]);
+    let tuning = Tuning { change_threshold: 2.5, ..svgf_tuning() };
+    // A standard error of 0.125 in a block of 64 pixels.
+    let steadiness = |mean_of: &dyn Fn(i32, i32) -> f32, count: f32| {
+        let of_block = |x, y| Difference { mean: mean_of(x, y), deviation: 1.0, count, brighter: 1.0 };
+        let difference = paint([5, 5], |x, y| pack_difference(&of_block(x, y)));
+        change_test(&frame, &tuning, [40, 40], &[&difference]).steadiness.at(glam::IVec2::splat(2))
+    };
+    assert_eq!(steadiness(&|_, _| 0.0, 64.0), 1.0);
+    assert!(steadiness(&|_, _| 0.2, 64.0) < 0.01, "4.8 standard errors of the mean, 1.6 of each block");
+    // What a shadow that wanders takes from one block it gives to the next: 4.8 standard errors of each, none of the mean.
+    assert!(steadiness(&|x, _| [0.0, 0.6, 0.0, -0.6, 0.0][x as usize], 64.0) < 0.01);
+    let partly = steadiness(&|x, y| if (x, y) == (2, 2) { 0.375 } else { 0.0 }, 64.0);
+    assert!(partly > 0.4 && partly < 0.9, "3 standard errors of one block: {partly}");
+    assert_eq!(steadiness(&|_, _| 0.0, 0.0), 0.0, "nothing is known of the background");
 }

@@ -62,7 +62,7 @@ pub use crate::nodes::block_difference::twin::{
 pub use crate::nodes::block_percentiles::twin::{
     block_percentiles, pack_percentiles, unpack_percentiles, BlockPercentilesInputs, Percentiles,
 };
-pub use crate::nodes::change_test::twin::{change_test, CHANGE_EPSILON};
+pub use crate::nodes::change_test::twin::{change_test, ChangeTestOutputs, CHANGE_EPSILON};
 pub use crate::nodes::debug_view::twin::{debug_view, DebugViewInputs};
 pub use crate::nodes::demodulate::twin::{
     demodulate, noisy_luminance, noisy_red_blue, DemodulateInputs, DemodulateOutputs, ALBEDO_EPSILON,

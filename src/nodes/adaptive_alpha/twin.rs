@@ -1,6 +1,7 @@
 //! The stage `adaptive_alpha` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
 use crate::reference::bindings::Bindings;
+use crate::reference::blocks::Blocks;
 use crate::reference::light_ratio::coherence_of;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
@@ -18,6 +19,8 @@ pub enum AdaptiveAlphaInput<'a> {
         light_ratio: Option<&'a Image<[f32; 4]>>,
         /// Confidence of another stage, one texel a pixel, for pixels without a gradient.
         other: Option<&'a Image<f32>>,
+        /// How sure the change test is that nothing changed, one texel a block.
+        steadiness: Option<&'a Image<f32>>,
     },
     /// The host's own confidence, one texel a pixel: x, 0 to 1; where it is not finite, history is trusted.
     Confidence(&'a Image<[f32; 4]>),
@@ -39,16 +42,18 @@ pub fn adaptive_alpha(
     extent: [u32; 2],
     input: AdaptiveAlphaInput,
 ) -> AdaptiveAlphaOutputs {
-    let rect = RenderRect::new(frame.render_extent);
+    let (rect, blocks) = (RenderRect::new(frame.render_extent), Blocks::new(frame.render_extent));
     let texels = Image::compute(extent, frame.render_extent, |p| match input {
-        AdaptiveAlphaInput::Gradient { gradient, stratum_size, light_ratio, other } => {
+        AdaptiveAlphaInput::Gradient { gradient, stratum_size, light_ratio, other, steadiness } => {
             let strata = || rect.window(p, 1, 1).map(|(_, q)| q / stratum_size as i32);
             if let Some(other) = other.filter(|_| strata().all(|s| gradient.at(s)[1] == 0.0)) {
                 return [other.at(p); 2];
             }
             let change = strata().map(|s| change(tuning, gradient.at(s))).fold(0.0, f32::max);
             let ratios = light_ratio.map_or_else(Vec::new, |ratio| strata().map(|s| ratio.at(s)).collect());
-            [1.0 - change * (1.0 - coherence(&ratios)), 1.0 - change]
+            let unsteady =
+                steadiness.map_or(1.0, |steadiness| 1.0 - blocks.around(p).iter().map(|&(b, w)| w * steadiness.at(b)).sum::<f32>());
+            [1.0 - change * unsteady * (1.0 - coherence(&ratios)), 1.0 - change]
         }
         AdaptiveAlphaInput::Confidence(host) => match host.at(p)[0] {
             c if c.is_finite() => [c.clamp(0.0, 1.0); 2],
@@ -88,6 +93,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             stratum_size: b.stratum_size()?,
             light_ratio: b.optional_colour("light_ratio")?,
             other: b.optional_scalar("other_confidence")?,
+            steadiness: b.optional_scalar("steadiness")?,
         },
     };
     let outputs = adaptive_alpha(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
@@ -113,7 +119,13 @@ mod tests {
                 (2, 0) => [1.0, 0.0, 0.0, 0.0],
                 _ => [0.0, 1.0, 0.0, 0.0],
             });
-            let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: None };
+            let input = AdaptiveAlphaInput::Gradient {
+                gradient: &gradient,
+                stratum_size: 3,
+                light_ratio: None,
+                other: None,
+                steadiness: None,
+            };
             let confidence = adaptive_alpha(&frame([7, 7]), &tuning, [7, 7], input).history_confidence;
             let expected = paint([7, 7], |x, y| if (2..=6).contains(&x) && (2..=6).contains(&y) { 0.5 } else { 1.0 });
             assert_eq!(confidence, expected);
@@ -130,8 +142,13 @@ mod tests {
                 1 => [second, 0.5, 0.5, 1.0],
                 _ => [1.0, 1.0, 1.0, -1.0],
             });
-            let input =
-                AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: Some(&ratio), other: None };
+            let input = AdaptiveAlphaInput::Gradient {
+                gradient: &gradient,
+                stratum_size: 3,
+                light_ratio: Some(&ratio),
+                other: None,
+                steadiness: None,
+            };
             let outputs = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
             let unscaled = outputs.unscaled_confidence.texels()[..9].to_vec();
             assert_eq!(unscaled, [0.0; 9], "light changed, and nothing scales this history");
@@ -146,9 +163,35 @@ mod tests {
     fn pixels_without_a_gradient_take_the_other_confidence() {
         let gradient = paint([3, 1], |x, _| if x == 0 { [0.0, 1.0, 0.0, 0.0] } else { [0.0; 4] });
         let other = paint([9, 3], |_, _| 0.25);
-        let input = AdaptiveAlphaInput::Gradient { gradient: &gradient, stratum_size: 3, light_ratio: None, other: Some(&other) };
+        let input = AdaptiveAlphaInput::Gradient {
+            gradient: &gradient,
+            stratum_size: 3,
+            light_ratio: None,
+            other: Some(&other),
+            steadiness: None,
+        };
         let confidence = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input).unscaled_confidence;
         assert_eq!(confidence.texels()[..9], [1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.25]);
+    }
+
+    #[test]
+    fn a_gradient_of_steady_blocks_drops_no_history_that_they_saw() {
+        let gradient = paint([8, 1], |_, _| [1.0, 1.0, 0.0, 0.0]);
+        let steadiness = paint([3, 1], |x, _| [1.0, 0.0, 0.5][x as usize]);
+        let input = AdaptiveAlphaInput::Gradient {
+            gradient: &gradient,
+            stratum_size: 3,
+            light_ratio: None,
+            other: None,
+            steadiness: Some(&steadiness),
+        };
+        let outputs = adaptive_alpha(&frame([24, 3]), &svgf_tuning(), [24, 3], input);
+        let confidence = &outputs.history_confidence.texels()[..24];
+        assert_eq!(confidence[..4], [1.0; 4], "the block at the edge");
+        assert_eq!(confidence[4], 1.0 - 0.5 / 8.0, "half a pixel beyond its centre");
+        assert_eq!(confidence[11], 0.5 / 8.0, "half a pixel before that of the block that changed");
+        assert_eq!(confidence[20..], [0.5; 4], "the other edge");
+        assert_eq!(outputs.unscaled_confidence.texels(), [0.0; 72]);
     }
 
     #[test]

@@ -12,36 +12,74 @@ use glam::IVec2;
 /// Share of the mean luminance below which a change is not worth the history, however certain it is.
 pub const CHANGE_EPSILON: f32 = 0.01;
 
-/// The test in both directions, on `block_difference` of every signal. 1, keep the history, to 0, drop it; `extent` is the
-/// allocated one.
-pub fn change_test(frame: &FrameConstants, tuning: &Tuning, extent: [u32; 2], block_difference: &[&Image<[u16; 4]>]) -> Image<f32> {
-    let blocks = Blocks::new(frame.render_extent);
-    let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
-        block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block)).fold(0.0, f32::max)
-    });
-    Image::compute(extent, frame.render_extent, |p| {
-        let change: f32 = blocks.around(p).iter().map(|&(block, weight)| weight * changes.at(block)).sum();
-        1.0 - tuning.adaptivity * change
-    })
+/// Shares of the threshold between which steadiness falls from 1 to 0: of the mean difference over 3×3 blocks.
+const STEADY_MEAN: [f32; 2] = [0.6, 1.2];
+/// The same of the worst of the nine blocks, whose noise is larger.
+const STEADY_BLOCK: [f32; 2] = [1.0, 1.6];
+
+/// Outputs of [`change_test`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChangeTestOutputs {
+    /// 1, keep the history, to 0, drop it.
+    pub history_confidence: Image<f32>,
+    /// One texel a block: 1 where neither the mean nor one of its blocks departs by what could be more than noise, to 0.
+    pub steadiness: Image<f32>,
 }
 
-/// 0 to 1: the mean difference over 3×3 blocks, in standard errors, against the threshold.
-fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> f32 {
-    let (mut sum, mut variance, mut brighter) = (0.0, 0.0, 0.0);
+/// The test in both directions, on `block_difference` of every signal; `extent` is the allocated one.
+pub fn change_test(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    extent: [u32; 2],
+    block_difference: &[&Image<[u16; 4]>],
+) -> ChangeTestOutputs {
+    let blocks = Blocks::new(frame.render_extent);
+    let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
+        let of_signals = block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block));
+        of_signals.fold([0.0_f32; 2], |[c, u], [change, unsteadiness]| [c.max(change), u.max(unsteadiness)])
+    });
+    let confidence = |p| {
+        let change: f32 = blocks.around(p).iter().map(|&(block, weight)| weight * changes.at(block)[0]).sum();
+        1.0 - tuning.adaptivity * change
+    };
+    ChangeTestOutputs {
+        history_confidence: Image::compute(extent, frame.render_extent, confidence),
+        steadiness: changes.map(|change| 1.0 - change[1]),
+    }
+}
+
+/// 0 to 1, the mean difference over 3×3 blocks, in standard errors, against the threshold; and 1 − steadiness.
+fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> [f32; 2] {
+    let (mut pixels, mut sum, mut variance, mut brighter, mut worst) = (0.0, 0.0, 0.0, 0.0, 0.0f32);
     for (_, q) in blocks.rect().window(block, 1, 1) {
         let difference = unpack_difference(differences.at(q));
-        sum += difference.count * difference.mean;
-        variance += difference.count * difference.deviation * difference.deviation;
-        brighter += difference.count * difference.brighter;
+        let of_block =
+            [difference.mean, difference.deviation * difference.deviation, difference.brighter].map(|v| difference.count * v);
+        pixels += difference.count;
+        sum += of_block[0];
+        variance += of_block[1];
+        brighter += of_block[2];
+        worst = worst.max(errors(of_block));
     }
+    let (k, errors) = (tuning.change_threshold, errors([sum, variance, brighter]));
+    let steady = |shares: [f32; 2], errors| 1.0 - lin(shares[0] * k, shares[1] * k, errors);
+    let steadiness = if pixels == 0.0 { 0.0 } else { steady(STEADY_MEAN, errors) * steady(STEADY_BLOCK, worst) };
+    [lin(k, 2.0 * k, errors), 1.0 - steadiness]
+}
+
+/// A difference in standard errors.
+fn errors([sum, variance, brighter]: [f32; 3]) -> f32 {
     let least = CHANGE_EPSILON * brighter;
-    let errors = sum.abs() / (variance + least * least).sqrt().max(1e-6);
-    lin(tuning.change_threshold, 2.0 * tuning.change_threshold, errors)
+    sum.abs() / (variance + least * least).sqrt().max(1e-6)
 }
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let extent = b.extent_of("history_confidence")?;
-    let confidence = change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?);
-    b.write("history_confidence", confidence)
+    let outputs = change_test(b.frame, b.tuning, extent, &b.packed_signals("block_difference")?);
+    b.write("history_confidence", outputs.history_confidence)?;
+    if b.has("steadiness") {
+        b.write("steadiness", outputs.steadiness)?;
+    }
+    Ok(())
 }

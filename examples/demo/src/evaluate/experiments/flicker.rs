@@ -152,7 +152,10 @@ fn report(contenders: &[Contender], measured: &[Measured], change: &[f32], frame
         let error = squares(&measured.errors);
         table.row(contender.name, &[100.0 * outside, 100.0 * inside, 100.0 * others, error, error / of_svgf]);
         if [ASVGF, BEST].contains(&contender.name) {
-            claims.push(claim(format!("share outside that loses history, {}", contender.name), outside, [0.02, 0.7]));
+            // The picture of --quick is less than half as wide, and the band beside the wall between both halves is not narrower; its
+            // histories are short.
+            let accepted = if contender.name == BEST { 0.2 } else { 0.7 };
+            claims.push(claim(format!("share outside that loses history, {}", contender.name), outside, [0.02, accepted]));
         }
         if contender.name == BEST {
             claims.push(claim(format!("RMSE inside of {} to that of SVGF", contender.name), error / of_svgf, [0.5; 2]));
