@@ -2,8 +2,8 @@
 // How far the history of a pixel is still true: 1 where light did not change, 0 where nothing of it is left.
 // Source: [ASVGF] 3.5, eq. 14: λ = |δ| / Δ, and its maximum over 3x3 pixels; confidence is 1 - λ.
 // In:  SOURCE 0: gradient, δ and Δ per stratum; light_ratio: history that it scales is true again; other_confidence, of which those pixels
-//      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the host per pixel. Out: history_confidence, 0..1; unscaled_confidence
-//      is the same of a history that no ratio of light scales.
+//      take theirs that no gradient is known for; steadiness of blocks, where a gradient is no evidence of change. SOURCE 1: confidence of the
+//      host per pixel. Out: history_confidence, 0..1; unscaled_confidence is the same of a history that no ratio of light scales.
 // Constants: STRATUM_SIZE, with SOURCE 0.
 // optional: light_ratio, other_confidence, unscaled_confidence, steadiness
 // variants: SOURCE=0 SOURCE=1
@@ -62,13 +62,12 @@ void add_stratum(inout Surroundings around, ivec2 s) {
     around.largest = known ? max(around.largest, ratio) : around.largest;
 }
 
-// Between the centres of the blocks; beyond the edge the last one stands in.
 float steadiness_at(ivec2 p) {
-    vec2 position = block_position(p), corner = floor(position), f = position - corner;
-    ivec2 last = block_extent() - 1, first = clamp(ivec2(corner), ivec2(0), last), second = clamp(ivec2(corner) + 1, ivec2(0), last);
-    float upper = mix(texelFetch(steadiness, first, 0).x, texelFetch(steadiness, ivec2(second.x, first.y), 0).x, f.x);
-    float lower = mix(texelFetch(steadiness, ivec2(first.x, second.y), 0).x, texelFetch(steadiness, second, 0).x, f.x);
-    return mix(upper, lower, f.y);
+    BlocksAround around = blocks_around(p);
+    ivec2 first = around.first, second = around.second;
+    float upper = mix(texelFetch(steadiness, first, 0).x, texelFetch(steadiness, ivec2(second.x, first.y), 0).x, around.fraction.x);
+    float lower = mix(texelFetch(steadiness, ivec2(first.x, second.y), 0).x, texelFetch(steadiness, second, 0).x, around.fraction.x);
+    return mix(upper, lower, around.fraction.y);
 }
 
 // In a history that the ratio scales, and in one that nothing scales. The 3x3 pixels lie in at most 2x2 strata; one that is met again changes

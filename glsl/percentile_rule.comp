@@ -42,13 +42,13 @@ float lin(float a, float b, float x) { return clamp((x - a) / (b - a), 0.0, 1.0)
 const float RANGE_EPSILON = 0.01;
 
 vec2 percentiles_at(ivec2 p, utexture2D blocks) {
-    vec2 position = block_position(p), corner = floor(position), f = position - corner;
+    BlocksAround around = blocks_around(p);
     vec2 sum = vec2(0.0);
     for (int i = 0; i < 4; ++i) {
-        ivec2 offset = ivec2(i & 1, i >> 1);
-        ivec2 block = clamp(ivec2(corner) + offset, ivec2(0), block_extent() - 1);
-        float weight = (offset.x == 1 ? f.x : 1.0 - f.x) * (offset.y == 1 ? f.y : 1.0 - f.y);
-        sum += weight * unpackHalf2x16(texelFetch(blocks, block, 0).x);
+        bvec2 is_second = bvec2((i & 1) == 1, i >> 1 == 1);
+        ivec2 block = mix(around.first, around.second, is_second);
+        vec2 weights = mix(1.0 - around.fraction, around.fraction, is_second);
+        sum += weights.x * weights.y * unpackHalf2x16(texelFetch(blocks, block, 0).x);
     }
     return sum;
 }

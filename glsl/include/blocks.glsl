@@ -17,4 +17,17 @@ bool is_block(ivec2 block) { return all(greaterThanEqual(block, ivec2(0))) && al
 // Position among the centres of the blocks.
 vec2 block_position(ivec2 p) { return (vec2(p) + 0.5) / float(BLOCK_SIZE) - 0.5; }
 
+struct BlocksAround {
+    ivec2 first;
+    ivec2 second;
+    vec2 fraction;  // of the way from the centre of the first to that of the second
+};
+
+// The four blocks whose centres are nearest to a pixel; beyond the edge the last block stands in.
+BlocksAround blocks_around(ivec2 p) {
+    vec2 position = block_position(p), corner = floor(position);
+    ivec2 last = block_extent() - 1;
+    return BlocksAround(clamp(ivec2(corner), ivec2(0), last), clamp(ivec2(corner) + 1, ivec2(0), last), position - corner);
+}
+
 #endif

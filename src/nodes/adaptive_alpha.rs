@@ -37,7 +37,7 @@ impl Graph {
     }
 
     /// [`Self::adaptive_alpha_or`], and in the same pass the confidence in a history that the ratio of light does not scale.
-    /// There gradients always count: the test saw the other history.
+    /// In that one gradients always count: the test saw the other history.
     pub fn adaptive_alphas_or(&mut self, gradient: &Gradient, tested: &Tested) -> Confidences {
         let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
         let steadiness = tested.steadiness.filter(|_| unscaled.is_some());

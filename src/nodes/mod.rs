@@ -75,11 +75,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("fill_holes", fill_holes::twin::twin, &[STATISTICS, pixels("filled", HALF)]),
     Stage::new("firefly", firefly::twin::twin, &[pixels("irradiance", HALF)]),
     Stage::new("block_difference", block_difference::twin::twin, BLOCK_DIFFERENCE),
-    Stage::new(
-        "percentile_rule",
-        percentile_rule::twin::twin,
-        &[pixels("history_confidence", STEEP), rule("steadiness", Per::Block, Values::Plain, STEEP)],
-    ),
+    Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),
     Stage::new(
         "change_test",
         change_test::twin::twin,

@@ -37,6 +37,11 @@ impl Blocks {
     pub fn around(&self, p: IVec2) -> [(IVec2, f32); 4] {
         self.rect().cells_around(p, BLOCK_SIZE)
     }
+
+    /// A value of blocks at a pixel, bilinear between their centres.
+    pub fn interpolated(&self, p: IVec2, value: impl Fn(IVec2) -> f32) -> f32 {
+        self.around(p).into_iter().map(|(block, weight)| weight * value(block)).sum()
+    }
 }
 
 /// The block that a pixel lies in.

@@ -51,8 +51,7 @@ pub fn adaptive_alpha(
             }
             let change = strata().map(|s| change(tuning, gradient.at(s))).fold(0.0, f32::max);
             let ratios = light_ratio.map_or_else(Vec::new, |ratio| strata().map(|s| ratio.at(s)).collect());
-            let unsteady =
-                steadiness.map_or(1.0, |steadiness| 1.0 - blocks.around(p).iter().map(|&(b, w)| w * steadiness.at(b)).sum::<f32>());
+            let unsteady = steadiness.map_or(1.0, |steadiness| 1.0 - blocks.interpolated(p, |block| steadiness.at(block)));
             [1.0 - change * unsteady * (1.0 - coherence(&ratios)), 1.0 - change]
         }
         AdaptiveAlphaInput::Confidence(host) => match host.at(p)[0] {

@@ -38,10 +38,7 @@ pub fn change_test(
         let of_signals = block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block));
         of_signals.fold([0.0_f32; 2], |[c, u], [change, unsteadiness]| [c.max(change), u.max(unsteadiness)])
     });
-    let confidence = |p| {
-        let change: f32 = blocks.around(p).iter().map(|&(block, weight)| weight * changes.at(block)[0]).sum();
-        1.0 - tuning.adaptivity * change
-    };
+    let confidence = |p| 1.0 - tuning.adaptivity * blocks.interpolated(p, |block| changes.at(block)[0]);
     ChangeTestOutputs {
         history_confidence: Image::compute(extent, frame.render_extent, confidence),
         steadiness: changes.map(|change| 1.0 - change[1]),
