@@ -67,6 +67,10 @@ const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : KERNEL == BOX
 
 float kernel_at(ivec2 offset) { return KERNEL == SPLINE_KERNEL ? SPLINE[abs(offset.x)] * SPLINE[abs(offset.y)] : CENTRE_KERNEL; }
 
+// Taps are 2^level pixels apart, those of the box from level 3 on one less: with even steps alone no level but the first mixes even pixels with odd
+// ones, and where the first refuses outliers their difference stays as a lattice [ours].
+int step_of(uint level) { return (1 << level) - (KERNEL == BOX_KERNEL && level >= 3u ? 1 : 0); }
+
 bool is_tap(ivec2 offset) {
     if (KERNEL == HEXAGON_KERNEL && abs(offset) == (ODD ? ivec2(0, 1) : ivec2(1, 0))) return false;
     return offset != ivec2(0);
@@ -176,7 +180,7 @@ void main() {
     Lobe lobe = lobe_of(p, packed, geometry.surface);
 #endif
     vec2 deviations = tolerated_deviations(p);
-    int step_size = 1 << push.level;
+    int step_size = step_of(push.level);
     Centre centre_0 = centre_of(value_0, deviations.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2

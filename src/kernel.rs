@@ -10,7 +10,8 @@ choices! {
         /// 5×5 B3 spline \[SVGF\]: 25 taps.
         #[default]
         Spline = 0 => "spline",
-        /// 3×3 box \[ASVGF\]: 9 taps.
+        /// 3×3 box \[ASVGF\]: 9 taps, 1, 2, 4, 7, 15, 31, ... pixels apart. With even steps alone no level but the first would mix even
+        /// pixels with odd ones, which leaves a lattice where the first one refuses outliers.
         Box = 1 => "box",
         /// The pixel and six around it: 7 taps. They are those of the box without the two beside it on even levels, without the two
         /// above and below it on odd ones, so that two levels together look the same way in both directions.
@@ -27,6 +28,15 @@ impl Kernel {
         match self {
             Self::Spline => 2,
             Self::Box | Self::Hexagon => 1,
+        }
+    }
+
+    /// Distance between the taps of a level, pixels.
+    pub(crate) fn step(self, level: u32) -> i32 {
+        let step = 1_i32.checked_shl(level).unwrap_or(i32::MAX / 4);
+        match self {
+            Self::Box if level >= 3 => step - 1,
+            _ => step,
         }
     }
 
@@ -57,6 +67,15 @@ mod tests {
                 assert_eq!(weights.len(), taps, "{kernel:?}");
                 assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{kernel:?}");
             }
+        }
+    }
+
+    /// So that even pixels are mixed with odd ones where the first level refuses outliers.
+    #[test]
+    fn a_box_has_odd_steps_after_the_first_level() {
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|level| Kernel::Box.step(level)), [1, 2, 4, 7, 15, 31]);
+        for kernel in [Kernel::Spline, Kernel::Hexagon] {
+            assert_eq!([0, 1, 2, 3, 4, 5].map(|level| kernel.step(level)), [1, 2, 4, 8, 16, 32], "{kernel}");
         }
     }
 

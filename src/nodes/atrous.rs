@@ -11,7 +11,7 @@ pub use crate::kernel::Kernel;
 /// Parameters of the node `atrous`.
 #[derive(Clone, Copy, Debug)]
 pub struct Atrous {
-    /// Levels, 1 to 10; taps of level i are 2^i pixels apart. Default: 5.
+    /// Levels, 1 to 10; taps of level i are 2^i pixels apart, those of a box as [`Kernel::Box`] says. Default: 5.
     pub levels: u32,
     /// Default: [`Kernel::Spline`].
     pub kernel: Kernel,

@@ -37,7 +37,7 @@ pub struct AtrousInputs<'a> {
 /// One level of the filter.
 #[derive(Clone, Copy, Debug)]
 pub struct AtrousLevel {
-    /// Number of the level: taps are `2^number` pixels apart.
+    /// Number of the level: taps are `2^number` pixels apart, those of a box as [`Kernel::Box`] says.
     pub number: u32,
     /// Kernel.
     pub kernel: Kernel,
@@ -81,7 +81,7 @@ fn filter(
     irradiance: &[&Image<[f32; 4]>],
 ) -> Vec<Image<[f32; 4]>> {
     let rect = RenderRect::new(frame.render_extent);
-    let step = 1_i32.checked_shl(level.number).unwrap_or(i32::MAX / 4);
+    let step = level.kernel.step(level.number);
     // Geometry weights cost the most: they are computed once for the two signals that there can be.
     let mut filtered = Vec::with_capacity(irradiance.len());
     for pair in irradiance.chunks(2) {
