@@ -9,12 +9,12 @@ rustup toolchain list | grep -q '^nightly' || rustup toolchain install nightly -
 rustup component list --toolchain nightly --installed | grep -q '^llvm-tools' || rustup component add --toolchain nightly llvm-tools
 cargo llvm-cov --version >/dev/null 2>&1 || cargo install cargo-llvm-cov --locked
 
-# A folder of its own: what is instrumented is no use to other builds. The C++ host links the library from where its script puts it.
+# A folder of its own: what is instrumented is no use to other builds. The C++ host links the library that is built there.
 export RUSTUP_TOOLCHAIN=nightly CARGO_TARGET_DIR=$PWD/target/coverage ATROUS_REQUIRE_DEVICE=1
 environment=$(cargo llvm-cov show-env --sh --branch 2>/dev/null)
 eval "$environment"
 report() {
-    library=target/capi/debug/libatrous_capi.so
+    library=$CARGO_TARGET_DIR/debug/libatrous_capi.so
     if grep -q __llvm_covmap "$library" 2>/dev/null; then export LLVM_COV_FLAGS="--object=$library"; fi
     cargo llvm-cov report --branch --lcov --package atrous --package atrous-capi
 }

@@ -14,7 +14,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("holes_that_nothing_fills_are_counted", holes_that_nothing_fills_are_counted),
 ];
 
-const EXTENT: [u32; 2] = [160, 90];
+const EXTENT: [u32; 2] = [112, 64];
 const FRAMES: u32 = 16;
 
 /// Whether a pixel has a sample in a frame: each pixel in its turn.
@@ -107,7 +107,7 @@ fn holes_that_nothing_fills_are_counted() {
     // A block of 8×6 pixels without a sample: the 6×4 in its middle see none.
     let (_, counted, _) = error(&config, |_, g| {
         for (x, y) in pixels([8, 6]) {
-            g.noisy_radiance[((y + 60) * EXTENT[0] + x + 20) as usize] = [f32::NAN; 4];
+            g.noisy_radiance[((y + 40) * EXTENT[0] + x + 20) as usize] = [f32::NAN; 4];
         }
     });
     assert_eq!(counted, (6 * 4 * FRAMES) as f32);

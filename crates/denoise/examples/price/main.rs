@@ -1,6 +1,6 @@
-//! Quality for the price: presets and kernels as points, CPU time against error, on sequences with references. Writes `price.png`,
-//! `price.md` and `price.json`: `cargo run --release -p atrous-denoise --example price -- SEQUENCE... --out FOLDER`. docs/performance.md
-//! shows the last run.
+//! Quality for the price: presets and kernels as points, CPU time against error, on sequences with references. Writes `price.png`, the
+//! mean over the sequences, `price_sequences.png`, `price.md` and `price.json`:
+//! `cargo run --release -p atrous-denoise --example price -- SEQUENCE... --out FOLDER`. docs/performance.md shows the last run.
 
 mod filters;
 mod front;
@@ -21,7 +21,7 @@ struct Options {
     /// Folders of frames with references, as `atrous-denoise` reads them; a capture of the demo is one. None: those in `price.json` are
     /// drawn again
     sequences: Vec<PathBuf>,
-    /// Folder for `price.png`, `price.md` and `price.json`; sequences that are in the last one stay, unless they are measured again
+    /// Folder for the pictures, `price.md` and `price.json`; sequences that are in the last one stay, unless they are measured again
     #[arg(long, default_value = "out/price")]
     out: PathBuf,
     /// Frames of each sequence that are run, from the first on. Default: all
@@ -74,6 +74,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let text = report::markdown(&sequences);
     std::fs::write(options.out.join("price.md"), &text)?;
     report::picture(&sequences)?.write_png(options.out.join("price.png"))?;
+    report::picture_of_each(&sequences)?.write_png(options.out.join("price_sequences.png"))?;
     print!("{text}");
     Ok(())
 }

@@ -37,7 +37,7 @@ pub struct Sequence {
 }
 
 /// What a filter takes, and what it leaves.
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 pub struct Point {
     pub name: String,
     /// Name of its preset.

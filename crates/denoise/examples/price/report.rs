@@ -1,7 +1,7 @@
 //! The table and the picture.
 
 use super::front;
-use super::measure::{Point, Sequence, COLUMNS};
+use super::measure::{Point, Sequence, COLUMNS, UNIT};
 use atrous_picture::{Picture, PictureError, Scatter};
 use std::fmt::Write;
 
@@ -9,8 +9,6 @@ use std::fmt::Write;
 const PRICE: &str = "time, svgf = 1";
 /// Width and height of one plot.
 const PLOT: [u32; 2] = [620, 400];
-/// Plots side by side.
-const COLUMNS_OF_PLOTS: u32 = 2;
 /// What is on the front is named where it is better by this factor than what was named before.
 const WORTH_A_NAME: f64 = 0.95;
 
@@ -20,44 +18,101 @@ fn front_of(sequence: &Sequence, metric: usize) -> Vec<bool> {
     front::of(&points)
 }
 
-/// A table for each sequence, cheapest first. Bold: on the front.
+/// The geometric mean over sequences of what each point takes and leaves, as multiples of [`UNIT`]'s; of the points that all have.
+/// `None`: fewer than two sequences, or none has that point.
+fn mean(sequences: &[Sequence]) -> Option<Sequence> {
+    let [first, _, ..] = sequences else { return None };
+    let units = sequences.iter().map(|sequence| named(sequence, UNIT)).collect::<Option<Vec<_>>>()?;
+    let over = |of: &dyn Fn(&Sequence) -> Option<[f64; 4]>| -> Option<[f64; 4]> {
+        let errors = sequences.iter().map(of).collect::<Option<Vec<_>>>()?;
+        Some([0, 1, 2, 3].map(|i| geometric(errors.iter().zip(&units).map(|(errors, unit)| errors[i] / unit.errors[i]))))
+    };
+    let point = |point: &Point| {
+        let prices = sequences.iter().map(|sequence| Some(named(sequence, &point.name)?.price)).collect::<Option<Vec<_>>>()?;
+        let errors = over(&|sequence| Some(named(sequence, &point.name)?.errors))?;
+        Some(Point { price: geometric(prices.into_iter()), ms: f64::NAN, errors, ..point.clone() })
+    };
+    Some(Sequence {
+        name: format!("{} sequences", sequences.len()),
+        device: first.device.clone(),
+        points: first.points.iter().filter_map(point).collect(),
+        noisy: over(&|sequence| Some(sequence.noisy))?,
+        extent: first.extent,
+        frames: first.frames,
+        scored: first.scored,
+    })
+}
+
+fn named<'s>(sequence: &'s Sequence, name: &str) -> Option<&'s Point> {
+    sequence.points.iter().find(|point| point.name == name)
+}
+
+fn geometric(values: impl Iterator<Item = f64>) -> f64 {
+    let logarithms: Vec<f64> = values.map(f64::ln).collect();
+    (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
+}
+
+/// A table of the mean, where there are several sequences, and one for each. Cheapest first; bold: on the front.
 pub fn markdown(sequences: &[Sequence]) -> String {
     let mut text = String::new();
+    if let Some(mean) = mean(sequences) {
+        let _ = writeln!(text, "Geometric mean over {}, errors as multiples of those of `{UNIT}`:\n", mean.name);
+        table(&mut text, &mean, [3; 4], |_| String::new());
+    }
     for sequence in sequences {
-        let Sequence { name, device, points, extent: [width, height], frames, scored, noisy } = sequence;
-        let fronts = [0, 1, 2, 3].map(|metric| front_of(sequence, metric));
-        let mut order: Vec<usize> = (0..points.len()).collect();
-        order.sort_by(|a, b| points[*a].price.total_cmp(&points[*b].price));
+        let Sequence { name, device, extent: [width, height], frames, scored, .. } = sequence;
         let _ = writeln!(text, "`{name}`, {width}x{height}, {frames} frames, the last {scored} scored, {device}:\n");
-        let _ = writeln!(text, "| filter | {PRICE} | CPU ms | {} |", COLUMNS.map(|(name, _)| name).join(" | "));
-        let _ = writeln!(text, "| --- | --- | --- | --- | --- | --- | --- |");
-        let cell = |metric: usize, value: f64, is_on: bool| {
-            let mark = if is_on { "**" } else { "" };
-            format!("{mark}{value:.0$}{mark}", COLUMNS[metric].1)
-        };
-        for i in order {
-            let point = &points[i];
-            let cells: Vec<_> = (0..4).map(|metric| cell(metric, point.errors[metric], fronts[metric][i])).collect();
-            let _ = writeln!(text, "| {} | {:.2} | {:.1} | {} |", point.name, point.price, point.ms, cells.join(" | "));
-        }
-        let cells: Vec<_> = (0..4).map(|metric| cell(metric, noisy[metric], false)).collect();
-        let _ = writeln!(text, "| noisy | | | {} |\n", cells.join(" | "));
+        table(&mut text, sequence, COLUMNS.map(|(_, decimals)| decimals), |point| format!("{:.1}", point.ms));
     }
     text
 }
 
-/// A plot for each metric of each sequence.
+fn table(text: &mut String, sequence: &Sequence, decimals: [usize; 4], ms: impl Fn(&Point) -> String) {
+    let points = &sequence.points;
+    let fronts = [0, 1, 2, 3].map(|metric| front_of(sequence, metric));
+    let mut order: Vec<usize> = (0..points.len()).collect();
+    order.sort_by(|a, b| points[*a].price.total_cmp(&points[*b].price));
+    let _ = writeln!(text, "| filter | {PRICE} | CPU ms | {} |", COLUMNS.map(|(name, _)| name).join(" | "));
+    let _ = writeln!(text, "| --- | --- | --- | --- | --- | --- | --- |");
+    let cell = |metric: usize, value: f64, is_on: bool| {
+        let mark = if is_on { "**" } else { "" };
+        format!("{mark}{value:.0$}{mark}", decimals[metric])
+    };
+    for i in order {
+        let point = &points[i];
+        let cells: Vec<_> = (0..4).map(|metric| cell(metric, point.errors[metric], fronts[metric][i])).collect();
+        let _ = writeln!(text, "| {} | {:.2} | {} | {} |", point.name, point.price, ms(point), cells.join(" | "));
+    }
+    let cells: Vec<_> = (0..4).map(|metric| cell(metric, sequence.noisy[metric], false)).collect();
+    let _ = writeln!(text, "| noisy | | | {} |\n", cells.join(" | "));
+}
+
+/// A plot for each metric: of the mean, or of the only sequence.
+///
+/// # Errors
+/// No point that is finite.
+pub fn picture(sequences: &[Sequence]) -> Result<Picture, PictureError> {
+    let mean = mean(sequences);
+    let shown = mean.as_ref().or(sequences.first());
+    plots(shown.as_slice(), 2)
+}
+
+/// A row of plots, one for each metric, of each sequence.
 ///
 /// # Errors
 /// No point that is finite, or more plots than a picture has room for.
-pub fn picture(sequences: &[Sequence]) -> Result<Picture, PictureError> {
+pub fn picture_of_each(sequences: &[Sequence]) -> Result<Picture, PictureError> {
+    plots(&sequences.iter().collect::<Vec<_>>(), COLUMNS.len() as u32)
+}
+
+fn plots(sequences: &[&Sequence], columns: u32) -> Result<Picture, PictureError> {
     let [width, height] = PLOT;
-    let rows = (COLUMNS.len() as u32).div_ceil(COLUMNS_OF_PLOTS);
-    let mut whole = Picture::filled(width * COLUMNS_OF_PLOTS, height * rows * sequences.len() as u32, [255; 3])?;
+    let rows = (COLUMNS.len() as u32).div_ceil(columns);
+    let mut whole = Picture::filled(width * columns, height * rows * sequences.len() as u32, [255; 3])?;
     for (first_row, sequence) in (0..).step_by(rows as usize).zip(sequences) {
         for (i, (metric, _)) in (0..).zip(COLUMNS) {
             let plot = plot(sequence, i as usize, metric).render()?;
-            whole.paste(&plot, i % COLUMNS_OF_PLOTS * width, (first_row + i / COLUMNS_OF_PLOTS) * height);
+            whole.paste(&plot, i % columns * width, (first_row + i / columns) * height);
         }
     }
     Ok(whole)
@@ -87,4 +142,48 @@ fn plot(sequence: &Sequence, metric: usize, name: &str) -> Scatter {
         scatter = scatter.group(group, of_group.map(mark));
     }
     scatter.front(front.into_iter().map(place))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sequence(name: &str, points: &[(&str, f64, f64)]) -> Sequence {
+        let point = |(name, price, error): &(&str, f64, f64)| Point {
+            name: (*name).to_owned(),
+            group: (*name).to_owned(),
+            ms: 10.0 * price,
+            price: *price,
+            errors: [*error; 4],
+        };
+        Sequence {
+            name: name.to_owned(),
+            device: "a device".to_owned(),
+            points: points.iter().map(point).collect(),
+            noisy: [8.0; 4],
+            extent: [320, 180],
+            frames: 18,
+            scored: 6,
+        }
+    }
+
+    #[test]
+    fn the_mean_is_of_multiples_of_svgf() {
+        let dark = sequence("dark", &[(UNIT, 1.0, 0.01), ("fast", 0.5, 0.02), ("best", 2.0, 0.005)]);
+        let bright = sequence("bright", &[(UNIT, 1.0, 4.0), ("fast", 0.125, 2.0)]);
+        let mean = mean(&[dark, bright]).expect("a mean");
+        // best is not in both.
+        let points: Vec<_> = mean.points.iter().map(|point| (point.name.as_str(), point.price, point.errors[3])).collect();
+        assert_eq!(points.len(), 2);
+        for ((name, price, error), expected) in points.into_iter().zip([(UNIT, 1.0, 1.0), ("fast", 0.25, 1.0)]) {
+            assert_eq!(name, expected.0);
+            assert!((price - expected.1).abs() < 1e-12 && (error - expected.2).abs() < 1e-12, "{name}: {price}, {error}");
+        }
+        assert!((mean.noisy[0] - 40.0).abs() < 1e-9, "{:?}", mean.noisy);
+    }
+
+    #[test]
+    fn one_sequence_has_no_mean() {
+        assert!(mean(&[sequence("alone", &[(UNIT, 1.0, 1.0)])]).is_none());
+    }
 }
