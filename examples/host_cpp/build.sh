@@ -8,8 +8,9 @@ cd "$(dirname "$0")/../.."
 kind=${CRATE_TYPE:-staticlib}
 
 # Without the executor: no allocator, and no C++ toolchain is needed for it. Both kinds at once, so that one compilation serves either.
-cargo rustc --quiet -p atrous-capi --lib --no-default-features --crate-type staticlib,cdylib
-built=$(realpath -m "${CARGO_TARGET_DIR:-target}")/debug
+target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
+cargo rustc --quiet -p atrous-capi --lib --no-default-features --crate-type staticlib,cdylib --target-dir "$target"
+built=$target/debug
 case $kind in
     staticlib) library=("$built/libatrous_capi.a") ;;
     cdylib) library=("$built/libatrous_capi.so" "-Wl,-rpath,$built") ;;

@@ -12,64 +12,71 @@ const PLOT: [u32; 2] = [620, 400];
 /// What is on the front is named where it is better by this factor than what was named before.
 const WORTH_A_NAME: f64 = 0.95;
 
-/// Whether each point is on the front of a metric.
-fn front_of(sequence: &Sequence, metric: usize) -> Vec<bool> {
-    let points: Vec<_> = sequence.points.iter().map(|point| (point.price, point.errors[metric])).collect();
-    front::of(&points)
+/// What several sequences have in common.
+struct Mean<'s> {
+    /// Name of the point whose errors are 1.
+    unit: &'s str,
+    points: Vec<Point>,
+    noisy: [f64; 4],
 }
 
-/// The geometric mean over sequences of what each point takes and leaves, as multiples of [`UNIT`]'s; of the points that all have.
-/// `None`: fewer than two sequences, or none has that point.
-fn mean(sequences: &[Sequence]) -> Option<Sequence> {
+/// The geometric mean over sequences, of the points that all have; errors as multiples of those of [`UNIT`], or of the first point where
+/// that is not run. `None`: fewer than two sequences, or one without that point.
+fn mean(sequences: &[Sequence]) -> Option<Mean<'_>> {
     let [first, _, ..] = sequences else { return None };
-    let units = sequences.iter().map(|sequence| named(sequence, UNIT)).collect::<Option<Vec<_>>>()?;
-    let over = |of: &dyn Fn(&Sequence) -> Option<[f64; 4]>| -> Option<[f64; 4]> {
-        let errors = sequences.iter().map(of).collect::<Option<Vec<_>>>()?;
-        Some([0, 1, 2, 3].map(|i| geometric(errors.iter().zip(&units).map(|(errors, unit)| errors[i] / unit.errors[i]))))
+    let in_all = |name: &str| {
+        sequences.iter().map(|sequence| sequence.points.iter().find(|point| point.name == name)).collect::<Option<Vec<_>>>()
+    };
+    let unit = first.points.iter().find(|point| point.name == UNIT).or(first.points.first())?;
+    let units = in_all(&unit.name)?;
+    let multiples = |errors: &[[f64; 4]]| {
+        [0, 1, 2, 3].map(|i| geometric(errors.iter().zip(&units).map(|(errors, unit)| errors[i] / unit.errors[i])))
     };
     let point = |point: &Point| {
-        let prices = sequences.iter().map(|sequence| Some(named(sequence, &point.name)?.price)).collect::<Option<Vec<_>>>()?;
-        let errors = over(&|sequence| Some(named(sequence, &point.name)?.errors))?;
-        Some(Point { price: geometric(prices.into_iter()), ms: f64::NAN, errors, ..point.clone() })
+        let same = in_all(&point.name)?;
+        Some(Point {
+            ms: geometric(same.iter().map(|point| point.ms)),
+            price: geometric(same.iter().map(|point| point.price)),
+            errors: multiples(&same.iter().map(|point| point.errors).collect::<Vec<_>>()),
+            ..point.clone()
+        })
     };
-    Some(Sequence {
-        name: format!("{} sequences", sequences.len()),
-        device: first.device.clone(),
+    Some(Mean {
+        unit: &unit.name,
         points: first.points.iter().filter_map(point).collect(),
-        noisy: over(&|sequence| Some(sequence.noisy))?,
-        extent: first.extent,
-        frames: first.frames,
-        scored: first.scored,
+        noisy: multiples(&sequences.iter().map(|sequence| sequence.noisy).collect::<Vec<_>>()),
     })
 }
 
-fn named<'s>(sequence: &'s Sequence, name: &str) -> Option<&'s Point> {
-    sequence.points.iter().find(|point| point.name == name)
+fn geometric(values: impl ExactSizeIterator<Item = f64>) -> f64 {
+    let count = values.len() as f64;
+    (values.map(f64::ln).sum::<f64>() / count).exp()
 }
 
-fn geometric(values: impl Iterator<Item = f64>) -> f64 {
-    let logarithms: Vec<f64> = values.map(f64::ln).collect();
-    (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
+/// Whether each point is on the front of a metric.
+fn front_of(points: &[Point], metric: usize) -> Vec<bool> {
+    let points: Vec<_> = points.iter().map(|point| (point.price, point.errors[metric])).collect();
+    front::of(&points)
 }
 
 /// A table of the mean, where there are several sequences, and one for each. Cheapest first; bold: on the front.
 pub fn markdown(sequences: &[Sequence]) -> String {
     let mut text = String::new();
     if let Some(mean) = mean(sequences) {
-        let _ = writeln!(text, "Geometric mean over {}, errors as multiples of those of `{UNIT}`:\n", mean.name);
-        table(&mut text, &mean, [3; 4], |_| String::new());
+        let (count, unit) = (sequences.len(), mean.unit);
+        let _ = writeln!(text, "Geometric mean over {count} sequences, errors as multiples of those of `{unit}`:\n");
+        table(&mut text, &mean.points, mean.noisy, [3; 4]);
     }
     for sequence in sequences {
-        let Sequence { name, device, extent: [width, height], frames, scored, .. } = sequence;
+        let Sequence { name, device, points, extent: [width, height], frames, scored, noisy } = sequence;
         let _ = writeln!(text, "`{name}`, {width}x{height}, {frames} frames, the last {scored} scored, {device}:\n");
-        table(&mut text, sequence, COLUMNS.map(|(_, decimals)| decimals), |point| format!("{:.1}", point.ms));
+        table(&mut text, points, *noisy, COLUMNS.map(|(_, decimals)| decimals));
     }
     text
 }
 
-fn table(text: &mut String, sequence: &Sequence, decimals: [usize; 4], ms: impl Fn(&Point) -> String) {
-    let points = &sequence.points;
-    let fronts = [0, 1, 2, 3].map(|metric| front_of(sequence, metric));
+fn table(text: &mut String, points: &[Point], noisy: [f64; 4], decimals: [usize; 4]) {
+    let fronts = [0, 1, 2, 3].map(|metric| front_of(points, metric));
     let mut order: Vec<usize> = (0..points.len()).collect();
     order.sort_by(|a, b| points[*a].price.total_cmp(&points[*b].price));
     let _ = writeln!(text, "| filter | {PRICE} | CPU ms | {} |", COLUMNS.map(|(name, _)| name).join(" | "));
@@ -81,20 +88,21 @@ fn table(text: &mut String, sequence: &Sequence, decimals: [usize; 4], ms: impl 
     for i in order {
         let point = &points[i];
         let cells: Vec<_> = (0..4).map(|metric| cell(metric, point.errors[metric], fronts[metric][i])).collect();
-        let _ = writeln!(text, "| {} | {:.2} | {} | {} |", point.name, point.price, ms(point), cells.join(" | "));
+        let _ = writeln!(text, "| {} | {:.2} | {:.1} | {} |", point.name, point.price, point.ms, cells.join(" | "));
     }
-    let cells: Vec<_> = (0..4).map(|metric| cell(metric, sequence.noisy[metric], false)).collect();
+    let cells: Vec<_> = (0..4).map(|metric| cell(metric, noisy[metric], false)).collect();
     let _ = writeln!(text, "| noisy | | | {} |\n", cells.join(" | "));
 }
 
-/// A plot for each metric: of the mean, or of the only sequence.
+/// A plot for each metric: of the mean, or of the first sequence where there is none.
 ///
 /// # Errors
 /// No point that is finite.
 pub fn picture(sequences: &[Sequence]) -> Result<Picture, PictureError> {
-    let mean = mean(sequences);
-    let shown = mean.as_ref().or(sequences.first());
-    plots(shown.as_slice(), 2)
+    match mean(sequences) {
+        Some(mean) => plots(&[(format!("{} sequences", sequences.len()), mean.points.as_slice())], 2),
+        None => plots(&named_points(&sequences[..sequences.len().min(1)]), 2),
+    }
 }
 
 /// A row of plots, one for each metric, of each sequence.
@@ -102,26 +110,30 @@ pub fn picture(sequences: &[Sequence]) -> Result<Picture, PictureError> {
 /// # Errors
 /// No point that is finite, or more plots than a picture has room for.
 pub fn picture_of_each(sequences: &[Sequence]) -> Result<Picture, PictureError> {
-    plots(&sequences.iter().collect::<Vec<_>>(), COLUMNS.len() as u32)
+    plots(&named_points(sequences), COLUMNS.len() as u32)
 }
 
-fn plots(sequences: &[&Sequence], columns: u32) -> Result<Picture, PictureError> {
+fn named_points(sequences: &[Sequence]) -> Vec<(String, &[Point])> {
+    sequences.iter().map(|sequence| (sequence.name.clone(), sequence.points.as_slice())).collect()
+}
+
+fn plots(sequences: &[(String, &[Point])], columns: u32) -> Result<Picture, PictureError> {
     let [width, height] = PLOT;
     let rows = (COLUMNS.len() as u32).div_ceil(columns);
     let mut whole = Picture::filled(width * columns, height * rows * sequences.len() as u32, [255; 3])?;
-    for (first_row, sequence) in (0..).step_by(rows as usize).zip(sequences) {
+    for (first_row, (name, points)) in (0..).step_by(rows as usize).zip(sequences) {
         for (i, (metric, _)) in (0..).zip(COLUMNS) {
-            let plot = plot(sequence, i as usize, metric).render()?;
+            let plot = plot(format!("{name}: {metric}"), points, i as usize).render()?;
             whole.paste(&plot, i % columns * width, (first_row + i / columns) * height);
         }
     }
     Ok(whole)
 }
 
-fn plot(sequence: &Sequence, metric: usize, name: &str) -> Scatter {
-    let on_front = front_of(sequence, metric);
-    let mut scatter = Scatter::new(format!("{}: {name}", sequence.name), PRICE).size(PLOT[0], PLOT[1]);
-    let mut front: Vec<_> = sequence.points.iter().zip(on_front).filter_map(|(point, is_on)| is_on.then_some(point)).collect();
+fn plot(title: String, points: &[Point], metric: usize) -> Scatter {
+    let on_front = front_of(points, metric);
+    let mut scatter = Scatter::new(title, PRICE).size(PLOT[0], PLOT[1]);
+    let mut front: Vec<_> = points.iter().zip(on_front).filter_map(|(point, is_on)| is_on.then_some(point)).collect();
     front.sort_by(|a, b| a.price.total_cmp(&b.price));
     let mut named: Vec<&Point> = Vec::new();
     for point in &front {
@@ -129,12 +141,12 @@ fn plot(sequence: &Sequence, metric: usize, name: &str) -> Scatter {
             named.push(point);
         }
     }
-    let mut groups: Vec<&str> = sequence.points.iter().map(|point| point.group.as_str()).collect();
+    let mut groups: Vec<&str> = points.iter().map(|point| point.group.as_str()).collect();
     groups.sort_unstable();
     groups.dedup();
     let place = |point: &Point| [point.price, point.errors[metric]];
     for group in groups {
-        let of_group = sequence.points.iter().filter(|point| point.group == group);
+        let of_group = points.iter().filter(|point| point.group == group);
         let mark = |point: &Point| {
             let is_named = point.name == point.group || named.iter().any(|other| other.name == point.name);
             (if is_named { point.name.clone() } else { String::new() }, place(point))
@@ -171,7 +183,8 @@ mod tests {
     fn the_mean_is_of_multiples_of_svgf() {
         let dark = sequence("dark", &[(UNIT, 1.0, 0.01), ("fast", 0.5, 0.02), ("best", 2.0, 0.005)]);
         let bright = sequence("bright", &[(UNIT, 1.0, 4.0), ("fast", 0.125, 2.0)]);
-        let mean = mean(&[dark, bright]).expect("a mean");
+        let both = [dark, bright];
+        let mean = mean(&both).expect("a mean");
         // best is not in both.
         let points: Vec<_> = mean.points.iter().map(|point| (point.name.as_str(), point.price, point.errors[3])).collect();
         assert_eq!(points.len(), 2);
@@ -180,6 +193,13 @@ mod tests {
             assert!((price - expected.1).abs() < 1e-12 && (error - expected.2).abs() < 1e-12, "{name}: {price}, {error}");
         }
         assert!((mean.noisy[0] - 40.0).abs() < 1e-9, "{:?}", mean.noisy);
+    }
+
+    #[test]
+    fn without_svgf_the_first_point_is_the_unit() {
+        let both = [sequence("dark", &[("fast", 0.5, 0.02)]), sequence("bright", &[("fast", 0.5, 2.0)])];
+        let mean = mean(&both).expect("a mean");
+        assert_eq!((mean.unit, mean.points[0].errors), ("fast", [1.0; 4]));
     }
 
     #[test]
