@@ -2,7 +2,7 @@
 
 use crate::support::rig::Rig;
 use crate::support::spy::{Spy, REFUSED};
-use crate::support::{assert_valid, gpu, scene::Scene, session, soak, upload};
+use crate::support::{assert_valid, gpu, scene::Scene, session, share_gpu, soak, upload};
 use ash::vk;
 use atrous::config::{PostProcess, Preset};
 use atrous::executor::{Executor, ExecutorOptions, Session};
@@ -44,8 +44,15 @@ fn sequence(preset: Preset) -> Vec<Vec<[u32; 4]>> {
 pub fn four_threads_on_one_device_give_the_same_bits() {
     let presets = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast];
     let alone = presets.map(sequence);
+    let device = gpu();
     let together = std::thread::scope(|scope| {
-        let threads = presets.map(|preset| scope.spawn(move || sequence(preset)));
+        let threads = presets.map(|preset| {
+            let device = device.clone();
+            scope.spawn(move || {
+                share_gpu(device);
+                sequence(preset)
+            })
+        });
         threads.map(|thread| thread.join().expect("a thread"))
     });
     for ((preset, alone), together) in presets.into_iter().zip(alone).zip(together) {

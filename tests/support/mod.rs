@@ -14,12 +14,11 @@ use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions,
 use atrous::reference::Engine;
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
 use scene::Guides;
-use std::cell::RefCell;
-use std::sync::{Arc, OnceLock};
-
-static GPU: OnceLock<Result<Arc<HeadlessDevice>, Error>> = OnceLock::new();
+use std::cell::{OnceCell, RefCell};
+use std::sync::Arc;
 
 thread_local! {
+    static GPU: OnceCell<Result<Arc<HeadlessDevice>, Error>> = const { OnceCell::new() };
     static WARNINGS: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -49,10 +48,16 @@ pub fn warnings() -> Vec<String> {
     WARNINGS.with_borrow(Clone::clone)
 }
 
-/// The device that all tests share, under validation.
+/// The device of the tests that this thread runs, under validation. Not one for all: the queue of a software device compiles shaders, and tests
+/// of other threads would wait for it.
 pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
     let open = || HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).map(Arc::new);
-    GPU.get_or_init(open).clone()
+    GPU.with(|gpu| gpu.get_or_init(open).clone())
+}
+
+/// Gives the tests of this thread the device of another.
+pub fn share_gpu(device: Arc<HeadlessDevice>) {
+    GPU.with(|gpu| assert!(gpu.set(Ok(device)).is_ok(), "this thread has a device already"));
 }
 
 pub fn gpu() -> Arc<HeadlessDevice> {

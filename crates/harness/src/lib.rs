@@ -12,6 +12,14 @@ pub mod faults;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::fmt::Display;
 use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// How many of the longest tests are named in the end: what to look at when a run takes too long.
+const NAMED_LONGEST: usize = 10;
+
+/// Tests and how long they took.
+type Times = Arc<Mutex<Vec<(Duration, String)>>>;
 
 /// A test: a name and a function that panics where something is wrong.
 pub type DeviceTest = (&'static str, fn());
@@ -51,15 +59,33 @@ pub fn run_with<D, E: Display>(need: &Need, groups: &[Group], found: &Result<D, 
         eprintln!("{} are ignored: {error}", need.tests);
         assert!(std::env::var_os(need.required_by).is_none(), "{} is set, but: {error}", need.required_by);
     }
-    let mut trials = Vec::new();
+    let (mut trials, times) = (Vec::new(), Times::default());
     for group in groups {
         for &(name, test) in group.tests {
             let name = if group.name.is_empty() { name.to_owned() } else { format!("{}::{name}", group.name) };
             let ignored = group.needs_device && found.is_err();
-            trials.push(Trial::test(name, move || caught(test)).with_ignored_flag(ignored));
+            let (times, timed) = (times.clone(), name.clone());
+            let run = move || {
+                let start = Instant::now();
+                let result = caught(test);
+                times.lock().unwrap_or_else(PoisonError::into_inner).push((start.elapsed(), timed));
+                result
+            };
+            trials.push(Trial::test(name, run).with_ignored_flag(ignored));
         }
     }
-    libtest_mimic::run(&arguments, trials).exit()
+    let conclusion = libtest_mimic::run(&arguments, trials);
+    name_longest(&mut times.lock().unwrap_or_else(PoisonError::into_inner));
+    conclusion.exit()
+}
+
+fn name_longest(times: &mut [(Duration, String)]) {
+    times.sort_unstable_by(|a, b| b.cmp(a));
+    let named: Vec<_> =
+        times.iter().take(NAMED_LONGEST).map(|(time, name)| format!("{name} {:.1} s", time.as_secs_f64())).collect();
+    if !named.is_empty() {
+        println!("longest: {}", named.join(", "));
+    }
 }
 
 fn caught(test: fn()) -> Result<(), Failed> {
