@@ -12,6 +12,9 @@
 //! | [`flip`], [`flip_map`] | HDR-FLIP: what a viewer sees who flips between the images | lower, 1 at most | tone-mapped exposures |
 //! | [`temporal_error`] | change along the motion that the reference does not have | lower | tone-mapped values |
 //! | [`static_temporal_error`] | change between frames where nothing moves | lower | linear luminance |
+//!
+//! [`unbiased_rmse`], [`unbiased_rel_mse`], [`unbiased_ssim`] and [`unbiased_temporal_rmse`] take two references with independent
+//! noise, and leave that noise out.
 #![forbid(unsafe_code)]
 
 mod error;
@@ -24,12 +27,14 @@ mod temporal;
 #[cfg(test)]
 mod tests;
 mod tone;
+mod unbiased;
 
 pub use error::QualityError;
 pub use flip::{flip, flip_map};
 pub use image::Rgb;
 pub use psnr::psnr;
 pub use rmse::{rel_mse, rmse};
-pub use ssim::ssim;
+pub use ssim::{ssim, unbiased_ssim};
 pub use temporal::{static_temporal_error, temporal_error, TemporalGuides};
 pub use tone::tone_map;
+pub use unbiased::{unbiased_rel_mse, unbiased_rmse, unbiased_temporal_rmse};

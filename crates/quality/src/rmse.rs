@@ -23,7 +23,11 @@ pub fn rmse(image: Rgb<'_>, reference: Rgb<'_>) -> Result<f64, QualityError> {
 /// [`QualityError::ExtentMismatch`] if the sizes differ.
 pub fn rel_mse(image: Rgb<'_>, reference: Rgb<'_>) -> Result<f64, QualityError> {
     image.same_extent(reference)?;
-    let relative = |(x, r): (f64, f64)| (x - r).powi(2) / (r * r + REL_MSE_EPSILON);
-    let sum: f64 = image.value_pairs(reference).map(relative).sum();
+    let sum: f64 = image.value_pairs(reference).map(|(x, r)| relative((x - r).powi(2), r)).sum();
     Ok(sum / image.value_count())
+}
+
+/// A squared error relative to the reference.
+pub(super) fn relative(squared: f64, reference: f64) -> f64 {
+    squared / (reference * reference + REL_MSE_EPSILON)
 }

@@ -35,6 +35,13 @@ impl TemporalGuides<'_> {
         check_length("previous_surface_id", extent, self.previous_surface_id.len())
     }
 
+    /// Indices of every pixel whose surface the previous frame shows too, and of its pixel there.
+    pub(super) fn common_pixels(&self, extent: [u32; 2]) -> Result<impl Iterator<Item = (usize, usize)> + '_, QualityError> {
+        self.check(extent)?;
+        let pixels = (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)));
+        Ok(pixels.filter_map(move |(x, y)| Some((index(x, y, extent[0]), self.previous_pixel(x, y, extent)?))))
+    }
+
     /// Index of the pixel of the previous frame that shows what pixel (`x`, `y`) shows now, if there is one.
     fn previous_pixel(&self, x: u32, y: u32, [width, height]: [u32; 2]) -> Option<usize> {
         let current = index(x, y, width);
@@ -76,20 +83,12 @@ pub fn temporal_error(
     for other in [previous, reference, previous_reference] {
         image.same_extent(other)?;
     }
-    let extent = image.extent();
-    guides.check(extent)?;
     let (mut sum, mut count) = (0.0, 0_u64);
-    for y in 0..extent[1] {
-        for x in 0..extent[0] {
-            let Some(before) = guides.previous_pixel(x, y, extent) else {
-                continue;
-            };
-            let now = index(x, y, extent[0]);
-            let image_change = change(image.pixels()[now], previous.pixels()[before]);
-            let reference_change = change(reference.pixels()[now], previous_reference.pixels()[before]);
-            sum += image_change.iter().zip(reference_change).map(|(a, b)| f64::from((a - b).abs())).sum::<f64>();
-            count += 3;
-        }
+    for (now, before) in guides.common_pixels(image.extent())? {
+        let image_change = change(image.pixels()[now], previous.pixels()[before]);
+        let reference_change = change(reference.pixels()[now], previous_reference.pixels()[before]);
+        sum += image_change.iter().zip(reference_change).map(|(a, b)| f64::from((a - b).abs())).sum::<f64>();
+        count += 3;
     }
     if count == 0 {
         return Err(QualityError::NoCommonSurface);
@@ -97,7 +96,7 @@ pub fn temporal_error(
     Ok(sum / count as f64)
 }
 
-fn change(now: [f32; 3], before: [f32; 3]) -> [f32; 3] {
+pub(super) fn change(now: [f32; 3], before: [f32; 3]) -> [f32; 3] {
     let (now, before) = (tone_map_rgb(now), tone_map_rgb(before));
     std::array::from_fn(|channel| now[channel] - before[channel])
 }

@@ -196,3 +196,57 @@ fn a_camera_cut_has_no_temporal_error() {
     let r = pair.reference();
     assert_eq!(temporal_error(r, r, r, r, &guides.borrow()).unwrap_err(), QualityError::NoCommonSurface);
 }
+
+/// A picture plus noise that differs from seed to seed, with mean 0.
+fn with_noise(pixels: &[[f32; 3]], deviation: f32, seed: u32) -> Vec<[f32; 3]> {
+    let mut pixels = pixels.to_vec();
+    for (i, value) in pixels.as_flattened_mut().iter_mut().enumerate() {
+        *value += deviation * 12.0_f32.sqrt() * (hash(i as u32 ^ seed.wrapping_mul(0x9e37_79b9)) - 0.5);
+    }
+    pixels
+}
+
+#[test]
+fn noise_of_references_is_no_error() {
+    let (size, sure) = ([192, 128], Guides::new(192, 128));
+    let view = |pixels| Rgb::new(size[0], size[1], pixels).unwrap();
+    let converged = reference(size[0], size[1], 0).into_iter().map(|pixel| pixel.map(|value| 0.5 + value)).collect::<Vec<_>>();
+    let image = with_noise(&converged, 0.03, 1);
+    let before = with_noise(&converged, 0.03, 2);
+    let halves: Vec<_> = (3..7).map(|seed| with_noise(&converged, 0.06, seed)).collect();
+    let [a, b, c, d] = [0, 1, 2, 3].map(|i| view(&halves[i]));
+    let (image, before, truth) = (view(&image), view(&before), view(&converged));
+    let guides = TemporalGuides { motion_px: &vec![[0.0; 2]; converged.len()], ..sure.borrow() };
+    let near = |value: f64, expected: f64| assert!((value - expected).abs() < 0.15 * expected, "{value} instead of {expected}");
+    near(unbiased_rmse(image, [a, b]).unwrap(), rmse(image, truth).unwrap());
+    near(unbiased_rel_mse(image, [a, b]).unwrap(), rel_mse(image, truth).unwrap());
+    let temporal = |references, previous| unbiased_temporal_rmse(image, before, references, previous, &guides).unwrap();
+    near(temporal([a, b], [c, d]), temporal([truth; 2], [truth; 2]));
+    let [plain, without, wanted] =
+        [ssim(image, a), unbiased_ssim(image, [a, b]), ssim(image, truth)].map(|value| 1.0 - value.unwrap());
+    assert!((without - wanted).abs() < 0.1 * (plain - wanted), "{without} instead of {wanted}, with noise {plain}");
+    // As it is without: half of the error and more is noise of the references.
+    assert!(rmse(image, a).unwrap() > 2.0 * rmse(image, truth).unwrap());
+    assert!(temporal([a; 2], [c; 2]) > 2.0 * temporal([truth; 2], [truth; 2]));
+}
+
+#[test]
+fn two_references_that_are_one_give_the_plain_errors() {
+    let (pair, other) = (Pair::new(37, 29, 0), Pair::new(36, 29, 0));
+    let r = pair.reference();
+    close(unbiased_rmse(pair.image(), [r, r]).unwrap(), RMSE);
+    close(unbiased_rel_mse(pair.image(), [r, r]).unwrap(), REL_MSE);
+    close(unbiased_ssim(pair.image(), [r, r]).unwrap(), SSIM_37);
+    let mismatch = QualityError::ExtentMismatch { left: [37, 29], right: [36, 29] };
+    assert_eq!(unbiased_ssim(pair.image(), [r, other.reference()]).unwrap_err(), mismatch);
+    assert_eq!(unbiased_rmse(pair.image(), [r, other.reference()]).unwrap_err(), mismatch);
+    assert_eq!(unbiased_rel_mse(pair.image(), [other.reference(), r]).unwrap_err(), mismatch);
+}
+
+#[test]
+fn a_picture_nearer_than_the_noise_can_tell_has_no_error() {
+    let (converged, size) = (reference(96, 64, 0), [96, 64]);
+    let view = |pixels| Rgb::new(size[0], size[1], pixels).unwrap();
+    let apart = |sign: f32| converged.iter().map(|pixel| pixel.map(|value| value + sign * 0.1)).collect::<Vec<_>>();
+    assert_eq!(unbiased_rmse(view(&converged), [view(&apart(1.0)), view(&apart(-1.0))]).unwrap(), 0.0);
+}
