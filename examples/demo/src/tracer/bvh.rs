@@ -19,7 +19,12 @@ pub struct Bvh {
     pub diagonal: f32,
 }
 
-/// Builds the tree; `moving` chooses a fast build over a good one.
+/// The best build takes some 5 µs a triangle, and rays are 11 to 15 % faster than in a quick one: up to so many triangles that pays, where the
+/// tree is built anew for every frame, and where it is built once.
+const MOVING_TRIANGLES: usize = 1 << 11;
+const STILL_TRIANGLES: usize = 1 << 17;
+
+/// Builds the tree; `moving`: for one frame alone.
 pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh> {
     let mut triangles = Vec::new();
     let mut names = Vec::new();
@@ -38,7 +43,11 @@ pub fn build(scene: &Scene, transforms: &[Affine3A], moving: bool) -> Result<Bvh
     if triangles.is_empty() {
         return Err(Error::EmptyScene);
     }
-    let params = if moving { BvhBuildParams::fast_build() } else { BvhBuildParams::medium_build() };
+    let params = match moving {
+        true if triangles.len() > MOVING_TRIANGLES => BvhBuildParams::fast_build(),
+        false if triangles.len() > STILL_TRIANGLES => BvhBuildParams::medium_build(),
+        _ => BvhBuildParams::very_slow_build(),
+    };
     // Small leaves: a triangle costs the shaders about as much as a pair of boxes.
     let params = BvhBuildParams { max_prims_per_leaf: 4, collapse_traversal_cost: 1.0, ..params };
     let tree = build_bvh2_from_tris(&triangles, params, &mut Default::default());
