@@ -2,6 +2,7 @@
 
 use atrous::DebugView;
 use atrous_quality::{flip, psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous_quality::{unbiased_rel_mse, unbiased_rmse, unbiased_ssim, unbiased_temporal_rmse};
 
 use serde::{Deserialize, Serialize};
 
@@ -19,6 +20,8 @@ pub struct Frame {
     pub denoised: Vec<Denoised>,
     /// The converged radiance, where it was rendered.
     pub reference: Option<Vec<[f32; 3]>>,
+    /// Two pictures with independent noise, whose mean is the reference: its noise is left out of errors then.
+    pub halves: Option<[Vec<[f32; 3]>; 2]>,
     /// The part of it all that a medium scattered, where the scene has one.
     pub volume: Option<VolumeFrame>,
     motion: Vec<[f32; 2]>,
@@ -52,7 +55,8 @@ pub struct Scores {
     pub ssim: f64,
     /// Difference that an eye sees, HDR-FLIP.
     pub flip: f64,
-    /// Motion-compensated change that the reference does not have; NaN without the frame before.
+    /// Motion-compensated change that the reference does not have: its root mean square where the reference has halves, otherwise its mean
+    /// absolute value. NaN without the frame before.
     #[serde(with = "nan_as_null")]
     pub temporal_error: f64,
 }
@@ -96,6 +100,7 @@ impl Frame {
             noisy,
             denoised,
             reference: None,
+            halves: None,
             volume,
             motion: motion.iter().map(|m| [m[0], m[1]]).collect(),
             expected_previous_depth: motion.iter().map(|m| m[2]).collect(),
@@ -112,20 +117,27 @@ impl Frame {
         }
     }
 
+    /// Keeps what the frame is measured against: two pictures with independent noise.
+    pub fn set_halves(&mut self, halves: [Vec<[f32; 3]>; 2]) {
+        let [a, b] = &halves;
+        self.reference = Some(a.iter().zip(b).map(|(a, b)| std::array::from_fn(|c| 0.5 * (a[c] + b[c]))).collect());
+        self.halves = Some(halves);
+    }
+
     /// Scores of the noisy picture, then of each denoised one; `None` without a reference.
     ///
     /// # Errors
     /// A picture with values that are not finite.
     pub fn scores(&self, previous: Option<&Frame>) -> Result<Option<Vec<Scores>>> {
         let Some(reference) = &self.reference else { return Ok(None) };
-        let reference = self.view(reference)?;
+        let (reference, halves) = (self.view(reference)?, self.half_views()?);
         let score = |(i, image): (usize, &[[f32; 3]])| -> Result<Scores> {
             let image = self.view(image)?;
             Ok(Scores {
-                rmse: rmse(image, reference)?,
-                rel_mse: rel_mse(image, reference)?,
+                rmse: halves.map_or_else(|| rmse(image, reference), |halves| unbiased_rmse(image, halves))?,
+                rel_mse: halves.map_or_else(|| rel_mse(image, reference), |halves| unbiased_rel_mse(image, halves))?,
                 psnr: psnr(image, reference)?,
-                ssim: ssim(image, reference)?,
+                ssim: halves.map_or_else(|| ssim(image, reference), |halves| unbiased_ssim(image, halves))?,
                 flip: flip(image, reference)?,
                 temporal_error: self.temporal_error(image, reference, previous, i)?,
             })
@@ -142,6 +154,10 @@ impl Frame {
         Rgb::new(self.extent[0], self.extent[1], pixels)
     }
 
+    fn half_views(&self) -> std::result::Result<Option<[Rgb<'_>; 2]>, QualityError> {
+        self.halves.as_ref().map(|[a, b]| Ok([self.view(a)?, self.view(b)?])).transpose()
+    }
+
     /// `picture`: as numbered by [`Self::pictures`].
     fn temporal_error(&self, image: Rgb, reference: Rgb, previous: Option<&Frame>, picture: usize) -> Result<f64> {
         let before = previous.and_then(|p| Some((p, p.reference.as_ref()?, p.pictures().nth(picture)?)));
@@ -153,7 +169,12 @@ impl Frame {
             surface_id: &self.surface_id,
             previous_surface_id: &previous.surface_id,
         };
-        match temporal_error(image, self.view(previous_image)?, reference, self.view(previous_reference)?, &guides) {
+        let previous_image = self.view(previous_image)?;
+        let error = match (self.half_views()?, previous.half_views()?) {
+            (Some(halves), Some(before)) => unbiased_temporal_rmse(image, previous_image, halves, before, &guides),
+            _ => temporal_error(image, previous_image, reference, self.view(previous_reference)?, &guides),
+        };
+        match error {
             Err(QualityError::NoCommonSurface) => Ok(f64::NAN),
             other => Ok(other?),
         }

@@ -20,7 +20,7 @@ fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptio
         denoisers.iter_mut().for_each(|denoiser| denoiser.render(&mut tracer).expect("a submit"));
     }
     let mut frame = Frame::read(&gpu.0, &tracer, &mut denoisers).expect("pictures");
-    let reference = tracer.render_reference(512, |_, _| {}).expect("a reference");
+    let reference = tracer.render_reference(256, |_, _| {}).expect("a reference");
     frame.set_reference(reference);
     let scores = frame.scores(None).expect("finite pictures").expect("a reference");
     println!("{name}, frame {}: noisy {:?}, denoised {:?}", frame.index, scores[0], &scores[1..]);

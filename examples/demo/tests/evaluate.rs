@@ -53,7 +53,7 @@ fn a_run_leaves_a_page_tables_and_pictures_and_keeps_its_results() {
     succeeded(evaluate(&out, &arguments));
     let table = fs::read_to_string(out.join("quality.md")).expect("a table");
     for word in
-        ["cornell", "lamps", "RMSE", "SSIM", "FLIP", "temporal error", "bytes a pixel", "A-SVGF", "EAW, accumulated", "claim"]
+        ["cornell", "lamps", "RMSE", "SSIM", "FLIP", "temporal RMSE", "bytes a pixel", "A-SVGF", "EAW, accumulated", "claim"]
     {
         assert!(table.contains(word), "no {word} in {table}");
     }
@@ -65,7 +65,7 @@ fn a_run_leaves_a_page_tables_and_pictures_and_keeps_its_results() {
     let page = fs::read_to_string(out.join("quality.html")).expect("a page");
     assert!(page.matches("data:image/png").count() > 2 * 11, "no pictures in the page");
     assert!(out.join("quality.png").is_file());
-    assert_eq!(references(&out).len(), 4);
+    assert_eq!(references(&out).len(), 8);
 
     // Times are the only figures that another measurement would change.
     fs::remove_file(out.join("quality.md")).expect("the table");
@@ -101,7 +101,7 @@ fn experiments_and_the_rows_of_some_scenes_stand_in_the_report() {
 fn every_experiment_compares_filters_that_differ() {
     let Some(_gpu) = Validated::new() else { return };
     let out = empty("evaluate_filters");
-    let all = ["still", "strata", "other", "eaw", "energy"];
+    let all = ["still", "strata", "other", "eaw", "energy", "resolution"];
     let asked: Vec<_> = all.iter().flat_map(|name| ["--experiment", name]).collect();
     succeeded(evaluate(&out, &[&["--scene", "cornell", "--filter", "EAW"], &asked[..]].concat()));
     for experiment in all {
@@ -126,7 +126,7 @@ fn references_are_kept_and_a_broken_one_is_rendered_again() {
     let arguments = ["--scene", "cornell"];
     succeeded(evaluate(&out, &arguments));
     let files = references(&out);
-    let [kept, broken] = &files[..] else { panic!("{files:?}") };
+    let [kept, broken, _, _] = &files[..] else { panic!("{files:?}") };
     let whole = fs::read(broken).expect("a reference");
     fs::write(broken, &whole[..whole.len() / 2]).expect("a file");
     let time = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).expect("a time");

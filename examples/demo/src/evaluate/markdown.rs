@@ -49,7 +49,7 @@ pub const METRICS: [Metric; 5] = [
     Metric { name: "relMSE", decimals: 4, of: |s| s.rel_mse, more_is_better: false },
     Metric { name: "SSIM", decimals: 3, of: |s| s.ssim, more_is_better: true },
     Metric { name: "FLIP", decimals: 3, of: |s| s.flip, more_is_better: false },
-    Metric { name: "temporal error", decimals: 4, of: |s| s.temporal_error, more_is_better: false },
+    Metric { name: "temporal RMSE", decimals: 4, of: |s| s.temporal_error, more_is_better: false },
 ];
 
 /// How the figures came about, in a sentence.
@@ -57,7 +57,7 @@ pub fn conditions(results: &[SceneResult]) -> String {
     let Some(SceneResult { settings, .. }) = results.first() else { return String::new() };
     let frames = settings.measured_frames();
     format!(
-        "{}x{}, one path a pixel, frames {} to {} of {} against {} paths a pixel; {}.",
+        "{}x{}, one path a pixel, frames {} to {} of {} against {} paths a pixel, whose noise is left out of all but FLIP; {}.",
         settings.size.0,
         settings.size.1,
         frames.start,

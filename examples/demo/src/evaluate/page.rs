@@ -35,7 +35,7 @@ pub fn write(path: &Path, results: &[SceneResult], findings: &[Findings], claims
 }
 
 fn summary(summary: &mut Section, results: &[SceneResult]) -> Result<()> {
-    summary.text("Means over the measured frames. RMSE and relMSE of linear radiance, SSIM and temporal error of tone-mapped values, HDR-FLIP.");
+    summary.text("Means over the measured frames. RMSE and relMSE of linear radiance, SSIM and temporal RMSE of tone-mapped values, HDR-FLIP. The noise of the references is left out of all but FLIP.");
     for metric in &METRICS {
         summary.table(table_of(results, metric)?);
     }

@@ -12,9 +12,13 @@ use exr::prelude::{read_first_rgba_layer_from_file, Image, SpecificChannels, Vec
 use super::settings::Settings;
 use crate::files::write;
 
+/// In the seed of the second half of a reference: no frame has it.
+const OTHER_HALF: u32 = 1 << 31;
+
 /// References in a folder, which exists.
 pub struct References {
     folder: PathBuf,
+    /// Paths for each pixel.
     samples: u32,
 }
 
@@ -24,23 +28,29 @@ impl References {
         Self { folder, samples: settings.reference_spp }
     }
 
-    /// The reference of a frame: from its file, or rendered into it. Overwrites the tracer's frame.
+    /// The reference of a frame, in two halves with independent noise: from their files, or rendered into them. Overwrites the tracer's frame.
     ///
     /// # Errors
     /// A lost device, or a file that cannot be written.
-    pub fn of_frame(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32) -> Result<Vec<[f32; 3]>> {
-        self.seeded(tracer, scene, frame, frame)
+    pub fn of_frame(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32) -> Result<[Vec<[f32; 3]>; 2]> {
+        let samples = self.samples.div_ceil(2);
+        let mut half = |seed| self.rendered(tracer, scene, frame, seed, samples);
+        Ok([half(frame)?, half(frame | OTHER_HALF)?])
     }
 
-    /// The reference of a frame with the random numbers of another: what differs between two with the same numbers is light, not noise. Nothing
-    /// moves in it.
+    /// The reference of a frame with the random numbers of another, and with twice as many paths: what differs between two with the same numbers
+    /// is light, not noise. Nothing moves in it.
     ///
     /// # Errors
     /// As [`Self::of_frame`].
     pub fn seeded(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32, seed: u32) -> Result<Vec<[f32; 3]>> {
+        self.rendered(tracer, scene, frame, seed, 2 * self.samples)
+    }
+
+    fn rendered(&self, tracer: &mut PathTracer, scene: &Scene, frame: u32, seed: u32, samples: u32) -> Result<Vec<[f32; 3]>> {
         let [width, height] = [tracer.extent().width, tracer.extent().height].map(|side| side as usize);
         let content = content(scene, frame);
-        let name = format!("{}_{frame:04}_{seed:04}_{width}x{height}_{}_{content:016x}.exr", scene.name, self.samples);
+        let name = format!("{}_{frame:04}_{seed:04}_{width}x{height}_{samples}_{content:016x}.exr", scene.name);
         let path = self.folder.join(name);
         // A file that cannot be read, or is of another size, is rendered again: it was cut off, or is not ours.
         if let Some(kept) = read(&path).filter(|kept| kept.len() == width * height) {
@@ -48,7 +58,7 @@ impl References {
         }
         let moment = scene.moment(frame);
         tracer.begin_moment(seed, &moment, &moment)?;
-        let reference = tracer.render_reference(self.samples, |_, _| ())?.radiance();
+        let reference = tracer.render_reference(samples, |_, _| ())?.radiance();
         let pixel = |at: Vec2<usize>| <(f32, f32, f32)>::from(reference[at.y() * width + at.x()]);
         let mut bytes = Cursor::new(Vec::new());
         let written = Image::from_channels((width, height), SpecificChannels::rgb(pixel)).write().to_buffered(&mut bytes);

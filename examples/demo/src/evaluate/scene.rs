@@ -27,6 +27,7 @@ struct Measured {
 }
 
 /// Where and how is measured.
+#[derive(Clone, Copy)]
 pub struct Lab<'a> {
     /// The device.
     pub gpu: &'a Gpu,
@@ -108,12 +109,12 @@ fn score(lab: &Lab, frames: Vec<Frame>, scene: &Scene, tracer: &mut PathTracer, 
     let mut previous: Option<Frame> = None;
     let last = frames.len() - 1;
     for (number, mut frame) in frames.into_iter().enumerate() {
-        let reference = lab.references.of_frame(tracer, scene, frame.index)?;
-        measured.reference_light += light(&reference);
+        let halves = lab.references.of_frame(tracer, scene, frame.index)?;
+        measured.reference_light += halves.iter().map(|half| 0.5 * light(half)).sum::<f64>();
         let of_pictures: Vec<_> = frame.pictures().map(light).collect();
         measured.light.resize(of_pictures.len(), 0.0);
         measured.light.iter_mut().zip(of_pictures).for_each(|(sum, light)| *sum += light);
-        frame.reference = Some(reference);
+        frame.set_halves(halves);
         measured.scores.extend(frame.scores(previous.as_ref())?);
         if number == last {
             write_pictures(&frame, names, folder)?;

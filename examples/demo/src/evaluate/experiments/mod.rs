@@ -5,6 +5,7 @@ mod energy;
 mod findings;
 mod flicker;
 mod other;
+mod resolution;
 mod still;
 mod strata;
 mod variance;
@@ -34,7 +35,7 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 7] = [
+pub const ALL: [Experiment; 8] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
@@ -42,6 +43,7 @@ pub const ALL: [Experiment; 7] = [
     Experiment { name: "other", is_quick: false, run: other::run },
     Experiment { name: "eaw", is_quick: false, run: eaw::run },
     Experiment { name: "energy", is_quick: false, run: energy::run },
+    Experiment { name: "resolution", is_quick: false, run: resolution::run },
 ];
 
 /// Findings with what they depend on.

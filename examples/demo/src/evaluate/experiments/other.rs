@@ -18,7 +18,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let (mut tables, mut curves) = (Vec::new(), Vec::new());
     for name in ["cornell", "pillars"] {
         let rows = on_scene(lab, name, &contenders, folder)?;
-        let mut table = Figures::new(name, [("RMSE", 4), ("SSIM", 3), ("FLIP", 3), ("temporal error", 4)]);
+        let mut table = Figures::new(name, [("RMSE", 4), ("SSIM", 3), ("FLIP", 3), ("temporal RMSE", 4)]);
         for row in &rows[1..] {
             let mean = row.mean();
             table.row(&row.name, &[mean.rmse, mean.ssim, mean.flip, mean.temporal_error]);

@@ -28,7 +28,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     });
     let mut tables = Vec::new();
     for name in SCENES {
-        let mut table = Figures::new(name, [("RMSE", 4), ("SSIM", 3), ("temporal error", 4), ("ms, gradients", 1)]);
+        let mut table = Figures::new(name, [("RMSE", 4), ("SSIM", 3), ("temporal RMSE", 4), ("ms, gradients", 1)]);
         for row in on_scene(lab, name, &contenders, folder)?.iter().skip(1) {
             let mean = row.mean();
             let stages = ["forward_project", "gradient", "gradient_atrous", "adaptive_alpha"];
