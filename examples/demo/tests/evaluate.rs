@@ -101,7 +101,7 @@ fn experiments_and_the_rows_of_some_scenes_stand_in_the_report() {
 fn every_experiment_compares_filters_that_differ() {
     let Some(_gpu) = Validated::new() else { return };
     let out = empty("evaluate_filters");
-    let all = ["still", "strata", "other", "eaw", "energy", "resolution"];
+    let all = ["still", "strata", "other", "eaw", "sparse", "energy", "resolution"];
     let asked: Vec<_> = all.iter().flat_map(|name| ["--experiment", name]).collect();
     succeeded(evaluate(&out, &[&["--scene", "cornell", "--filter", "EAW"], &asked[..]].concat()));
     for experiment in all {

@@ -6,6 +6,7 @@ mod findings;
 mod flicker;
 mod other;
 mod resolution;
+mod sparse;
 mod still;
 mod strata;
 mod variance;
@@ -35,13 +36,14 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 8] = [
+pub const ALL: [Experiment; 9] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
     Experiment { name: "strata", is_quick: false, run: strata::run },
     Experiment { name: "other", is_quick: false, run: other::run },
     Experiment { name: "eaw", is_quick: false, run: eaw::run },
+    Experiment { name: "sparse", is_quick: false, run: sparse::run },
     Experiment { name: "energy", is_quick: false, run: energy::run },
     Experiment { name: "resolution", is_quick: false, run: resolution::run },
 ];
