@@ -15,8 +15,9 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-/// How many of the longest tests are named in the end: what to look at when a run takes too long.
+/// How many of the longest tests are named in the end, and from which time on: what to look at when a run takes too long.
 const NAMED_LONGEST: usize = 10;
+const LONG: Duration = Duration::from_secs(5);
 
 /// Tests and how long they took.
 type Times = Arc<Mutex<Vec<(Duration, String)>>>;
@@ -81,8 +82,8 @@ pub fn run_with<D, E: Display>(need: &Need, groups: &[Group], found: &Result<D, 
 
 fn name_longest(times: &mut [(Duration, String)]) {
     times.sort_unstable_by(|a, b| b.cmp(a));
-    let named: Vec<_> =
-        times.iter().take(NAMED_LONGEST).map(|(time, name)| format!("{name} {:.1} s", time.as_secs_f64())).collect();
+    let long = times.iter().take(NAMED_LONGEST).take_while(|(time, _)| *time >= LONG);
+    let named: Vec<_> = long.map(|(time, name)| format!("{name} {:.1} s", time.as_secs_f64())).collect();
     if !named.is_empty() {
         println!("longest: {}", named.join(", "));
     }
