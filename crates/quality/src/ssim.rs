@@ -21,7 +21,7 @@ const C2: f64 = 0.03 * 0.03;
 /// # Errors
 /// [`QualityError::ExtentMismatch`] if the sizes differ.
 pub fn ssim(image: Rgb<'_>, reference: Rgb<'_>) -> Result<f64, QualityError> {
-    of_halves(image, [reference; 2])
+    unbiased_ssim(image, [reference; 2])
 }
 
 /// [`ssim`] against the picture that two references converge to, whose noise is independent: its variance in a window is the
@@ -31,10 +31,6 @@ pub fn ssim(image: Rgb<'_>, reference: Rgb<'_>) -> Result<f64, QualityError> {
 /// # Errors
 /// [`QualityError::ExtentMismatch`] if the sizes differ.
 pub fn unbiased_ssim(image: Rgb<'_>, references: [Rgb<'_>; 2]) -> Result<f64, QualityError> {
-    of_halves(image, references)
-}
-
-fn of_halves(image: Rgb<'_>, references: [Rgb<'_>; 2]) -> Result<f64, QualityError> {
     references.iter().try_for_each(|reference| image.same_extent(*reference))?;
     let tone_mapped = |i: Rgb<'_>| -> Vec<[f32; 3]> { i.pixels().iter().map(|&p| tone_map_rgb(p)).collect() };
     let (x, references) = (tone_mapped(image), references.map(tone_mapped));

@@ -35,11 +35,19 @@ impl TemporalGuides<'_> {
         check_length("previous_surface_id", extent, self.previous_surface_id.len())
     }
 
-    /// Indices of every pixel whose surface the previous frame shows too, and of its pixel there.
-    pub(super) fn common_pixels(&self, extent: [u32; 2]) -> Result<impl Iterator<Item = (usize, usize)> + '_, QualityError> {
+    /// Mean over the channels of every pixel whose surface the previous frame shows too: of the sum for a pixel and its previous one, by index.
+    pub(super) fn mean(&self, extent: [u32; 2], sum_of: impl Fn(usize, usize) -> f64) -> Result<f64, QualityError> {
         self.check(extent)?;
-        let pixels = (0..extent[1]).flat_map(move |y| (0..extent[0]).map(move |x| (x, y)));
-        Ok(pixels.filter_map(move |(x, y)| Some((index(x, y, extent[0]), self.previous_pixel(x, y, extent)?))))
+        let (mut sum, mut count) = (0.0, 0_u64);
+        for (x, y) in (0..extent[1]).flat_map(|y| (0..extent[0]).map(move |x| (x, y))) {
+            let Some(before) = self.previous_pixel(x, y, extent) else { continue };
+            sum += sum_of(index(x, y, extent[0]), before);
+            count += 3;
+        }
+        if count == 0 {
+            return Err(QualityError::NoCommonSurface);
+        }
+        Ok(sum / count as f64)
     }
 
     /// Index of the pixel of the previous frame that shows what pixel (`x`, `y`) shows now, if there is one.
@@ -83,17 +91,11 @@ pub fn temporal_error(
     for other in [previous, reference, previous_reference] {
         image.same_extent(other)?;
     }
-    let (mut sum, mut count) = (0.0, 0_u64);
-    for (now, before) in guides.common_pixels(image.extent())? {
+    guides.mean(image.extent(), |now, before| {
         let image_change = change(image.pixels()[now], previous.pixels()[before]);
         let reference_change = change(reference.pixels()[now], previous_reference.pixels()[before]);
-        sum += image_change.iter().zip(reference_change).map(|(a, b)| f64::from((a - b).abs())).sum::<f64>();
-        count += 3;
-    }
-    if count == 0 {
-        return Err(QualityError::NoCommonSurface);
-    }
-    Ok(sum / count as f64)
+        image_change.iter().zip(reference_change).map(|(a, b)| f64::from((a - b).abs())).sum()
+    })
 }
 
 pub(super) fn change(now: [f32; 3], before: [f32; 3]) -> [f32; 3] {

@@ -51,16 +51,11 @@ pub fn unbiased_temporal_rmse(
     for other in [previous].into_iter().chain(references).chain(previous_references) {
         image.same_extent(other)?;
     }
-    let (mut sum, mut count) = (0.0, 0_u64);
-    for (now, before) in guides.common_pixels(image.extent())? {
+    let mean = guides.mean(image.extent(), |now, before| {
         let change_in = |image: Rgb<'_>, previous: Rgb<'_>| change(image.pixels()[now], previous.pixels()[before]);
         let image_change = change_in(image, previous);
         let [a, b] = [0, 1].map(|i| change_in(references[i], previous_references[i]));
-        sum += (0..3).map(|c| f64::from(image_change[c] - a[c]) * f64::from(image_change[c] - b[c])).sum::<f64>();
-        count += 3;
-    }
-    if count == 0 {
-        return Err(QualityError::NoCommonSurface);
-    }
-    Ok((sum / count as f64).max(0.0).sqrt())
+        (0..3).map(|c| f64::from(image_change[c] - a[c]) * f64::from(image_change[c] - b[c])).sum()
+    })?;
+    Ok(mean.max(0.0).sqrt())
 }

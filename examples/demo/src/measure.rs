@@ -1,7 +1,7 @@
 //! What a frame is measured with: its pictures on the CPU, and their scores against the reference.
 
 use atrous::DebugView;
-use atrous_quality::{flip, psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous_quality::{flip, psnr, temporal_error, QualityError, Rgb, TemporalGuides};
 use atrous_quality::{unbiased_rel_mse, unbiased_rmse, unbiased_ssim, unbiased_temporal_rmse};
 
 use serde::{Deserialize, Serialize};
@@ -131,13 +131,15 @@ impl Frame {
     pub fn scores(&self, previous: Option<&Frame>) -> Result<Option<Vec<Scores>>> {
         let Some(reference) = &self.reference else { return Ok(None) };
         let (reference, halves) = (self.view(reference)?, self.half_views()?);
+        // One reference twice gives the plain errors.
+        let references = halves.unwrap_or([reference; 2]);
         let score = |(i, image): (usize, &[[f32; 3]])| -> Result<Scores> {
             let image = self.view(image)?;
             Ok(Scores {
-                rmse: halves.map_or_else(|| rmse(image, reference), |halves| unbiased_rmse(image, halves))?,
-                rel_mse: halves.map_or_else(|| rel_mse(image, reference), |halves| unbiased_rel_mse(image, halves))?,
+                rmse: unbiased_rmse(image, references)?,
+                rel_mse: unbiased_rel_mse(image, references)?,
                 psnr: psnr(image, reference)?,
-                ssim: halves.map_or_else(|| ssim(image, reference), |halves| unbiased_ssim(image, halves))?,
+                ssim: unbiased_ssim(image, references)?,
                 flip: flip(image, reference)?,
                 temporal_error: self.temporal_error(image, reference, previous, i)?,
             })
