@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{FrameDenoiser, Gpu, PathTracer, Result, Scene, TracerOptions};
 use atrous_picture::{Picture, PictureError};
@@ -48,6 +49,15 @@ impl Lab<'_> {
         let (width, height) = self.settings.size;
         let options = TracerOptions { seed: self.settings.seed, noise: self.settings.noise, ..options };
         PathTracer::new(self.gpu, scene, ash::vk::Extent2D { width, height }, options)
+    }
+
+    /// The device once more, for sessions that take slices.
+    ///
+    /// # Errors
+    /// A device that cannot be opened.
+    pub fn headless(&self) -> Result<Arc<HeadlessDevice>> {
+        let options = HeadlessOptions { device: Some(self.gpu.info().name.clone()), ..HeadlessOptions::default() };
+        Ok(Arc::new(HeadlessDevice::new(&options)?))
     }
 
     /// Filters that read the images of a tracer.

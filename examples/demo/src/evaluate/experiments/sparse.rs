@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use atrous::config::{Preset, Sampling};
-use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
+use atrous::executor::{HeadlessDevice, Session, SessionOptions};
 use atrous::nodes::{Albedo, Demodulate, Eaw, Import, Modulate};
 use atrous::{presets, Config, Declaration, FrameParams, Tuning};
 use atrous_demo::measure::{Denoised, Frame, Scores};
@@ -58,8 +58,7 @@ impl Case {
 }
 
 pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
-    let gpu = HeadlessDevice::new(&HeadlessOptions { device: Some(lab.gpu.info().name.clone()), ..HeadlessOptions::default() })?;
-    let gpu = Arc::new(gpu);
+    let gpu = lab.headless()?;
     let tables = SCENES.into_iter().map(|name| on_scene(lab, &gpu, name)).collect::<Result<_>>()?;
     Ok(Findings {
         title: "Fewer samples, and no diffuse buffer: [EAW] 3, 3.2".into(),
@@ -89,8 +88,9 @@ fn on_scene(lab: &Lab, gpu: &Arc<HeadlessDevice>, name: &str) -> Result<Figures>
             Ok(())
         })?;
         let mut frame = running::read(lab.gpu, &tracer, &mut [])?;
+        let inputs = Inputs::read(lab, &tracer, index)?;
         for (case, session) in CASES.iter().zip(&mut sessions) {
-            let radiance = filtered(lab, &tracer, session, case.side(), index)?;
+            let radiance = inputs.filtered(session, case.side())?;
             frame.denoised.push(Denoised { radiance, views: Vec::new() });
         }
         frame.set_halves(lab.references.of_frame(&mut tracer, &scene, index)?);
@@ -112,32 +112,58 @@ fn note(frame: &Frame, scores: &mut [Vec<Scores>]) -> Result<()> {
     Ok(())
 }
 
-/// The tracer's frame, filtered with one sample in each block of pixels.
-fn filtered(lab: &Lab, tracer: &PathTracer, session: &mut Session, side: u32, index: u32) -> Result<Vec<[f32; 3]>> {
-    let (outputs, camera, extent) = (tracer.outputs(), tracer.camera(index), tracer.extent());
-    let mut noisy = lab.gpu.read_image(&outputs.scattered)?;
-    let mut random = fastrand::Rng::with_seed(u64::from(lab.settings.seed) << 32 | u64::from(index));
-    let mut has_sample = vec![false; noisy.len()];
-    for y in (0..extent.height).step_by(side as usize) {
-        for x in (0..extent.width).step_by(side as usize) {
-            let [x, y] = [(x, extent.width), (y, extent.height)].map(|(at, end)| at + random.u32(0..side.min(end - at)));
-            has_sample[(y * extent.width + x) as usize] = true;
+/// A frame of a tracer, as EAW takes it.
+struct Inputs {
+    noisy: Vec<[f32; 4]>,
+    guides: Vec<(&'static str, Vec<[f32; 4]>)>,
+    surface_id: Vec<u32>,
+    params: FrameParams,
+    /// Of which pixels have a sample.
+    seed: u64,
+}
+
+impl Inputs {
+    fn read(lab: &Lab, tracer: &PathTracer, index: u32) -> Result<Self> {
+        let (outputs, camera, extent) = (tracer.outputs(), tracer.camera(index), tracer.extent());
+        let images =
+            [("depth", &outputs.depth), ("normal", &outputs.normal), ("emission", &outputs.emission), ("albedo", &outputs.albedo)];
+        let read = |(name, image)| Ok((name, lab.gpu.read_image(image)?));
+        Ok(Self {
+            noisy: lab.gpu.read_image(&outputs.scattered)?,
+            guides: images.into_iter().map(read).collect::<Result<_>>()?,
+            surface_id: lab.gpu.read_image_u32(&outputs.surface_id)?,
+            params: FrameParams {
+                view_from_world: camera.view_from_world,
+                clip_from_view: camera.clip_from_view,
+                ..FrameParams::new([extent.width, extent.height])
+            },
+            seed: u64::from(lab.settings.seed) << 32 | u64::from(index),
+        })
+    }
+
+    /// The noisy picture with one sample in each block of pixels.
+    fn sparse(&self, side: u32) -> Vec<[f32; 4]> {
+        let [width, height] = self.params.render_extent;
+        let mut random = fastrand::Rng::with_seed(self.seed);
+        let mut sparse = vec![[f32::NAN; 4]; self.noisy.len()];
+        for y in (0..height).step_by(side as usize) {
+            for x in (0..width).step_by(side as usize) {
+                let [x, y] = [(x, width), (y, height)].map(|(at, end)| at + random.u32(0..side.min(end - at)));
+                let pixel = (y * width + x) as usize;
+                sparse[pixel] = self.noisy[pixel];
+            }
         }
+        sparse
     }
-    noisy.iter_mut().zip(has_sample).filter(|(_, has_sample)| !has_sample).for_each(|(texel, _)| *texel = [f32::NAN; 4]);
-    for (name, image) in [("depth", &outputs.depth), ("normal", &outputs.normal), ("emission", &outputs.emission)] {
-        session.upload(name, &lab.gpu.read_image(image)?)?;
+
+    fn filtered(&self, session: &mut Session, side: u32) -> Result<Vec<[f32; 3]>> {
+        let declaration = session.executor().denoiser().declaration().clone();
+        for (name, texels) in self.guides.iter().filter(|(name, _)| declaration.find(name).is_some()) {
+            session.upload(name, texels)?;
+        }
+        session.upload_ids("surface_id", &self.surface_id)?;
+        session.upload("noisy_radiance", &self.sparse(side))?;
+        session.run(&self.params, &Tuning::for_preset(Preset::Eaw))?;
+        Ok(session.download("denoised_radiance")?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect())
     }
-    if session.executor().denoiser().declaration().find("albedo").is_some() {
-        session.upload("albedo", &lab.gpu.read_image(&outputs.albedo)?)?;
-    }
-    session.upload_ids("surface_id", &lab.gpu.read_image_u32(&outputs.surface_id)?)?;
-    session.upload("noisy_radiance", &noisy)?;
-    let params = FrameParams {
-        view_from_world: camera.view_from_world,
-        clip_from_view: camera.clip_from_view,
-        ..FrameParams::new([extent.width, extent.height])
-    };
-    session.run(&params, &Tuning::for_preset(Preset::Eaw))?;
-    Ok(session.download("denoised_radiance")?.into_iter().map(|[r, g, b, _]| [r, g, b]).collect())
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use atrous::config::Preset;
-use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
+use atrous::executor::{HeadlessDevice, Session, SessionOptions};
 use atrous::{Config, FrameParams, Tuning};
 use atrous_demo::Result;
 
@@ -47,8 +47,7 @@ pub fn run(lab: &Lab, _: &Path) -> Result<Findings> {
     let mut table = Figures::new("a", columns.iter().map(|(name, decimals)| (name.as_str(), *decimals)));
     let first = FRAMES - MEASURED;
     table.row(NOISY, &Stripes::of((first..FRAMES).map(|frame| noisy(frame, lab.settings.seed))).values());
-    let gpu = HeadlessDevice::new(&HeadlessOptions { device: Some(lab.gpu.info().name.clone()), ..HeadlessOptions::default() })?;
-    let gpu = Arc::new(gpu);
+    let gpu = lab.headless()?;
     for filter in filters() {
         table.row(filter.name, &filtered(&gpu, lab.settings.seed, &filter)?.values());
         lab.bar.inc(1);
