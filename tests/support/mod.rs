@@ -51,7 +51,12 @@ pub fn warnings() -> Vec<String> {
 /// The device of the tests that this thread runs, under validation. Not one for all: the queue of a software device compiles shaders, and tests
 /// of other threads would wait for it.
 pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
-    let open = || HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).map(Arc::new);
+    let open = || {
+        let device = Arc::new(HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() })?);
+        // Threads of tests end while the process does: by then no driver may be called any more.
+        std::mem::forget(device.clone());
+        Ok(device)
+    };
     GPU.with(|gpu| gpu.get_or_init(open).clone())
 }
 
