@@ -132,7 +132,7 @@ Sum start(vec4 value) {
     return Sum(CENTRE_KERNEL * value.rgb, CENTRE_KERNEL * CENTRE_KERNEL * value.a * value.a, CENTRE_KERNEL);
 }
 
-vec4 result(Sum sum) { return vec4(storable(sum.irradiance / sum.weight), min(sqrt(sum.variance) / sum.weight, 65504.0)); }
+vec4 result(Sum sum) { return storable(vec4(sum.irradiance, sqrt(sum.variance)) / sum.weight); }
 
 #ifdef SPECULAR
 // What is seen in the centre of a window, and how much less a tap weighs, in powers of 2.

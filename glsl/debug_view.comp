@@ -157,7 +157,7 @@ float excess(ivec2 p, texture2D noisy, utexture2D percentiles) {
     vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
     if (!is_finite(radiance)) return 0.0;
     if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, p, 0).rgb);
-    float l = luminance(storable(radiance / divisor)), limit = firefly_limit(percentiles, p / BLOCK_SIZE);
+    float l = luminance(half_range(radiance / divisor)), limit = firefly_limit(percentiles, p / BLOCK_SIZE);
     return limit > 0.0 && l > limit ? 1.0 - limit / l : 0.0;
 }
 

@@ -1,7 +1,9 @@
 #version 450
-// Scales outliers down to the brightest luminance that is usual around them, before they reach the history.
-// Source: [PSVGF], firefly filter. Deviation: the largest limit of the 3x3 blocks, so that a small lit corner of a dark block is kept.
-// In:  guide, block_percentiles. In place: filter_ping, noisy irradiance, own pixel only.
+// Scales outliers down to the brightest luminance that is usual around them, before they reach the history, and spreads what that takes
+// over the block.
+// Source: [PSVGF], firefly filter. Deviations: the largest limit of the 3x3 blocks, so that a small lit corner of a dark block is kept; what
+// is cut off is not lost, but for what would show as a bright block.
+// In:  guide, block_percentiles. In place: filter_ping, noisy irradiance, own block only.
 // Constants: VOLUME: of every pixel, whatever the guide says.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -12,6 +14,7 @@ layout(constant_id = 1) const bool VOLUME = false;
 layout(push_constant) uniform Push {
     float percentile_range;
     float firefly_bias;
+    float firefly_spread;
 } push;
 
 #include "frame.glsl"
@@ -19,22 +22,51 @@ layout(push_constant) uniform Push {
 #include "luminance.glsl"
 #include "firefly_limit.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = ROW_PIXELS) in;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform utexture2D block_percentiles;
 layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
 
-bool takes_part(ivec2 p) { return is_inside(p) && (VOLUME || unpack_depth(texelFetch(guide, p, 0)) != 0.0); }
+// Irradiance that is cut off, and the pixels that share it, of the columns of the blocks in a row.
+shared vec4 columns[ROW_PIXELS];
+
+// A hole has no sample yet.
+bool takes_part(ivec2 p, vec4 value) {
+    return is_inside(p) && value.a >= 0.0 && (VOLUME || unpack_depth(texelFetch(guide, p, 0)) != 0.0);
+}
+
+// The share of a luminance that is kept.
+float kept_share(float l, float limit) { return limit > 0.0 && l > limit ? limit / l : 1.0; }
+
+vec4 column_of(ivec2 top, float limit) {
+    vec4 sum = vec4(0.0);
+    for (int y = 0; y < BLOCK_SIZE; ++y) {
+        ivec2 p = top + ivec2(0, y);
+        vec4 value = imageLoad(irradiance, nearest_inside(p));
+        if (!takes_part(p, value)) continue;
+        float l = luminance(value.rgb), share = 1.0 - kept_share(l, limit);
+        sum += vec4(value.rgb * (share > 0.0 ? min(share, push.firefly_spread * limit / l) : 0.0), 1.0);
+    }
+    return sum;
+}
 
 void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (!takes_part(p)) return;
-    vec4 value = imageLoad(irradiance, p);
-    float l = luminance(value.rgb);
-    ivec2 block = p / BLOCK_SIZE;
-    // Most pixels end here.
-    if (l <= firefly_limit_of(block_percentiles, block)) return;
-    float limit = firefly_limit(block_percentiles, block);
-    if (limit > 0.0 && l > limit) imageStore(irradiance, p, vec4(value.rgb * (limit / l), value.a));
+    ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
+    float limit = firefly_limit(block_percentiles, top / BLOCK_SIZE);
+    uint i = gl_LocalInvocationIndex;
+    columns[i] = column_of(top, limit);
+    barrier();
+    uint first = i - i % uint(BLOCK_SIZE);
+    vec4 sum = columns[first];
+    for (uint x = 1u; x < uint(BLOCK_SIZE); ++x) sum += columns[first + x];
+    // In most blocks nothing is cut off.
+    if (sum.rgb == vec3(0.0) && push.firefly_spread > 0.0) return;
+    vec3 spread = sum.rgb / max(sum.a, 1.0);
+    for (int y = 0; y < BLOCK_SIZE; ++y) {
+        ivec2 p = top + ivec2(0, y);
+        vec4 value = imageLoad(irradiance, nearest_inside(p));
+        if (!takes_part(p, value)) continue;
+        imageStore(irradiance, p, vec4(storable(value.rgb * kept_share(luminance(value.rgb), limit) + spread), value.a));
+    }
 }

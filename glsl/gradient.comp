@@ -128,7 +128,7 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
-    if (is_finite(radiance)) add_change(sum, storable(radiance), light_of(j), j);
+    if (is_finite(radiance)) add_change(sum, half_range(radiance), light_of(j), j);
 }
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.

@@ -30,6 +30,6 @@ void main() {
         count_bad(BAD_RADIANCE);
         return;
     }
-    vec3 sum = imageLoad(radiance, p).rgb + storable(light) * texelFetch(denoised_visibility, p, 0).x;
+    vec3 sum = imageLoad(radiance, p).rgb + half_range(light) * texelFetch(denoised_visibility, p, 0).x;
     imageStore(radiance, p, vec4(storable(sum), 1.0));
 }

@@ -27,7 +27,7 @@ layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D volume_points;
 
 vec3 radiance_at(ivec2 p) {
     vec3 c = texelFetch(noisy_volume, p, 0).rgb;
-    if (is_finite(c)) return storable(c);
+    if (is_finite(c)) return half_range(c);
     count_bad(BAD_RADIANCE);
     return vec3(0.0);
 }
@@ -53,6 +53,6 @@ void main() {
     if (!is_inside(p)) return;
     vec3 c = radiance_at(p);
     uint depth = floatBitsToUint(depth_at(p));
-    imageStore(radiance, p, vec4(c, 0.0));
+    imageStore(radiance, p, vec4(storable(c), 0.0));
     imageStore(volume_points, p, uvec4(depth & 0xffffu, depth >> 16, contribution(c), 0u));
 }

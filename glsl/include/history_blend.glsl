@@ -25,7 +25,7 @@ vec2 adapted(vec2 alpha, float change) { return alpha + change * (1.0 - alpha); 
 // float: the clamps keep infinity minus infinity away.
 History in_light(History history, vec3 ratio, float scale) {
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
-    vec3 irradiance = storable(history.irradiance * ratio * frame.exposure_ratio);
+    vec3 irradiance = half_range(history.irradiance * ratio * frame.exposure_ratio);
     return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0));
 }
 

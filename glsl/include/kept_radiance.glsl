@@ -15,7 +15,7 @@ KeptRadiance nothing_kept() { return KeptRadiance(vec3(0.0), true); }
 
 void keep(inout KeptRadiance kept, vec3 radiance) {
     bool finite = is_finite(radiance);
-    kept.radiance += finite ? storable(radiance) : vec3(0.0);
+    kept.radiance += finite ? half_range(radiance) : vec3(0.0);
     kept.known = kept.known && finite;
 }
 

@@ -332,7 +332,7 @@ pub(crate) static FILL_HOLES: Shader = Shader {
     ]),
 };
 pub(crate) static FIREFLY: Shader = Shader {
-    stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly"), spirv: Cow::Borrowed(include_bytes!("firefly.spv")), workgroup: [8, 8, 1],
+    stage: Cow::Borrowed("firefly"), name: Cow::Borrowed("firefly"), spirv: Cow::Borrowed(include_bytes!("firefly.spv")), workgroup: [64, 1, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
@@ -342,6 +342,7 @@ pub(crate) static FIREFLY: Shader = Shader {
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("percentile_range"), offset: 0, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("firefly_bias"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("firefly_spread"), offset: 8, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },

@@ -1,7 +1,9 @@
-//! Scales outliers down before they reach the history. [PSVGF], firefly filter.
+//! Scales outliers down before they reach the history, and spreads what that takes. [PSVGF], firefly filter.
 
 pub(crate) mod twin;
 
+use super::BLOCK_SIZE;
+use crate::contract::Grid;
 use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance};
 use crate::shaders;
 
@@ -25,6 +27,7 @@ impl Graph {
             let label = self.label(*image).to_owned();
             let node = self.node("firefly", &label);
             let pass = Pass::new(&node, &shaders::FIREFLY)
+                .grid(Grid::Columns(BLOCK_SIZE))
                 .constant("VOLUME", u32::from(volume))
                 .bind("guide", guides.guide)
                 .bind("block_percentiles", *percentiles)

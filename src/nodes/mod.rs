@@ -86,7 +86,7 @@ pub static STAGES: &[Stage] = &[
     Stage::new("variance", variance::twin::twin, VARIANCE),
     Stage::new("atrous", atrous::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
     Stage::new("eaw", eaw::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
-    Stage::new("modulate", modulate::twin::twin, &[STATISTICS, pixels("denoised_radiance", HALF)]),
+    Stage::new("modulate", modulate::twin::twin, &[STATISTICS, pixels("denoised_radiance", HALF), rounded("denoised_radiance")]),
     Stage::new(
         "volume_motion",
         volume_motion::twin::twin,

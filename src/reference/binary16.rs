@@ -16,13 +16,14 @@ pub fn round_image_to_half(image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     image.map(|texel| texel.map(round_to_half))
 }
 
-/// The value that a half-float image of irradiance, luminance or deviation keeps: clamped to 0..65504, NaN to 0, rounded.
+/// The value that a half-float image of irradiance, luminance or deviation keeps: clamped to 0..65504, NaN to 0, rounded to nearest, of
+/// two the larger. `storable` of `glsl/include/luminance.glsl`.
 pub(crate) fn store(x: f32) -> f32 {
     // `clamp` would pass a NaN on.
     if x.is_nan() {
         0.0
     } else {
-        round_to_half(x.clamp(0.0, LARGEST_HALF))
+        round_to_half(f32::from_bits((x.clamp(0.0, LARGEST_HALF).to_bits() + 0x1000) & 0xffff_e000))
     }
 }
 
@@ -48,8 +49,16 @@ mod tests {
     }
 
     #[test]
+    fn a_store_takes_the_larger_of_two_that_are_as_near() {
+        assert_eq!(store(1.0 + 1.0 / 2048.0), 1.0 + 1.0 / 1024.0);
+        assert_eq!(store(1.0 + 0.99 / 2048.0), 1.0);
+    }
+
+    #[test]
     fn a_store_is_finite_and_not_negative() {
-        for (x, kept) in [(f32::NAN, 0.0), (f32::INFINITY, LARGEST_HALF), (-1.0, 0.0), (1e9, LARGEST_HALF), (2.0, 2.0)] {
+        for (x, kept) in
+            [(f32::NAN, 0.0), (f32::INFINITY, LARGEST_HALF), (-1.0, 0.0), (1e9, LARGEST_HALF), (2.0, 2.0), (65503.0, LARGEST_HALF)]
+        {
             assert_eq!(store(x), kept);
         }
     }

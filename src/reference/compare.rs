@@ -30,6 +30,8 @@ pub struct Tolerance {
 pub enum Values {
     /// The values as they are: floats, or packed bits 16 at a time.
     Plain,
+    /// Red, green and blue alone.
+    Rgb,
     /// Words of a buffer, 32 bits each.
     Counts,
     /// A 32-bit texel as two halves.
@@ -167,6 +169,10 @@ impl Values {
     /// The numbers of the texel at `p`.
     fn of(self, texels: &Texels, p: IVec2) -> Numbers {
         match texels {
+            Texels::Colour(image) if self == Self::Rgb => {
+                let [r, g, b, _] = image.at(p);
+                padded([r, g, b])
+            }
             Texels::Colour(image) => padded(image.at(p)),
             Texels::Scalar(image) => padded([image.at(p)]),
             Texels::Packed(image) => self.of_packed(image.at(p)),

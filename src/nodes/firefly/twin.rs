@@ -1,9 +1,10 @@
-//! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them.
+//! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them, and what that takes is
+//! spread over their block.
 
 use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::blocks::{block_of, Blocks};
+use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
 use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::Image;
@@ -23,19 +24,48 @@ pub struct FireflyInputs<'a> {
 
 /// rgb: irradiance without outliers, half precision; alpha as it came.
 pub fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyInputs) -> Image<[f32; 4]> {
+    let takes_part = |p| {
+        let is_background = inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background());
+        !is_background && inputs.irradiance.at(p)[3] >= 0.0
+    };
+    let limits = Image::compute(inputs.block_percentiles.extent(), Blocks::new(frame.render_extent).extent(), |block| {
+        limit_around(frame, tuning, inputs.block_percentiles, block * BLOCK_SIZE as i32)
+    });
+    let spread = Image::compute(limits.extent(), Blocks::new(frame.render_extent).extent(), |block| {
+        let (limit, mut sum, mut count) = (limits.at(block), [0.0; 3], 0.0_f32);
+        for p in Blocks::pixels(block, frame.render_extent).filter(|p| takes_part(*p)) {
+            let texel = inputs.irradiance.at(p);
+            let l = texel_luminance(texel);
+            let share = 1.0 - kept_share(l, limit);
+            if share > 0.0 {
+                let share = share.min(tuning.firefly_spread * limit / l);
+                sum = std::array::from_fn(|i| sum[i] + texel[i] * share);
+            }
+            count += 1.0;
+        }
+        sum.map(|s: f32| s / count.max(1.0))
+    });
     Image::compute(inputs.irradiance.extent(), frame.render_extent, |p| {
         let texel = inputs.irradiance.at(p);
-        if inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background()) {
+        if !takes_part(p) {
             return texel;
         }
-        let limit = limit_around(frame, tuning, inputs.block_percentiles, p);
-        let l = texel_luminance(texel);
-        if limit == 0.0 || l <= limit {
+        let (kept, spread) = (kept_share(texel_luminance(texel), limits.at(block_of(p))), spread.at(block_of(p)));
+        if kept == 1.0 && spread == [0.0; 3] {
             return texel;
         }
-        let [r, g, b] = [0, 1, 2].map(|i| store(texel[i] * (limit / l)));
+        let [r, g, b] = [0, 1, 2].map(|i| store(texel[i] * kept + spread[i]));
         [r, g, b, texel[3]]
     })
+}
+
+/// The share of a luminance that is kept.
+fn kept_share(l: f32, limit: f32) -> f32 {
+    if limit > 0.0 && l > limit {
+        limit / l
+    } else {
+        1.0
+    }
 }
 
 /// The largest limit of the 3×3 blocks around a pixel; 0: next to all samples are black, which does not say what is bright.
@@ -92,12 +122,49 @@ mod tests {
     }
 
     #[test]
+    fn what_is_cut_off_is_spread_over_the_block() {
+        let mut input = noise(EXTENT, 5);
+        for (x, y) in [(4, 4), (20, 12), (43, 29)] {
+            *input.get_mut(x, y).expect("inside") = [6.0, 3.0, 3.0, 0.0];
+        }
+        let lost = |firefly_spread| {
+            let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+            let tuning = Tuning { firefly_spread, ..svgf_tuning() };
+            let percentiles =
+                block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &input });
+            let inputs = FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance: &input };
+            1.0 - mean(&firefly(&frame, &tuning, &inputs)) / mean(&input)
+        };
+        let (all, none) = (lost(0.0), lost(1024.0));
+        assert!(all > 0.003 && none.abs() < 1e-4, "{all} without spread, {none} with");
+    }
+
+    #[test]
+    fn no_more_is_spread_than_twice_what_is_left() {
+        let mut input = noise(EXTENT, 3);
+        *input.get_mut(20, 12).expect("inside") = [5000.0; 4];
+        let output = filtered(&input);
+        let left = texel_luminance(*output.get(20, 12).expect("inside"));
+        let gained = texel_luminance(*output.get(17, 9).expect("inside")) - texel_luminance(*input.get(17, 9).expect("inside"));
+        assert!(gained > 0.0 && gained < 2.1 * left / 64.0, "{gained} of {left}");
+        assert_eq!(output.get(2, 2), input.get(2, 2), "in another block");
+    }
+
+    #[test]
+    fn a_hole_takes_nothing() {
+        let mut input = noise(EXTENT, 3);
+        *input.get_mut(20, 12).expect("inside") = [5.0, 5.0, 5.0, 0.0];
+        *input.get_mut(17, 9).expect("inside") = [0.0, 0.0, 0.0, -1.0];
+        assert_eq!(filtered(&input).get(17, 9), input.get(17, 9));
+    }
+
+    #[test]
     fn an_outlier_is_scaled_down_and_keeps_its_hue() {
         let mut input = noise(EXTENT, 3);
         *input.get_mut(20, 12).expect("inside") = [5000.0, 2500.0, 0.0, 0.0];
         let output = filtered(&input);
         let [r, g, b, _] = *output.get(20, 12).expect("inside");
-        assert!(r < 5.0 && (r / g - 2.0).abs() < 0.01 && b == 0.0, "{r} {g} {b}");
+        assert!(r < 5.0 * (1.0 + 2.0 / 64.0) && (r / g - 2.0).abs() < 0.01 && b == 0.0, "{r} {g} {b}");
         assert_eq!(output.get(2, 2), input.get(2, 2));
     }
 
