@@ -120,7 +120,7 @@ tuning! {
     percentile_up: "share of the pixels", 0.0 ..= 1.0, 0.95;
     /// Scale of the range between the percentiles, by which a luminance may leave them (PSVGF). Raising it passes more outliers and
     /// keeps more history.
-    percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 3.0;
+    percentile_range: "interpercentile ranges", 0.0 ..= 64.0, 2.0;
     /// Share of the history that a change of the light costs; 0: the adaptive rules are off (PSVGF).
     adaptivity: "1", 0.0 ..= 1.0, 1.0;
     /// Change, in standard errors of its mean, from which history gives way; at twice as many it is gone. Raising it reacts to
@@ -208,13 +208,13 @@ impl Tuning {
     ///
     /// | preset | what differs from [`Preset::Best`], whose numbers the fields document |
     /// | --- | --- |
-    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
-    /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
-    /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
-    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
-    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
-    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `percentile_range` 2, `specular_blur` 1 |
-    /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `percentile_range` 2, `specular_blur` 1 |
+    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `specular_blur` 1 |
     ///
     /// Presets that are told of changed light react less by themselves, with an `alpha` of 0.1 (ASVGF). What was accumulated with
     /// a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has a
@@ -229,7 +229,6 @@ impl Tuning {
             specular_blur: 1.0,
             depth_tolerance: 0.02,
             normal_tolerance: 0.9,
-            percentile_range: 2.0,
             ..Self::DOCUMENTED
         };
         match preset {
