@@ -5,12 +5,12 @@
 float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 // Within what a half-float image can hold; NaN becomes 0.
-vec3 half_range(vec3 c) { return min(max(c, vec3(0.0)), vec3(65504.0)); }
 vec4 half_range(vec4 c) { return min(max(c, vec4(0.0)), vec4(65504.0)); }
+vec3 half_range(vec3 c) { return half_range(vec4(c, 0.0)).rgb; }
 
 // The nearest half float, of two the larger. A device may cut bits off as it stores, which takes light from every average that is fed back;
 // what is a half already is stored alike by all. Twin: src/reference/binary16.rs.
-vec3 storable(vec3 c) { return uintBitsToFloat((floatBitsToUint(half_range(c)) + 0x1000u) & 0xffffe000u); }
 vec4 storable(vec4 c) { return uintBitsToFloat((floatBitsToUint(half_range(c)) + 0x1000u) & 0xffffe000u); }
+vec3 storable(vec3 c) { return storable(vec4(c, 0.0)).rgb; }
 
 #endif

@@ -128,8 +128,8 @@ tuning! {
     change_threshold: "standard errors", 0.5 ..= 64.0, 2.5;
     /// Luminance that the firefly filter always lets pass on top of the percentiles (PSVGF). Raising it passes more outliers.
     firefly_bias: "luminance of irradiance", 0.0 ..= 65504.0, 0.0;
-    /// How much of an outlier the firefly filter spreads over the 8×8 pixels around it, at most, instead of losing it; 0 loses all
-    /// (PSVGF). Raising it keeps more light, and shows as bright blocks where outliers are extreme.
+    /// Largest part of an outlier that the firefly filter spreads over the 8×8 pixels of its block instead of losing it; 0 loses
+    /// all that it cuts off (PSVGF). Raising it keeps more light, and shows as bright blocks where outliers are extreme.
     firefly_spread: "times what is left of the outlier", 0.0 ..= 1024.0, 2.0;
     /// Radiance edge stopping of the first level of (EAW); halved from level to level. Of the size of the brightest light, so that
     /// geometry alone leads the first level. Raising it blurs more.

@@ -28,10 +28,11 @@ pub fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyInputs) 
         let is_background = inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background());
         !is_background && inputs.irradiance.at(p)[3] >= 0.0
     };
-    let limits = Image::compute(inputs.block_percentiles.extent(), Blocks::new(frame.render_extent).extent(), |block| {
+    let blocks = Blocks::new(frame.render_extent).extent();
+    let limits = Image::compute(inputs.block_percentiles.extent(), blocks, |block| {
         limit_around(frame, tuning, inputs.block_percentiles, block * BLOCK_SIZE as i32)
     });
-    let spread = Image::compute(limits.extent(), Blocks::new(frame.render_extent).extent(), |block| {
+    let spread = Image::compute(limits.extent(), blocks, |block| {
         let (limit, mut sum, mut count) = (limits.at(block), [0.0; 3], 0.0_f32);
         for p in Blocks::pixels(block, frame.render_extent).filter(|p| takes_part(*p)) {
             let texel = inputs.irradiance.at(p);
@@ -101,9 +102,13 @@ mod tests {
     const EXTENT: [u32; 2] = [45, 30];
 
     fn filtered(irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
-        let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
-        let percentiles = block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
-        firefly(&frame, &tuning, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
+        filtered_with(&svgf_tuning(), irradiance)
+    }
+
+    fn filtered_with(tuning: &Tuning, irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+        let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
+        let percentiles = block_percentiles(&frame, tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
+        firefly(&frame, tuning, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
     }
 
     fn mean(image: &Image<[f32; 4]>) -> f64 {
@@ -128,12 +133,8 @@ mod tests {
             *input.get_mut(x, y).expect("inside") = [6.0, 3.0, 3.0, 0.0];
         }
         let lost = |firefly_spread| {
-            let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
             let tuning = Tuning { firefly_spread, ..svgf_tuning() };
-            let percentiles =
-                block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance: &input });
-            let inputs = FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance: &input };
-            1.0 - mean(&firefly(&frame, &tuning, &inputs)) / mean(&input)
+            1.0 - mean(&filtered_with(&tuning, &input)) / mean(&input)
         };
         let (all, none) = (lost(0.0), lost(1024.0));
         assert!(all > 0.003 && none.abs() < 1e-4, "{all} without spread, {none} with");
