@@ -73,7 +73,7 @@ pub static STAGES: &[Stage] = &[
         &[rule("block_percentiles", Per::Block, Values::Percentiles, HALF)],
     ),
     Stage::new("fill_holes", fill_holes::twin::twin, &[STATISTICS, pixels("filled", HALF)]),
-    Stage::new("firefly", firefly::twin::twin, &[pixels("irradiance", HALF)]),
+    Stage::new("firefly", firefly::twin::twin, &[pixels("irradiance", HALF), rounded("irradiance")]),
     Stage::new("block_difference", block_difference::twin::twin, BLOCK_DIFFERENCE),
     Stage::new("percentile_rule", percentile_rule::twin::twin, &[pixels("history_confidence", STEEP)]),
     Stage::new(
@@ -84,8 +84,8 @@ pub static STAGES: &[Stage] = &[
     Stage::new("temporal_accumulation", temporal_accumulation::twin::twin, TEMPORAL_ACCUMULATION),
     Stage::new("specular_accumulation", specular_accumulation::twin::twin, SPECULAR_ACCUMULATION),
     Stage::new("variance", variance::twin::twin, VARIANCE),
-    Stage::new("atrous", atrous::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
-    Stage::new("eaw", eaw::twin::twin, &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED)]),
+    Stage::new("atrous", atrous::twin::twin, FILTERED),
+    Stage::new("eaw", eaw::twin::twin, FILTERED),
     Stage::new("modulate", modulate::twin::twin, &[STATISTICS, pixels("denoised_radiance", HALF), rounded("denoised_radiance")]),
     Stage::new(
         "volume_motion",

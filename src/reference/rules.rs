@@ -93,6 +93,9 @@ pub(crate) const DEMODULATE: &[Rule] = &[
     rule("noisy_red_blue", Per::Pixel, Values::Halves, HALF),
 ];
 
+pub(crate) const FILTERED: &[Rule] =
+    &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED), rounded("output_0"), rounded("output_1")];
+
 pub(crate) const SAMPLE_ALBEDO: &[Rule] =
     &[pixels("irradiance_0", HALF), pixels("irradiance_1", HALF), strata("candidate_albedo", HALF)];
 

@@ -35,6 +35,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("one_pixel", || sequence(&svgf([1, 1]))),
     ("a_rect_in_a_larger_image", || sequence_of(&svgf([64, 40]), [37, 21])),
     ("firefly_filter", || sequence(&Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..svgf([61, 35]) })),
+    ("outliers", outliers),
     ("percentile", || sequence(&percentile([61, 35]))),
     ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([61, 35]) })),
     ("percentile_published", || sequence(&Config { adaptive_rule: AdaptiveRule::Percentiles, ..percentile([61, 35]) })),
@@ -105,6 +106,20 @@ fn holes() {
         for (sampling, signals) in [Sampling::OneOf2x2, Sampling::OneOf4x4].into_iter().zip([Signals::Apart, Signals::Specular]) {
             sequence(&Config { preset, sampling, signals, ..base });
         }
+    }
+}
+
+/// With a limit so low that the firefly filter cuts pixels in every block, spreads all that it takes or a part of it, and passes holes by.
+fn outliers() {
+    let base = Config { firefly_filter: true, levels: Some(1), ..svgf([61, 35]) };
+    for (config, extent, firefly_spread) in [
+        (Config { signals: Signals::Apart, ..base }, [61, 35], 1024.0),
+        (Config { sampling: Sampling::OneOf2x2, ..base }, [61, 35], 0.25),
+        (Config { volume: true, ..base }, [37, 21], 2.0),
+        (base, [61, 35], 0.0),
+    ] {
+        let tuning = Tuning { percentile_up: 0.75, percentile_range: 0.0, firefly_spread, ..Tuning::for_preset(config.preset) };
+        tuned_sequence(&config, extent, tuning);
     }
 }
 
