@@ -8,7 +8,8 @@ use atrous_demo::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, Trac
 
 const EXTENT: Extent2D = Extent2D { width: 256, height: 144 };
 
-/// Scores of the noisy picture of the last of `frames` frames, and of each denoised one, lights and nothing else held still.
+/// Scores of the noisy picture of the last of `frames` frames, and of each denoised one, lights and nothing else held still. The noise of the
+/// reference is left out.
 fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptions]) -> Vec<Scores> {
     let scene = built_in(name, SceneOptions { static_light: true, ..SceneOptions::default() });
     let tracer_options = TracerOptions { jitter: options.iter().any(|options| options.taa), ..TracerOptions::default() };
@@ -20,8 +21,11 @@ fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptio
         denoisers.iter_mut().for_each(|denoiser| denoiser.render(&mut tracer).expect("a submit"));
     }
     let mut frame = Frame::read(&gpu.0, &tracer, &mut denoisers).expect("pictures");
-    let reference = tracer.render_reference(256, |_, _| {}).expect("a reference");
-    frame.set_reference(reference);
+    let moment = scene.moment(frame.index);
+    frame.set_halves([frames, frames + 1].map(|seed| {
+        tracer.begin_moment(seed, &moment, &moment).expect("a frame");
+        tracer.render_reference(32, |_, _| {}).expect("a reference").radiance()
+    }));
     let scores = frame.scores(None).expect("finite pictures").expect("a reference");
     println!("{name}, frame {}: noisy {:?}, denoised {:?}", frame.index, scores[0], &scores[1..]);
     scores
