@@ -1,7 +1,6 @@
 //! `tools/blender_sequence.py` in a real Blender, and its frames through the tool. Ignored where there is none (Debian: package
 //! `blender`); `ATROUS_REQUIRE_BLENDER=1` makes that a failure, and `ATROUS_BLENDER` names another program than `blender`.
 
-#[path = "tool/samples.rs"]
 #[allow(dead_code)] // the tests of the tool use the rest
 mod samples;
 

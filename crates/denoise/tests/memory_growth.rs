@@ -1,6 +1,5 @@
 //! Memory does not grow with the number of frames. A program of its own: what other tests allocate would count.
 
-#[path = "tool/samples.rs"]
 #[allow(dead_code)] // the tests of the tool use the rest
 mod samples;
 

@@ -1,6 +1,5 @@
 //! The report of a run in a browser. Ignored where there is none; `ATROUS_REQUIRE_BROWSER=1` makes that a failure.
 
-#[path = "tool/samples.rs"]
 #[allow(dead_code)] // the tests of the tool use the rest
 mod samples;
 

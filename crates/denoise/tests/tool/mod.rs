@@ -1,4 +1,4 @@
-//! Tests of the tool that need no Vulkan device.
+//! What the tool reads, refuses and writes.
 
 mod bad_files;
 mod capture_tests;
@@ -12,5 +12,4 @@ mod output_tests;
 mod reading;
 mod resume_tests;
 mod runs;
-mod samples;
 mod sequence_tests;
