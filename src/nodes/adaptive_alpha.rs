@@ -36,12 +36,26 @@ impl Graph {
         self.add_adaptive_alpha(gradient, Some(tested.confidence), tested.steadiness, None)
     }
 
-    /// [`Self::adaptive_alpha_or`], and in the same pass the confidence in a history that the ratio of light does not scale.
-    /// In that one gradients always count: the test saw the other history.
+    /// [`Self::adaptive_alpha`], and in the same pass the confidence in a history that the ratio of light does not scale.
+    pub fn adaptive_alphas(&mut self, gradient: &Gradient) -> Confidences {
+        self.add_adaptive_alphas(gradient, None, None)
+    }
+
+    /// [`Self::adaptive_alphas`], with `tested` as [`Self::adaptive_alpha_or`] takes it. In the history that the ratio of light does not
+    /// scale gradients always count: the test saw the other one.
     pub fn adaptive_alphas_or(&mut self, gradient: &Gradient, tested: &Tested) -> Confidences {
+        self.add_adaptive_alphas(gradient, Some(tested.confidence), tested.steadiness)
+    }
+
+    fn add_adaptive_alphas(
+        &mut self,
+        gradient: &Gradient,
+        other: Option<Confidence>,
+        steadiness: Option<Steadiness>,
+    ) -> Confidences {
         let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
-        let steadiness = tested.steadiness.filter(|_| unscaled.is_some());
-        let scaled = self.add_adaptive_alpha(gradient, Some(tested.confidence), steadiness, unscaled);
+        let steadiness = steadiness.filter(|_| unscaled.is_some());
+        let scaled = self.add_adaptive_alpha(gradient, other, steadiness, unscaled);
         Confidences { scaled, unscaled: unscaled.map_or(scaled, |image| Port::of(self.refreshed(image))) }
     }
 

@@ -3,52 +3,89 @@
 use super::specular::{compared, modulated, Specular};
 use super::{gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
-use crate::graph::{Feedback, Graph, Guides};
+use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
 
+/// Parameters of [`best_with`]: what [`best`] has beyond A-SVGF, part by part. `docs/quality.md` has what each of them is worth.
+#[derive(Clone, Copy, Debug)]
+pub struct Best {
+    /// Whether history is scaled where all samples of a place agree on how the light changed. Default: true.
+    pub light_ratio: bool,
+    /// Whether the change test of [`super::percentile`] stands in where no gradient is known, and has gradients not count where it is sure
+    /// that nothing changed. Default: true.
+    pub change_test: bool,
+    /// Whether outliers are taken out before the history. Default: true.
+    pub firefly_filter: bool,
+    /// Source of the history. Default: [`Feedback::Accumulated`].
+    pub feedback: Feedback,
+    /// Whether history is looked up by a cubic: [`Accumulation::sharp`]. Default: true.
+    pub sharp: bool,
+    /// Default: [`Estimator::Fading`], of a deviation half-way to that of the mean.
+    pub variance: Variance,
+    /// Spatial filter of the light that is not apart; `feedback` sets its own. Default: as many levels of 9 taps as the configuration says,
+    /// with deviations that taps share; specular light has the latter, too.
+    pub spatial: Atrous,
+}
+
+impl Best {
+    /// The defaults, with the levels of a configuration.
+    pub fn new(config: &Config) -> Self {
+        Self {
+            light_ratio: true,
+            change_test: true,
+            firefly_filter: true,
+            feedback: Feedback::Accumulated,
+            sharp: true,
+            variance: Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() },
+            spatial: Atrous { levels: config.levels(), kernel: Kernel::Box, shared_deviation: true, ..Atrous::default() },
+        }
+    }
+}
+
 /// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
-/// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of [`super::percentile`] takes its place. `docs/stages.md` has what each of these is worth.
+/// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of
+/// [`super::percentile`] takes its place. `docs/quality.md` has what each of these is worth.
 ///
 /// It reads `signals`, `sampling`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.
 pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
-    best_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Box, ..Atrous::default() })
+    best_with(g, guides, config, Best::new(config))
 }
 
-/// [`best`] with another spatial filter of the light that is not apart; `shared_deviation` is true whatever it says.
-pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
+/// [`best`] with other parts.
+pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) -> Denoised {
     let gradients = gradient_samples(g, guides, config);
     let noisy = noisy(g, config.signals);
     let compared = compared(g, &noisy, config);
     let gradient = gradients.map(|source| {
-        let gradient = g.gradient_and_ratio(guides, &compared, source);
+        let gradient = match best.light_ratio {
+            true => g.gradient_and_ratio(guides, &compared, source),
+            false => g.gradient(guides, &compared, source),
+        };
         g.gradient_atrous(guides, &gradient, GradientAtrous::default())
     });
     let samples = gradients.and_then(|gradients| gradients.samples());
     let demodulate = Demodulate { gradient, samples, sampling: config.sampling, ..Demodulate::default() };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
-    let irradiance = g.firefly(guides, &irradiance, &percentiles);
+    let percentiles = best.firefly_filter.then(|| g.block_percentiles(guides, &irradiance, config.block_sort));
+    let irradiance = percentiles.map_or(irradiance, |percentiles| g.firefly(guides, &irradiance, &percentiles));
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Accumulated);
+    let history = g.history(&irradiance, best.feedback);
     let Confidences { scaled: confidence, unscaled } = match &gradient {
         Some(gradient) => {
-            let difference = g.block_difference(guides, &irradiance, &history);
-            let tested = g.scope("tested", |g| g.change_and_steadiness(&difference));
-            match config.signals {
-                Signals::Specular => g.adaptive_alphas_or(gradient, &tested),
-                _ => Confidences::equal(g.adaptive_alpha_or(gradient, &tested)),
-            }
+            let difference = best.change_test.then(|| g.block_difference(guides, &irradiance, &history));
+            confidences(g, gradient, difference, config.signals)
         }
         None => Confidences::equal(g.host_confidence()),
     };
     let light_ratio = gradient.and_then(|gradient| gradient.light_ratio());
-    let accumulation = Accumulation { confidence: Some(confidence), sharp: true, light_ratio, ..Accumulation::default() };
+    let accumulation = Accumulation { confidence: Some(confidence), sharp: best.sharp, light_ratio, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let variance = Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() };
+    let Best { variance, feedback, spatial, .. } = best;
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let filtered = g.atrous(guides, &estimate, Atrous { shared_deviation: true, ..spatial });
-    let specular = Specular { variance, shared_deviation: true, samples, confidence: Some(unscaled), ..Specular::default() };
+    let filtered = g.atrous(guides, &estimate, Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), ..spatial });
+    let shared_deviation = spatial.shared_deviation;
+    let specular = Specular { feedback, variance, shared_deviation, samples, confidence: Some(unscaled), ..Specular::default() };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let known = Known {
         history: Some(history),
@@ -56,8 +93,20 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
         deviation: true,
         confidence: Some(confidence),
         gradient,
-        percentiles: Some(percentiles),
+        percentiles,
         ..Known::new(&noisy)
     };
     Denoised { radiance, known }
+}
+
+/// Confidence from gradients, and from the change test where the light's difference from its history is given. That in a history that
+/// nothing scales is of specular light alone.
+fn confidences(g: &mut Graph, gradient: &Gradient, difference: Option<Difference>, signals: Signals) -> Confidences {
+    let tested = difference.map(|difference| g.scope("tested", |g| g.change_and_steadiness(&difference)));
+    match (signals, &tested) {
+        (Signals::Specular, Some(tested)) => g.adaptive_alphas_or(gradient, tested),
+        (Signals::Specular, None) => g.adaptive_alphas(gradient),
+        (_, Some(tested)) => Confidences::equal(g.adaptive_alpha_or(gradient, tested)),
+        (_, None) => Confidences::equal(g.adaptive_alpha(gradient)),
+    }
 }

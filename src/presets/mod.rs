@@ -16,7 +16,7 @@ mod visibility;
 mod volume;
 
 pub use asvgf::asvgf;
-pub use best::{best, best_with};
+pub use best::{best, best_with, Best};
 pub use eaw::eaw;
 pub use fast::{fast, fast_with};
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
@@ -56,12 +56,27 @@ impl Config {
     /// # Errors
     /// Errors of [`Config::validate`].
     pub fn graph(&self) -> Result<Graph, Error> {
+        self.graph_of(filter_of(self.preset))
+    }
+
+    /// [`Self::graph`] with another filter of surfaces than the preset's, such as [`best_with`] with other parts, or one of the host.
+    ///
+    /// # Errors
+    /// Errors of [`Config::validate`].
+    pub fn graph_with(&self, filter: impl FnOnce(&mut Graph, &Guides, &Self) -> Denoised) -> Result<Graph, Error> {
+        self.graph_of(Some(filter))
+    }
+
+    fn graph_of(&self, filter: Option<impl FnOnce(&mut Graph, &Guides, &Self) -> Denoised>) -> Result<Graph, Error> {
         self.validate()?;
         let mut g = Graph::of_config(self);
         let guides =
             g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
         let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
-        let mut surfaces = surfaces(&mut g, &guides, self);
+        let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));
+        if let Some(denoised) = &surfaces {
+            outputs(&mut g, denoised);
+        }
         if let Some(accumulated) = accumulated {
             let visibility = visibility(&mut g, &guides, &accumulated);
             g.output("denoised_visibility", &visibility);
@@ -93,23 +108,26 @@ impl Config {
     }
 }
 
-/// The filter of surfaces, with its outputs; nothing for [`Preset::Volume`].
-fn surfaces(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Denoised> {
-    let denoised = match config.preset {
-        Preset::Svgf => svgf(g, guides, config),
-        Preset::Percentile => percentile(g, guides, config),
-        Preset::Fast => fast(g, guides, config),
-        Preset::Eaw => eaw(g, guides, config),
-        Preset::Asvgf => asvgf(g, guides, config),
-        Preset::Best => best(g, guides, config),
-        Preset::Stabilize => stabilize(g, guides, config),
+/// The filter of surfaces of a preset; none for [`Preset::Volume`].
+fn filter_of(preset: Preset) -> Option<fn(&mut Graph, &Guides, &Config) -> Denoised> {
+    Some(match preset {
+        Preset::Svgf => svgf,
+        Preset::Percentile => percentile,
+        Preset::Fast => fast,
+        Preset::Eaw => eaw,
+        Preset::Asvgf => asvgf,
+        Preset::Best => best,
+        Preset::Stabilize => stabilize,
         Preset::Volume => return None,
-    };
+    })
+}
+
+/// Makes outputs of what a filter of surfaces gives.
+fn outputs(g: &mut Graph, denoised: &Denoised) {
     g.output("denoised_radiance", &denoised.radiance);
     if let Some(confidence) = &denoised.known.confidence {
         g.output("history_confidence", confidence);
     }
-    Some(denoised)
 }
 
 /// The host's noisy radiance: `noisy_radiance`; `noisy_direct` and `noisy_indirect` as a pair; or `noisy_diffuse`, beside which

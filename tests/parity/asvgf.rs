@@ -1,11 +1,11 @@
 //! Sequences of the presets with temporal gradients.
 
 use super::run;
-use crate::support::{assert_valid, random, scene::Scene, session_with, upload};
+use crate::support::{assert_valid, gpu, random, scene::Scene, session_with, upload};
 use atrous::config::{GradientSource, MotionUnit, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::reference::InstanceTransform;
-use atrous::{Config, FrameParams, ResetReason, Tuning};
+use atrous::{Config, Declaration, FrameParams, ResetReason, Tuning};
 
 fn config(extent: [u32; 2]) -> Config {
     Config { preset: Preset::Asvgf, levels: Some(2), ..Config::new(extent) }
@@ -13,7 +13,13 @@ fn config(extent: [u32; 2]) -> Config {
 
 /// Frames with a camera that moves and a light that jumps; `inputs` uploads what else the configuration has.
 pub(super) fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
-    let mut s = session_with(config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    sequence_of(config.declare().expect("valid"), config, extent, inputs);
+}
+
+/// [`sequence`] of a graph for what a configuration says of the host.
+pub(super) fn sequence_of(graph: Declaration, config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
+    let options = SessionOptions { poison: true, keep_transients: true, ..Default::default() };
+    let mut s = Session::new(gpu(), graph, options).expect("a session");
     for i in 0..6 {
         let light = if i % 3 == 2 { 0.3 } else { 1.0 };
         let scene = Scene { speed: 0.12, light, allocated: config.allocated_extent, ..Scene::new(extent) };

@@ -1,10 +1,12 @@
 //! Sequences of the preset that scales its history by the light.
 
-use super::asvgf::{reshaded_sequence, sequence, sparse_and_confidence_sequence};
+use super::asvgf::{reshaded_sequence, sequence, sequence_of, sparse_and_confidence_sequence};
 use crate::sampling::is_sampled;
 use crate::support::{pixels, scene::Scene};
 use atrous::config::{GradientSource, Preset, Sampling, Signals};
 use atrous::executor::Session;
+use atrous::graph::{Feedback, Graph};
+use atrous::presets::{best_with, Best};
 use atrous::Config;
 
 fn config(extent: [u32; 2]) -> Config {
@@ -27,6 +29,21 @@ pub fn reshaded() {
 
 pub fn sparse_and_confidence() {
     sparse_and_confidence_sequence(&config([40, 23]));
+}
+
+/// What no preset has: the ratio of light without the change test, and the change test without the ratio, over a history that is filtered.
+pub fn without_parts() {
+    for (signals, light_ratio) in [(Signals::Specular, true), (Signals::Together, true), (Signals::Specular, false)] {
+        let config = Config { signals, ..config([61, 35]) };
+        let whole = Best::new(&config);
+        let parts = match light_ratio {
+            true => Best { change_test: false, ..whole },
+            false => Best { light_ratio, feedback: Feedback::Filtered, firefly_filter: false, sharp: false, ..whole },
+        };
+        let graph = config.graph_with(|g, guides, config| best_with(g, guides, config, parts));
+        let graph = graph.and_then(Graph::finish).expect("valid");
+        sequence_of(graph, &config, [61, 35], |_, _, _| {});
+    }
 }
 
 /// Samples of gradients lie in holes, in both frames, or in one.

@@ -93,6 +93,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("stabilize", asvgf::stabilize),
     ("best", best::forward_projected),
     ("best_reshaded", best::reshaded),
+    ("best_without_parts", best::without_parts),
     ("best_without_ratio", best::sparse_and_confidence),
     ("best_without_samples", || sequence(&Config { preset: Preset::Best, ..Config::new([61, 35]) })),
     ("debug_views", debug_view::every_view),

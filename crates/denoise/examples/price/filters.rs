@@ -1,9 +1,9 @@
 //! The points: every preset for surfaces as it is, and `best` and `fast` with other spatial filters.
 
 use atrous::config::Preset;
-use atrous::graph::Graph;
-use atrous::nodes::{Atrous, Import, Kernel};
-use atrous::{presets, Config, Declaration, Error, Tuning};
+use atrous::nodes::{Atrous, Kernel};
+use atrous::presets::{self, Best};
+use atrous::{Config, Declaration, Error, Tuning};
 
 /// A spatial filter: what a point changes of a preset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,21 +62,18 @@ impl Filter {
     }
 }
 
-/// [`presets::best`] or [`presets::fast`] of one signal, with another spatial filter.
+/// [`presets::best`] or [`presets::fast`], with another spatial filter.
 fn varied(config: &Config, spatial: Spatial) -> Result<Declaration, Error> {
-    let mut g = Graph::new(config.allocated_extent).conventions(config.conventions).frames_in_flight(config.frames_in_flight);
-    let guides = g.import(Import { surface_id: config.surface_id, object_normal: config.object_normal });
     let Spatial { kernel, levels, smooth } = spatial;
-    let atrous = Atrous { kernel, levels, smooth_deviation: smooth, ..Atrous::default() };
-    let denoised = match config.preset {
-        Preset::Best => presets::best_with(&mut g, &guides, config, atrous),
-        _ => presets::fast_with(&mut g, &guides, config, atrous),
-    };
-    g.output("denoised_radiance", &denoised.radiance);
-    if let Some(confidence) = &denoised.known.confidence {
-        g.output("history_confidence", confidence);
-    }
-    g.finish()
+    let varied = |atrous: Atrous| Atrous { kernel, levels, smooth_deviation: smooth, ..atrous };
+    let graph = config.graph_with(|g, guides, config| match config.preset {
+        Preset::Best => {
+            let best = Best::new(config);
+            presets::best_with(g, guides, config, Best { spatial: varied(best.spatial), ..best })
+        }
+        _ => presets::fast_with(g, guides, config, varied(Atrous::default())),
+    });
+    graph?.finish()
 }
 
 #[cfg(test)]

@@ -2,8 +2,9 @@
 
 use atrous::config::{EawWeights, Preset, Signals};
 use atrous::graph::{Estimate, Feedback, Graph, Guides, History, Irradiance, Value};
-use atrous::nodes::{Accumulation, Atrous, Eaw, Import, Modulate, Variance};
-use atrous::{presets, Config, Declaration};
+use atrous::nodes::{Accumulation, Atrous, Eaw, Known, Modulate, Variance};
+use atrous::presets::{self, Denoised};
+use atrous::{Config, Declaration};
 use atrous_demo::denoiser::GraphOfConfig;
 use atrous_demo::DenoiserOptions;
 
@@ -119,19 +120,14 @@ fn accumulated(
     feedback: Feedback,
     spatial: impl FnOnce(&mut Graph, &Guides, &Estimate, History) -> Irradiance,
 ) -> Result<Declaration, atrous::Error> {
-    let mut g = Graph::new(config.allocated_extent).conventions(config.conventions).frames_in_flight(config.frames_in_flight);
-    let guides = g.import(Import { surface_id: config.surface_id, ..Import::default() });
-    let noisy = presets::noisy(&mut g, config.signals);
-    let irradiance = g.demodulate(&guides, &noisy, Default::default());
-    let history = g.history(&irradiance, feedback);
-    let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
-    let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
-    let filtered = spatial(&mut g, &guides, &estimate, history);
-    let denoised = g.modulate(&guides, &filtered, Modulate::default());
-    g.output("denoised_radiance", &denoised);
-    if config.volume {
-        let fog = presets::volume(&mut g, &guides, config);
-        g.output("denoised_volume", &fog.radiance);
-    }
-    g.finish()
+    let filter = |g: &mut Graph, guides: &Guides, config: &Config| {
+        let noisy = presets::noisy(g, config.signals);
+        let irradiance = g.demodulate(guides, &noisy, Default::default());
+        let history = g.history(&irradiance, feedback);
+        let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
+        let estimate = g.variance(guides, &accumulated, &history, Variance::default());
+        let filtered = spatial(g, guides, &estimate, history);
+        Denoised { radiance: g.modulate(guides, &filtered, Modulate::default()), known: Known::new(&noisy) }
+    };
+    config.graph_with(filter)?.finish()
 }

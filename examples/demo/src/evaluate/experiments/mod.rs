@@ -1,5 +1,6 @@
 //! Experiments beside the tables of scenes: counterparts of figures of the papers, and what presets have to reach.
 
+mod ablation;
 mod eaw;
 mod energy;
 mod findings;
@@ -36,7 +37,7 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 9] = [
+pub const ALL: [Experiment; 10] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
@@ -46,6 +47,7 @@ pub const ALL: [Experiment; 9] = [
     Experiment { name: "sparse", is_quick: false, run: sparse::run },
     Experiment { name: "energy", is_quick: false, run: energy::run },
     Experiment { name: "resolution", is_quick: false, run: resolution::run },
+    Experiment { name: "ablation", is_quick: false, run: ablation::run },
 ];
 
 /// Findings with what they depend on.
