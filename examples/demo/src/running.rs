@@ -31,12 +31,20 @@ impl Running {
 /// A lost device.
 pub fn render(gpu: &Gpu, tracer: &mut PathTracer, filters: &mut [Running], index: u32) -> Result<()> {
     tracer.begin_frame(index)?;
+    denoise(gpu, tracer, filters)
+}
+
+/// [`render`] of the frame that the tracer was set to.
+///
+/// # Errors
+/// A lost device.
+pub fn denoise(gpu: &Gpu, tracer: &mut PathTracer, filters: &mut [Running]) -> Result<()> {
     gpu.submit(|cmd| {
         tracer.record_gbuffer(cmd);
         filters.iter_mut().try_for_each(|f| f.denoiser.record(cmd, tracer))
     })?;
     // The first frames of a device compile shaders.
-    if index >= 2 {
+    if tracer.frame() >= 2 {
         filters.iter_mut().for_each(|f| f.times.add(&f.denoiser));
     }
     Ok(())

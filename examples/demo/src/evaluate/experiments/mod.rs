@@ -5,6 +5,7 @@ mod eaw;
 mod energy;
 mod findings;
 mod flicker;
+mod ghost;
 mod other;
 mod resolution;
 mod sparse;
@@ -37,8 +38,9 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 10] = [
+pub const ALL: [Experiment; 11] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
+    Experiment { name: "ghost", is_quick: false, run: ghost::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
     Experiment { name: "strata", is_quick: false, run: strata::run },

@@ -1,0 +1,150 @@
+//! How long highlights and reflections stay where they were before the camera stopped.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use atrous_demo::measure::{luminance, Frame};
+use atrous_demo::{Result, Scene, SceneOptions, TracerOptions};
+use atrous_picture::Picture;
+
+use super::{Figures, Findings, Lines};
+use crate::evaluate::claims::Claim;
+use crate::evaluate::contenders::{self, ASVGF, BEST, ONE_SIGNAL, SVGF};
+use crate::evaluate::scene::Lab;
+use crate::evaluate::settings::Settings;
+use crate::running;
+
+/// Every surface is glossy or rough metal.
+const SCENE: &str = "glossy";
+const FILTERS: [&str; 6] = [SVGF, ASVGF, "percentile", "fast", ONE_SIGNAL, BEST];
+/// Frame in which the camera is where it stays.
+const STOP: u32 = 20;
+/// Frames behind it.
+const AFTER: u32 = 8;
+/// Frames after which nothing may be left.
+const GONE: usize = 4;
+/// Excess over the light of a place from which on it shows what was there before.
+const SHOWS: f32 = 0.25;
+/// Half the side of the square whose light is compared: what filters leave of noise is no ghost.
+const WINDOW: i32 = 2;
+
+pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
+    let (came, stayed) = (pictures(lab, |index| index.min(STOP))?, pictures(lab, |_| STOP)?);
+    let excess = |filter: usize, frame: usize| {
+        let light = |frames: &[Frame]| smoothed(&frames[frame].denoised[filter].radiance, lab.settings.size);
+        let pairs = light(&came).into_iter().zip(light(&stayed));
+        pairs.map(|(came, stayed)| came / stayed.max(f32::MIN_POSITIVE) - 1.0).collect::<Vec<_>>()
+    };
+    let mut shares = Vec::new();
+    for (filter, name) in FILTERS.iter().enumerate() {
+        let frames: Vec<_> = (0..came.len()).map(|frame| excess(filter, frame)).collect();
+        for after in [0, GONE] {
+            write_map(&folder.join(format!("{name}, {after} after.png")), lab.settings.size, &frames[after])?;
+        }
+        shares.push(frames.iter().map(|frame| share(frame)).collect());
+    }
+    Ok(report(shares, lab.settings))
+}
+
+/// The pictures from the stop on, where the camera of a frame is that of another one.
+fn pictures(lab: &Lab, pose: fn(u32) -> u32) -> Result<Vec<Frame>> {
+    let options = SceneOptions { static_objects: true, ..SceneOptions::default() };
+    let scene = Arc::new(Scene::load(SCENE, &options)?);
+    let mut tracer = lab.tracer(&scene, TracerOptions::default())?;
+    let mut filters = lab.start(&tracer, &contenders::named(&FILTERS))?;
+    lab.bar.inc_length(u64::from(STOP + AFTER + 1));
+    let mut pictures = Vec::new();
+    for index in 0..=STOP + AFTER {
+        let [now, before] = [index, index.saturating_sub(1)].map(|index| scene.moment(pose(index)));
+        tracer.begin_moment(index, &now, &before)?;
+        running::denoise(lab.gpu, &mut tracer, &mut filters)?;
+        if index >= STOP {
+            pictures.push(running::read(lab.gpu, &tracer, &mut filters)?);
+        }
+        lab.bar.inc(1);
+    }
+    Ok(pictures)
+}
+
+/// Luminance of windows around all pixels.
+fn smoothed(radiance: &[[f32; 3]], (width, height): (u32, u32)) -> Vec<f32> {
+    let (width, height) = (width as i32, height as i32);
+    let around = |x: i32, y: i32| {
+        let columns = (x - WINDOW).max(0)..(x + WINDOW + 1).min(width);
+        let rows = (y - WINDOW).max(0)..(y + WINDOW + 1).min(height);
+        rows.flat_map(|y| columns.clone().map(move |x| (y * width + x) as usize)).map(|pixel| luminance(radiance[pixel])).sum()
+    };
+    (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| around(x, y)).collect()
+}
+
+/// Per cent of the pixels that show what was there before.
+fn share(excess: &[f32]) -> f64 {
+    100.0 * excess.iter().filter(|excess| **excess > SHOWS).count() as f64 / excess.len() as f64
+}
+
+/// Red where a place is too bright, blue where it is too dark; full at its own light too much or too little.
+fn write_map(path: &Path, (width, height): (u32, u32), excess: &[f32]) -> Result<()> {
+    let colour = |excess: &f32| [*excess, 0.0, -*excess].map(|value| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8);
+    Ok(Picture::from_pixels(width, height, excess.iter().map(colour).collect())?.write_png(path)?)
+}
+
+/// Of the share of each filter in each frame from the stop on.
+fn report(shares: Vec<Vec<f64>>, settings: &Settings) -> Findings {
+    let headings: Vec<_> = (0..=AFTER).map(|frame| frame.to_string()).collect();
+    let mut table = Figures::new("% of the pixels, frames after the stop", headings.iter().map(|heading| (heading.as_str(), 2)));
+    for (name, shares) in FILTERS.iter().zip(&shares) {
+        table.row(name, shares);
+    }
+    let named = FILTERS.iter().zip(&shares);
+    let claims = named.filter(|(name, _)| [ASVGF, BEST].contains(name)).map(|(name, shares)| Claim {
+        text: format!("% of the pixels that show a highlight of {GONE} frames ago, {name}"),
+        scene: SCENE.into(),
+        ratio: shares[GONE],
+        bound: 0.0,
+        accepted: 0.0,
+    });
+    Findings {
+        title: "Highlights behind a camera that stops".into(),
+        text: format!(
+            "`{SCENE}`, {}x{}: the camera moves up to frame {STOP} and stays. Against a run in which it always stood there, with the same random \
+             numbers: where the light of {side}x{side} pixels is more than {:.0} % too bright.",
+            settings.size.0,
+            settings.size.1,
+            100.0 * SHOWS,
+            side = 2 * WINDOW + 1
+        ),
+        claims: claims.collect(),
+        tables: vec![table],
+        curves: vec![Lines {
+            title: "% of the pixels that show a highlight of before".into(),
+            first_frame: STOP,
+            series: FILTERS.iter().zip(shares).map(|(name, shares)| ((*name).to_owned(), shares)).collect(),
+        }],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_place_that_is_too_bright_counts_and_noise_does_not() {
+        let (size, mut light) = ((16, 16), vec![[1.0; 3]; 256]);
+        let stayed = smoothed(&light, size);
+        let shown = |light: &[[f32; 3]]| {
+            let excess: Vec<_> = smoothed(light, size).iter().zip(&stayed).map(|(came, stayed)| came / stayed - 1.0).collect();
+            share(&excess) * 2.56
+        };
+        light[8 * 16 + 8] = [6.0; 3];
+        assert_eq!(shown(&light), 0.0, "one pixel is a fifth too much in 5x5");
+        light[8 * 16 + 9] = [6.0; 3];
+        assert_eq!(shown(&light).round(), 20.0, "both are in 4x5 windows");
+    }
+
+    #[test]
+    fn a_ghost_of_four_frames_is_a_claim_that_fails() {
+        let still = |left: f64| vec![vec![9.0, 5.0, 2.0, 1.0, left, 0.0, 0.0, 0.0, 0.0]; FILTERS.len()];
+        let failed = |left| report(still(left), &Settings::default()).claims.iter().filter(|claim| !claim.holds()).count();
+        assert_eq!((failed(0.0), failed(0.1)), (0, 2));
+    }
+}
