@@ -13,11 +13,11 @@ fn config(extent: [u32; 2]) -> Config {
 
 /// Frames with a camera that moves and a light that jumps; `inputs` uploads what else the configuration has.
 pub(super) fn sequence(config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
-    sequence_of(config.declare().expect("valid"), config, extent, inputs);
+    graph_sequence(config.declare().expect("valid"), config, extent, inputs);
 }
 
 /// [`sequence`] of a graph for what a configuration says of the host.
-pub(super) fn sequence_of(graph: Declaration, config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
+pub(super) fn graph_sequence(graph: Declaration, config: &Config, extent: [u32; 2], inputs: impl Fn(&mut Session, u32, &Scene)) {
     let options = SessionOptions { poison: true, keep_transients: true, ..Default::default() };
     let mut s = Session::new(gpu(), graph, options).expect("a session");
     for i in 0..6 {

@@ -1,6 +1,6 @@
 //! Sequences of the preset that scales its history by the light.
 
-use super::asvgf::{reshaded_sequence, sequence, sequence_of, sparse_and_confidence_sequence};
+use super::asvgf::{graph_sequence, reshaded_sequence, sequence, sparse_and_confidence_sequence};
 use crate::sampling::is_sampled;
 use crate::support::{pixels, scene::Scene};
 use atrous::config::{GradientSource, Preset, Sampling, Signals};
@@ -42,7 +42,7 @@ pub fn without_parts() {
         };
         let graph = config.graph_with(|g, guides, config| best_with(g, guides, config, parts));
         let graph = graph.and_then(Graph::finish).expect("valid");
-        sequence_of(graph, &config, [61, 35], |_, _, _| {});
+        graph_sequence(graph, &config, [61, 35], |_, _, _| {});
     }
 }
 

@@ -196,6 +196,17 @@ pub fn luminance([r, g, b]: [f32; 3]) -> f32 {
     0.2126 * r + 0.7152 * g + 0.0722 * b
 }
 
+/// Sums of luminance over the squares around all pixels, `radius` pixels to each side; less of them at the border.
+pub fn luminance_around(pixels: &[[f32; 3]], [width, height]: [u32; 2], radius: i32) -> Vec<f32> {
+    let (width, height) = (width as i32, height as i32);
+    let around = |x: i32, y: i32| {
+        let rows = (y - radius).max(0)..(y + radius + 1).min(height);
+        let columns = (x - radius).max(0)..(x + radius + 1).min(width);
+        rows.flat_map(|y| columns.clone().map(move |x| (y * width + x) as usize)).map(|i| luminance(pixels[i])).sum()
+    };
+    (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| around(x, y)).collect()
+}
+
 /// JSON has no NaN.
 mod nan_as_null {
     use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-use atrous_demo::measure::luminance;
+use atrous_demo::measure::luminance_around;
 use atrous_demo::{FrameDenoiser, Result, Scene, SceneOptions, TracerOptions};
 use atrous_picture::Picture;
 use atrous_quality::{rmse, Rgb};
@@ -98,20 +98,10 @@ fn lambda(denoiser: &mut FrameDenoiser) -> Result<Vec<f32>> {
 }
 
 /// Relative change of light between two pictures by pixel, of means over a window.
-fn change([bright, dim]: &[Vec<[f32; 3]>; 2], [width, height]: [u32; 2]) -> Vec<f32> {
-    let (width, height) = (width as i32, height as i32);
-    let around = |pixels: &[[f32; 3]], x: i32, y: i32| -> f32 {
-        let rows = (y - WINDOW).max(0)..(y + WINDOW + 1).min(height);
-        let columns = (x - WINDOW).max(0)..(x + WINDOW + 1).min(width);
-        rows.flat_map(|y| columns.clone().map(move |x| (y * width + x) as usize)).map(|i| luminance(pixels[i])).sum()
-    };
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-    pixels
-        .map(|(x, y)| {
-            let (before, now) = (around(bright, x, y), around(dim, x, y));
-            (before - now).abs() / before.max(now).max(f32::MIN_POSITIVE)
-        })
-        .collect()
+fn change([bright, dim]: &[Vec<[f32; 3]>; 2], extent: [u32; 2]) -> Vec<f32> {
+    let [bright, dim] = [bright, dim].map(|pixels| luminance_around(pixels, extent, WINDOW));
+    let pairs = bright.into_iter().zip(dim);
+    pairs.map(|(before, now)| (before - now).abs() / before.max(now).max(f32::MIN_POSITIVE)).collect()
 }
 
 fn error(image: &[[f32; 3]], reference: &[[f32; 3]], pixels: &[usize]) -> Result<f64> {

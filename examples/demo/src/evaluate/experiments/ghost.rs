@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use atrous_demo::measure::{luminance, Frame};
+use atrous_demo::measure::{luminance_around, Frame};
 use atrous_demo::{Result, Scene, SceneOptions, TracerOptions};
 use atrous_picture::Picture;
 
@@ -31,7 +31,7 @@ const WINDOW: i32 = 2;
 pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let (came, stayed) = (pictures(lab, |index| index.min(STOP))?, pictures(lab, |_| STOP)?);
     let excess = |filter: usize, frame: usize| {
-        let light = |frames: &[Frame]| smoothed(&frames[frame].denoised[filter].radiance, lab.settings.size);
+        let light = |frames: &[Frame]| luminance_around(&frames[frame].denoised[filter].radiance, frames[frame].extent, WINDOW);
         let pairs = light(&came).into_iter().zip(light(&stayed));
         pairs.map(|(came, stayed)| came / stayed.max(f32::MIN_POSITIVE) - 1.0).collect::<Vec<_>>()
     };
@@ -64,17 +64,6 @@ fn pictures(lab: &Lab, pose: fn(u32) -> u32) -> Result<Vec<Frame>> {
         lab.bar.inc(1);
     }
     Ok(pictures)
-}
-
-/// Luminance of windows around all pixels.
-fn smoothed(radiance: &[[f32; 3]], (width, height): (u32, u32)) -> Vec<f32> {
-    let (width, height) = (width as i32, height as i32);
-    let around = |x: i32, y: i32| {
-        let columns = (x - WINDOW).max(0)..(x + WINDOW + 1).min(width);
-        let rows = (y - WINDOW).max(0)..(y + WINDOW + 1).min(height);
-        rows.flat_map(|y| columns.clone().map(move |x| (y * width + x) as usize)).map(|pixel| luminance(radiance[pixel])).sum()
-    };
-    (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| around(x, y)).collect()
 }
 
 /// Per cent of the pixels that show what was there before.
@@ -129,10 +118,11 @@ mod tests {
 
     #[test]
     fn a_place_that_is_too_bright_counts_and_noise_does_not() {
-        let (size, mut light) = ((16, 16), vec![[1.0; 3]; 256]);
-        let stayed = smoothed(&light, size);
+        let mut light = vec![[1.0; 3]; 256];
+        let smoothed = |light: &[[f32; 3]]| luminance_around(light, [16; 2], WINDOW);
+        let stayed = smoothed(&light);
         let shown = |light: &[[f32; 3]]| {
-            let excess: Vec<_> = smoothed(light, size).iter().zip(&stayed).map(|(came, stayed)| came / stayed - 1.0).collect();
+            let excess: Vec<_> = smoothed(light).iter().zip(&stayed).map(|(came, stayed)| came / stayed - 1.0).collect();
             share(&excess) * 2.56
         };
         light[8 * 16 + 8] = [6.0; 3];
