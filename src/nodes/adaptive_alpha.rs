@@ -4,7 +4,7 @@ pub(crate) mod twin;
 
 use super::Tested;
 use crate::contract::Lifetime;
-use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, Steadiness, CONFIDENCE, HOST_SCALAR};
+use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, CONFIDENCE, HOST_SCALAR};
 use crate::shaders;
 
 /// Confidence from gradients in two kinds of history.
@@ -25,57 +25,33 @@ impl Confidences {
 
 impl Graph {
     /// Confidence in the history, from the reconstructed gradient. With a ratio of light it is confidence in the history that
-    /// [`crate::nodes::Accumulation::light_ratio`] scales.
-    pub fn adaptive_alpha(&mut self, gradient: &Gradient) -> Confidence {
-        self.add_adaptive_alpha(gradient, None, None, None)
-    }
-
-    /// [`Self::adaptive_alpha`], which takes the confidence of pixels that no gradient is known for from `tested`: of all pixels in frames
-    /// that the host did not shade again. Where the test is sure that nothing changed, a gradient does not count.
-    pub fn adaptive_alpha_or(&mut self, gradient: &Gradient, tested: &Tested) -> Confidence {
-        self.add_adaptive_alpha(gradient, Some(tested.confidence), tested.steadiness, None)
+    /// [`crate::nodes::Accumulation::light_ratio`] scales. The confidence of pixels that no gradient is known for is that of `tested`: of
+    /// all pixels in frames that the host did not shade again. Where the test is sure that nothing changed, a gradient does not count.
+    pub fn adaptive_alpha(&mut self, gradient: &Gradient, tested: Option<&Tested>) -> Confidence {
+        self.add_adaptive_alpha(gradient, tested, None)
     }
 
     /// [`Self::adaptive_alpha`], and in the same pass the confidence in a history that the ratio of light does not scale.
-    pub fn adaptive_alphas(&mut self, gradient: &Gradient) -> Confidences {
-        self.add_adaptive_alphas(gradient, None, None)
-    }
-
-    /// [`Self::adaptive_alphas`], with `tested` as [`Self::adaptive_alpha_or`] takes it. In the history that the ratio of light does not
-    /// scale gradients always count: the test saw the other one.
-    pub fn adaptive_alphas_or(&mut self, gradient: &Gradient, tested: &Tested) -> Confidences {
-        self.add_adaptive_alphas(gradient, Some(tested.confidence), tested.steadiness)
-    }
-
-    fn add_adaptive_alphas(
-        &mut self,
-        gradient: &Gradient,
-        other: Option<Confidence>,
-        steadiness: Option<Steadiness>,
-    ) -> Confidences {
+    /// In that one gradients always count: the test saw the other history.
+    pub fn adaptive_alphas(&mut self, gradient: &Gradient, tested: Option<&Tested>) -> Confidences {
         let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
-        let steadiness = steadiness.filter(|_| unscaled.is_some());
-        let scaled = self.add_adaptive_alpha(gradient, other, steadiness, unscaled);
+        // Without the ratio one confidence is for both, so that gradients count.
+        let tested = tested.map(|tested| Tested { steadiness: tested.steadiness.filter(|_| unscaled.is_some()), ..*tested });
+        let scaled = self.add_adaptive_alpha(gradient, tested.as_ref(), unscaled);
         Confidences { scaled, unscaled: unscaled.map_or(scaled, |image| Port::of(self.refreshed(image))) }
     }
 
-    fn add_adaptive_alpha(
-        &mut self,
-        gradient: &Gradient,
-        other: Option<Confidence>,
-        steadiness: Option<Steadiness>,
-        unscaled: Option<Image>,
-    ) -> Confidence {
+    fn add_adaptive_alpha(&mut self, gradient: &Gradient, tested: Option<&Tested>, unscaled: Option<Image>) -> Confidence {
         let node = self.node("adaptive_alpha", "");
         let confidence = self.confidence_image("history_confidence");
         let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_0)
             .constant("STRATUM_SIZE", gradient.stratum_size)
             .bind("gradient", gradient.image)
             .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
-            .bind_some("other_confidence", other.map(|other| other.image()))
+            .bind_some("other_confidence", tested.map(|tested| tested.confidence.image()))
             .bind("history_confidence", confidence)
             .bind_some("unscaled_confidence", unscaled)
-            .bind_some("steadiness", steadiness.map(|steadiness| steadiness.image()));
+            .bind_some("steadiness", tested.and_then(|tested| tested.steadiness).map(|steadiness| steadiness.image()));
         self.add(pass);
         Port::of(self.refreshed(confidence))
     }

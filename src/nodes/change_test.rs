@@ -7,7 +7,7 @@ use crate::contract::{Grid, Lifetime};
 use crate::graph::{Confidence, Difference, Graph, Image, Pass, Port, Steadiness, CONFIDENCE};
 use crate::shaders;
 
-/// What the change test knows of a history, for [`Graph::adaptive_alpha_or`].
+/// What the change test knows of a history, for [`Graph::adaptive_alpha`].
 #[derive(Clone, Copy, Debug)]
 pub struct Tested {
     /// Confidence in the history.

@@ -103,10 +103,8 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
 /// nothing scales is of specular light alone.
 fn confidences(g: &mut Graph, gradient: &Gradient, difference: Option<Difference>, signals: Signals) -> Confidences {
     let tested = difference.map(|difference| g.scope("tested", |g| g.change_and_steadiness(&difference)));
-    match (signals, &tested) {
-        (Signals::Specular, Some(tested)) => g.adaptive_alphas_or(gradient, tested),
-        (Signals::Specular, None) => g.adaptive_alphas(gradient),
-        (_, Some(tested)) => Confidences::equal(g.adaptive_alpha_or(gradient, tested)),
-        (_, None) => Confidences::equal(g.adaptive_alpha(gradient)),
+    match signals {
+        Signals::Specular => g.adaptive_alphas(gradient, tested.as_ref()),
+        _ => Confidences::equal(g.adaptive_alpha(gradient, tested.as_ref())),
     }
 }

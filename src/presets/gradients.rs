@@ -37,5 +37,5 @@ pub fn change_of_light(g: &mut Graph, guides: &Guides, noisy: &Radiance, gradien
     };
     let gradient = g.gradient(guides, noisy, source);
     let gradient = g.gradient_atrous(guides, &gradient, GradientAtrous::default());
-    ChangeOfLight { confidence: g.adaptive_alpha(&gradient), gradient: Some(gradient) }
+    ChangeOfLight { confidence: g.adaptive_alpha(&gradient, None), gradient: Some(gradient) }
 }

@@ -57,7 +57,7 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.specular_history(&irradiance, feedback);
     let confidence = match (gradient, specular.difference) {
-        (Some(gradient), _) => Some(g.scope(SCOPE, |g| g.adaptive_alpha(&gradient))),
+        (Some(gradient), _) => Some(g.scope(SCOPE, |g| g.adaptive_alpha(&gradient, None))),
         (None, Some(diffuse)) => {
             let own = g.block_difference(guides, &irradiance, &history.history);
             let both = g.pair(&own, &diffuse);

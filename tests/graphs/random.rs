@@ -181,7 +181,7 @@ fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
     let smooth = GradientAtrous { smooth_deviation: stratum_size == 2 };
     let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient, smooth) } else { gradient };
     let samples = source.samples();
-    Change { confidence: Some(g.adaptive_alpha(&gradient)), gradient: Some(gradient), samples }
+    Change { confidence: Some(g.adaptive_alpha(&gradient, None)), gradient: Some(gradient), samples }
 }
 
 fn without_fireflies(

@@ -137,7 +137,7 @@ impl Shelf {
                 let parameters = GradientAtrous { smooth_deviation: choices.one_in(2) };
                 let gradient = if choices.one_in(2) { g.gradient_atrous(&guides, &gradient, parameters) } else { gradient };
                 self.gradients.push(gradient);
-                self.confidence.push(g.adaptive_alpha(&gradient));
+                self.confidence.push(g.adaptive_alpha(&gradient, None));
             }
             11 => {
                 let irradiance = self.port(choices, &self.irradiance)?;
