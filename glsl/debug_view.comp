@@ -211,8 +211,7 @@ vec4 virtual_motion_at(ivec2 p, uvec4 packed) {
     Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
     vec2 motion = is_present(SURFACE_MOTION) ? motion_at(p) : vec2(0.0), position;
     Mirror mirror = mirror_at(p, packed, motion);
-    float distance = image_distance(r, mean_curvature(mirror));
-    bool known = r.hit_distance > 0.0 && virtual_position(mirror, distance, mirror_share(r.roughness), position);
+    bool known = r.hit_distance > 0.0 && virtual_position(mirror, curvature_at(mirror), r, position);
     return coloured_motion(known ? position - mirror.surface_position + motion : motion);
 }
 

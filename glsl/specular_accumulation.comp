@@ -6,6 +6,7 @@
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
 // Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: HOLES: as in temporal_accumulation.comp. FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
+// SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
 // optional: roughness, history_confidence
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -17,6 +18,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool HOLES = false;
 layout(constant_id = 2) const bool FILTERED = false;
+layout(constant_id = 3) const bool SHARP = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -39,6 +41,7 @@ layout(push_constant) uniform Push {
 #include "forward_projection.glsl"
 #include "roughness.glsl"
 #include "reflection.glsl"
+#include "cubic.glsl"
 
 const uint ROUGHNESS = 6u;
 const uint HISTORY_CONFIDENCE = 7u;
@@ -73,6 +76,12 @@ const float TURNED = 1e-3;
 // Of a past that is sure, the smallest weight of the new sample, as a share of that of others: a mirror is accumulated and not filtered, so that
 // all noise of what it shows is left to its history.
 const float STEADY_ALPHA = 0.4;
+
+// Pixels that a past may be off: a lobe of four and more blurs what it shows by more than bilinear taps do.
+const float BLURRED_ANYWAY = 2.5;
+
+// Of a pixel, to which a position is rounded before 4x4 taps are looked up: which of them count is then no matter of the last bit.
+const float LOOKUP_STEPS = 256.0;
 
 // What the past holds at one position.
 struct Past {
@@ -144,6 +153,22 @@ Past past_at(Centre c, vec2 position) {
     return Past(true, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, light);
 }
 
+// Irradiance by the cubic; false where one of 4x4 taps that count is another surface, or the position lies on a pixel.
+bool sharp_irradiance(Centre c, vec2 position, out vec3 irradiance) {
+    vec2 at = floor(position * LOOKUP_STEPS + 0.5) / LOOKUP_STEPS, corner = floor(at), f = at - corner;
+    vec4 x_weights = cubic_weights(f.x), y_weights = cubic_weights(f.y);
+    bool whole = f != vec2(0.0);
+    irradiance = vec3(0.0);
+    [[dont_unroll]] for (int i = 0; i < 16 && whole; ++i) {
+        ivec2 tap = ivec2(corner) + ivec2(i % 4, i / 4) - 1;
+        float weight = x_weights[i % 4] * y_weights[i / 4];
+        whole = weight == 0.0 || is_same_surface(c, tap);
+        irradiance += weight * texelFetch(history, nearest_inside_previous(tap), 0).rgb;
+    }
+    irradiance = max(irradiance, vec3(0.0));
+    return whole;
+}
+
 // Whether the surface at a pixel of the previous frame mirrored the same thing: the lobe there holds the direction to it.
 bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
     ivec2 q = ivec2(floor(position + 0.5));
@@ -192,30 +217,37 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         float share = radius * radius / (1.0 + radius * radius) * surface.frames / (1.0 + surface.frames);
         hit_distance = hit_distance_of(c.depth, mix(nearness_of(c.depth, hit_distance), surface.nearness, share));
     }
-    float curvature = mean_curvature(c.mirror), share = mirror_share(roughness);
-    float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature), roughness));
+    Curvature curvature = curvature_at(c.mirror);
+    float share = mirror_share(roughness);
+    float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature.mean), roughness));
     vec2 position = c.mirror.surface_position;
     Reflection r = Reflection(hit_distance, roughness);
     Past image = nothing();
-    bool found = hit_distance > 0.0 && virtual_position(c.mirror, image_distance(r, curvature), share, position);
+    bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, r, position);
     steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
     if (found && is_in_lobe(c, position, hit_distance, roughness)) image = past_at(c, position);
     if (found) surface.frames = worth(surface.frames, distance(position, c.mirror.surface_position), tolerance);
     if (image.found) {
         vec2 remembered = position;
         Reflection before = Reflection(hit_distance_of(c.depth, image.nearness), roughness);
-        bool known = virtual_position(c.mirror, image_distance(before, curvature), share, remembered);
+        bool known = virtual_position(c.mirror, curvature, before, remembered);
         image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
         // Another thing is seen there now, or another finish of the surface.
         float change = abs(nearness_of(c.depth, hit_distance) - image.nearness) * share / (0.05 + lobe_width(roughness));
         change += abs(roughness - image.roughness) * 8.0;
         image.frames = worth(image.frames, change, 2.0);
     }
-    image_share = surface.found ? 0.0 : 1.0;
+    float a = surface.frames * surface.frames, b = image.frames * image.frames;
+    image_share = !surface.found ? 1.0 : !image.found ? 0.0 : b / max(a + b, 1e-20);
+    // Of the past that counts more alone, the image where both count the same: it takes as long as all else.
+    bool of_image = image_share > 0.49;
+    vec3 sharp;
+    if (SHARP && tolerance < BLURRED_ANYWAY && sharp_irradiance(c, of_image ? position : c.mirror.surface_position, sharp)) {
+        if (of_image) image.light.irradiance = sharp;
+        else surface.light.irradiance = sharp;
+    }
     if (!surface.found) return image;
     if (!image.found) return surface;
-    float a = surface.frames * surface.frames, b = image.frames * image.frames;
-    image_share = b / max(a + b, 1e-20);
     return mixed(surface, image, image_share);
 }
 

@@ -56,7 +56,4 @@ float hit_distance_of(float linear_depth, float nearness) {
 // Distance behind a mirror of the image of what it reflects. Convex surfaces, of positive curvature, pull it near.
 float mirror_image_distance(float hit_distance, float curvature) { return hit_distance / max(1.0 + 2.0 * curvature * hit_distance, 0.1); }
 
-// The same for a surface of any roughness: what its lobe shows moves as if it were nearer.
-float image_distance(Reflection r, float curvature) { return mirror_image_distance(r.hit_distance, curvature) * mirror_share(r.roughness); }
-
 #endif

@@ -2,6 +2,7 @@
 // Source: [Zimmer et al. 2015]. Needs `guide` of this frame, by packed_image.glsl.
 #ifndef VIRTUAL_MOTION_GLSL
 #define VIRTUAL_MOTION_GLSL
+#include "curvature.glsl"
 #include "frame.glsl"
 #include "reflection.glsl"
 #include "surface_motion.glsl"
@@ -27,29 +28,28 @@ Mirror mirror_at(ivec2 p, uvec4 packed, vec2 motion) {
 // Pixels between normals of which the curvature is made: the guide's are rounded to half a degree.
 const int CURVATURE_REACH = 3;
 
-// Curvature towards one side, 1 / scene unit; positive: convex. False: another surface is there.
-bool curvature_towards(Mirror c, ivec2 offset, out float curvature) {
+// Towards one side. False: another surface is there.
+bool step_towards(Mirror c, ivec2 offset, out Step to) {
     ivec2 q = c.p + offset;
-    curvature = 0.0;
+    to = Step(vec3(0.0), vec3(0.0));
     if (!is_inside(q)) return false;
     uvec4 packed = packed_at(guide, q);
     float z = unpack_depth(packed);
     if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
-    vec3 way = world_position(q, z) - c.position;
-    curvature = dot(unpack_normal(packed) - c.normal, way) / max(dot(way, way), 1e-20);
+    to = Step(world_position(q, z) - c.position, unpack_normal(packed) - c.normal);
     return true;
 }
 
 // The flatter side of each axis counts: where two faces meet, the other one tells of the edge. At an outline, the side that there is.
-float curvature_along(Mirror c, ivec2 axis) {
-    float before, behind;
-    bool has_before = curvature_towards(c, -CURVATURE_REACH * axis, before);
-    bool has_behind = curvature_towards(c, CURVATURE_REACH * axis, behind);
+Step step_along(Mirror c, ivec2 axis) {
+    Step before, behind;
+    bool has_before = step_towards(c, -CURVATURE_REACH * axis, before);
+    bool has_behind = step_towards(c, CURVATURE_REACH * axis, behind);
     if (!has_before || !has_behind) return has_before ? before : behind;
-    return abs(before) < abs(behind) ? before : behind;
+    return abs(curvature_of(before)) < abs(curvature_of(behind)) ? before : behind;
 }
 
-float mean_curvature(Mirror c) { return 0.5 * (curvature_along(c, ivec2(1, 0)) + curvature_along(c, ivec2(0, 1))); }
+Curvature curvature_at(Mirror c) { return curvature_by(c.normal, c.sight, step_along(c, ivec2(1, 0)), step_along(c, ivec2(0, 1))); }
 
 // Where a point of the world that stands still was on the screen; false: behind the camera.
 bool previous_pixel_position(vec3 world, out vec2 position) {
@@ -60,11 +60,25 @@ bool previous_pixel_position(vec3 world, out vec2 position) {
     return clip.w > 0.0 && all(lessThan(abs(position), vec2(1e6)));
 }
 
-// Where the image behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
-bool virtual_position(Mirror c, float distance, float share, out vec2 position) {
+// Where every line of sight of the previous frame came from, times the w of that homogeneous point: 0 where they are parallel.
+vec3 previous_eye_from(vec3 world) {
+    vec4 eye = vec4(0.0, 0.0, -frame.previous_clip_w_offset, frame.previous_clip_w_scale);
+    return (frame.world_from_previous_sample * eye).xyz - world * eye.w;
+}
+
+// Where the image behind the surface was: where a line of sight of the previous frame met the wave front of what is mirrored. A surface that
+// moves by itself takes along what is not mirrored alone.
+bool virtual_position(Mirror c, Curvature curvature, Reflection r, out vec2 position) {
+    float share = mirror_share(r.roughness), distance = share * r.hit_distance;
     vec2 still;
     if (!previous_pixel_position(c.position, still)) return false;
-    if (!previous_pixel_position(c.position + c.sight * distance, position)) return false;
+    vec3 eye = previous_eye_from(c.position);
+    float before = -dot(eye, c.sight), behind = distance * frame.previous_clip_w_scale, both = before + behind;
+    if (!(before > 0.0)) return false;
+    vec3 nearer = bounded(UNIT_MATRIX + clamp(r.hit_distance * curvature.power, -1e6, 1e6), 0.1);
+    vec2 eye_aside = vec2(dot(eye, curvature.along), dot(eye, curvature.across)) / both;
+    vec2 aside = distance * solved((before * nearer + behind * UNIT_MATRIX) / both, eye_aside);
+    if (!previous_pixel_position(c.position + aside.x * curvature.along + aside.y * curvature.across, position)) return false;
     position += (c.surface_position - still) * (1.0 - share);
     return true;
 }

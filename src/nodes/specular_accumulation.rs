@@ -17,6 +17,9 @@ pub struct SpecularAccumulation {
     pub alpha: Value,
     /// Smallest weight of the new sample in the moments. Default: [`crate::Tuning::alpha_moments`].
     pub alpha_moments: Value,
+    /// Whether history that lies between pixels is looked up by the cubic of Catmull and Rom over 4x4 pixels, where the lobe covers less than
+    /// some 4: motion does not blur reflections then. Default: false.
+    pub sharp: bool,
 }
 
 /// History of specular light, with the image that its accumulation writes.
@@ -65,6 +68,7 @@ impl Graph {
         let pass = Pass::new(&node, &shaders::SPECULAR_ACCUMULATION)
             .constant("HOLES", u32::from(irradiance.has_filled_holes()))
             .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
+            .constant("SHARP", u32::from(parameters.sharp))
             .value("alpha", parameters.alpha)
             .value("alpha_moments", parameters.alpha_moments)
             .bind("guide", guides.guide)

@@ -18,7 +18,7 @@ pub struct Best {
     pub firefly_filter: bool,
     /// Source of the history. Default: [`Feedback::Accumulated`].
     pub feedback: Feedback,
-    /// Whether history is looked up by a cubic: [`Accumulation::sharp`]. Default: true.
+    /// Whether history is looked up by a cubic: [`Accumulation::sharp`], [`super::Specular::sharp`]. Default: true.
     pub sharp: bool,
     /// Default: [`Estimator::Fading`], of a deviation half-way to that of the mean.
     pub variance: Variance,
@@ -84,8 +84,15 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let Best { variance, feedback, spatial, .. } = best;
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let filtered = g.atrous(guides, &estimate, Atrous { feedback: (feedback == Feedback::Filtered).then_some(history), ..spatial });
-    let shared_deviation = spatial.shared_deviation;
-    let specular = Specular { feedback, variance, shared_deviation, samples, confidence: Some(unscaled), ..Specular::default() };
+    let specular = Specular {
+        feedback,
+        variance,
+        shared_deviation: spatial.shared_deviation,
+        sharp: best.sharp,
+        samples,
+        confidence: Some(unscaled),
+        ..Specular::default()
+    };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
     let known = Known {
         history: Some(history),

@@ -17,6 +17,8 @@ pub struct Specular {
     pub kernel: Kernel,
     /// Whether luminance is compared by the deviation of taps, too.
     pub shared_deviation: bool,
+    /// Whether history is looked up by a cubic: [`SpecularAccumulation::sharp`].
+    pub sharp: bool,
     /// Confidence in the history, which no ratio of light scales.
     pub confidence: Option<Confidence>,
     /// Difference of diffuse light from its history: with that of specular light it is what a change test looks at, whose confidence takes
@@ -37,6 +39,7 @@ impl Default for Specular {
             variance: Variance { estimator: Estimator::Fading, ..Variance::default() },
             kernel: Kernel::Box,
             shared_deviation: false,
+            sharp: false,
             confidence: None,
             difference: None,
             gradients: None,
@@ -50,7 +53,7 @@ impl Default for Specular {
 /// It reads `sampling` and `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
-    let Specular { feedback, variance, kernel, shared_deviation, samples, .. } = specular;
+    let Specular { feedback, variance, kernel, shared_deviation, sharp, samples, .. } = specular;
     let gradient = specular.gradients.map(|source| own_gradient(g, guides, &noisy, source));
     let demodulate = Demodulate { albedo: Albedo::Specular, gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
@@ -65,7 +68,8 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
         }
         (None, None) => specular.confidence,
     };
-    let found = g.specular_accumulation(guides, &irradiance, &history, SpecularAccumulation { confidence, ..Default::default() });
+    let accumulation = SpecularAccumulation { confidence, sharp, ..SpecularAccumulation::default() };
+    let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(history.history);
     let shape = Atrous { levels: config.levels(), kernel, shared_deviation, ..Atrous::default() };

@@ -25,6 +25,7 @@ pub(crate) mod bindings;
 pub(crate) mod blocks;
 mod compare;
 pub(crate) mod conventions;
+pub(crate) mod curvature;
 mod engine;
 pub(crate) mod forward_projection;
 pub(crate) mod geometry_weights;

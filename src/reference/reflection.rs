@@ -80,11 +80,6 @@ pub(crate) fn mirror_image_distance(hit_distance: f32, curvature: f32) -> f32 {
     hit_distance / (1.0 + 2.0 * curvature * hit_distance).max(0.1)
 }
 
-/// The same for a surface of any roughness: what its lobe shows moves as if it were nearer.
-pub(crate) fn image_distance(seen: SeenReflection, curvature: f32) -> f32 {
-    mirror_image_distance(seen.hit_distance, curvature) * mirror_share(seen.roughness)
-}
-
 /// The hit distance as a share of the way from the eye; 0 of the background, too.
 pub(crate) fn nearness(linear_depth: f32, hit_distance: f32) -> f32 {
     hit_distance / (linear_depth + hit_distance).max(1e-20)

@@ -1,12 +1,13 @@
 //! Where the image of what is seen in a surface was: as far behind the surface as the thing lies before it, if it is flat. \[Zimmer et al.
 //! 2015\]
 
+use super::curvature::{Curvature, Step};
 use super::guide::{unpack_guide, Surface};
 use super::projection::{extent_ratio, sample_offset, Projections};
-use super::reflection::{image_distance, mirror_share, SeenReflection};
+use super::reflection::{mirror_share, SeenReflection};
 use super::{render_rect::RenderRect, Image};
 use crate::FrameConstants;
-use glam::{IVec2, Vec2, Vec3, Vec4, Vec4Swizzles};
+use glam::{IVec2, Mat2, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
 
 /// Pixels between normals: those of the guide are rounded to half a degree.
 const REACH: i32 = 3;
@@ -51,37 +52,33 @@ impl<'a> VirtualMotion<'a> {
         Mirror { p, surface, position, sight, surface_position }
     }
 
-    /// Where the image of what is seen was, pixels; `None`: behind the camera.
-    pub fn image_position(&self, mirror: &Mirror, curvature: f32, seen: SeenReflection) -> Option<Vec2> {
-        self.virtual_position(mirror, image_distance(seen, curvature), mirror_share(seen.roughness))
-    }
-
-    /// Mean of the curvatures along rows and columns, 1 / scene unit; positive where the surface is convex.
-    pub fn mean_curvature(&self, mirror: &Mirror) -> f32 {
-        0.5 * (self.curvature_along(mirror, IVec2::X) + self.curvature_along(mirror, IVec2::Y))
-    }
-
     fn world(&self, p: IVec2, linear_depth: f32) -> Vec3 {
         Vec4::from(self.projections.world_point(p.into(), linear_depth)).xyz()
     }
 
-    /// That of the flatter side: where two faces meet, the other side tells of the edge. At an outline, of the side that there is.
-    fn curvature_along(&self, mirror: &Mirror, axis: IVec2) -> f32 {
-        match (self.curvature_towards(mirror, -REACH * axis), self.curvature_towards(mirror, REACH * axis)) {
-            (Some(before), Some(behind)) if before.abs() < behind.abs() => before,
-            (before, behind) => behind.or(before).unwrap_or(0.0),
+    /// How the surface of a pixel is curved.
+    pub fn curvature(&self, mirror: &Mirror) -> Curvature {
+        let steps = [IVec2::X, IVec2::Y].map(|axis| self.step_along(mirror, axis));
+        Curvature::new(mirror.surface.unit_normal(), mirror.sight, steps)
+    }
+
+    /// That of the flatter side: where two faces meet, the other side tells of the edge. At an outline, the side that there is.
+    fn step_along(&self, mirror: &Mirror, axis: IVec2) -> Option<Step> {
+        match [-REACH * axis, REACH * axis].map(|offset| self.step_towards(mirror, offset)) {
+            [Some(before), Some(behind)] if before.curvature().abs() < behind.curvature().abs() => Some(before),
+            [before, behind] => behind.or(before),
         }
     }
 
     /// `None` where another surface is.
-    fn curvature_towards(&self, mirror: &Mirror, offset: IVec2) -> Option<f32> {
+    fn step_towards(&self, mirror: &Mirror, offset: IVec2) -> Option<Step> {
         let q = mirror.p + offset;
         let tap = Some(q).filter(|q| self.rect.contains(*q)).map(|q| self.surfaces.at(q))?;
         if tap.is_background() || tap.id != mirror.surface.id {
             return None;
         }
         let way = self.world(q, tap.linear_depth) - mirror.position;
-        Some((tap.unit_normal() - mirror.surface.unit_normal()).dot(way) / way.length_squared().max(1e-20))
+        Some(Step { way, turn: tap.unit_normal() - mirror.surface.unit_normal() })
     }
 
     /// Where a point of the world that stands still was on the screen; `None`: behind the camera.
@@ -92,10 +89,138 @@ impl<'a> VirtualMotion<'a> {
         position.abs().cmplt(Vec2::splat(1e6)).all().then_some(position)
     }
 
-    /// Where the image at a distance behind the surface was. A surface that moves by itself takes along what is not mirrored alone.
-    fn virtual_position(&self, mirror: &Mirror, distance: f32, share: f32) -> Option<Vec2> {
+    /// Where the image of what is seen was, pixels: where a line of sight of the previous frame met the wave front of what is mirrored.
+    /// `None`: behind the camera. A surface that moves by itself takes along what is not mirrored alone.
+    pub fn image_position(&self, mirror: &Mirror, curvature: &Curvature, seen: SeenReflection) -> Option<Vec2> {
         let still = self.previous_pixel_position(mirror.position)?;
-        let position = self.previous_pixel_position(mirror.position + mirror.sight * distance)?;
+        let share = mirror_share(seen.roughness);
+        let (eye, scale) = self.previous_eye_from(mirror.position);
+        let (before, distance) = (-eye.dot(mirror.sight), share * seen.hit_distance);
+        if before.is_nan() || before <= 0.0 {
+            return None;
+        }
+        let behind = distance * scale;
+        let total = Mat2::IDENTITY * behind + curvature.nearer(seen.hit_distance) * before;
+        let both = before + behind;
+        let aside = (total * both.recip()).inverse() * (curvature.axes(eye) / both) * distance;
+        let position = self.previous_pixel_position(mirror.position + aside.x * curvature.along + aside.y * curvature.across)?;
         Some(position + (mirror.surface_position - still) * (1.0 - share))
+    }
+
+    /// From a point of the world to where the lines of sight of the previous frame came from, times the w of that homogeneous point, with this
+    /// w: 0 where they are parallel.
+    fn previous_eye_from(&self, world: Vec3) -> (Vec3, f32) {
+        let w = self.frame.previous_clip_w_scale;
+        let place = Vec4::new(0.0, 0.0, -self.frame.previous_clip_w_offset, w);
+        let eye = Mat4::from_cols_array_2d(&self.frame.world_from_previous_sample) * place;
+        (eye.xyz() - world * w, w)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reference::guide::pack_guide;
+    use crate::reference::projection::view_position;
+    use crate::reference::test_scene::{camera, frame_with};
+    use crate::Config;
+
+    const EXTENT: [u32; 2] = [64, 64];
+    const MIDDLE: Vec3 = Vec3::new(0.0, 0.0, -5.0);
+    const RADIUS: f32 = 2.0;
+
+    /// What is curved along the axes that count: a ball, or a pillar, which is straight along the other one.
+    struct Round {
+        frame: FrameConstants,
+        guide: Image<[u16; 4]>,
+        /// 1 of the axes that count.
+        axes: Vec3,
+    }
+
+    impl Round {
+        fn new(axes: Vec3, eye_before: Vec3) -> Self {
+            let frame = frame_with(&Config::new(EXTENT), &camera(EXTENT, eye_before), &camera(EXTENT, Vec3::ZERO));
+            let guide = Image::compute(EXTENT, EXTENT, |p| {
+                let sight = view_position(&frame, p, 1.0).normalize();
+                let (flat, middle) = (sight * axes, MIDDLE * axes);
+                let (square, along) = (flat.length_squared(), flat.dot(middle));
+                let inside = along * along - square * (middle.length_squared() - RADIUS * RADIUS);
+                let position = sight * ((along - inside.max(0.0).sqrt()) / square);
+                let normal = ((position - MIDDLE) * axes / RADIUS).into();
+                let surface = Surface { linear_depth: -position.z, normal, roughness: 0.0, id: 1 };
+                pack_guide(&if inside > 0.0 { surface } else { Surface::default() })
+            });
+            Self { frame, guide, axes }
+        }
+
+        /// The nearest point of the surface to one beside it.
+        fn on_surface(&self, point: Vec3) -> Vec3 {
+            let aside = point - MIDDLE;
+            MIDDLE + aside * (Vec3::ONE - self.axes) + (aside * self.axes).normalize() * RADIUS
+        }
+
+        /// Where an eye sees a thing in the surface, by Fermat's principle: the way over it is the shortest.
+        fn mirroring_point(&self, from: Vec3, eye: Vec3, thing: Vec3) -> Vec3 {
+            let way = |point: Vec3| f64::from(point.distance(eye)) + f64::from(point.distance(thing));
+            let (mut best, mut step) = (from, 0.25);
+            while step > 2e-4 {
+                let around =
+                    [Vec3::X, Vec3::NEG_X, Vec3::Y, Vec3::NEG_Y, Vec3::Z, Vec3::NEG_Z].map(|to| self.on_surface(best + step * to));
+                match around.into_iter().find(|point| way(*point) < way(best)) {
+                    Some(point) => best = point,
+                    None => step *= 0.5,
+                }
+            }
+            best
+        }
+    }
+
+    /// Pixels aslant of the middle, on the ball and on the pillar.
+    const PIXELS: [IVec2; 4] = [IVec2::new(32, 32), IVec2::new(21, 30), IVec2::new(40, 24), IVec2::new(33, 42)];
+
+    #[test]
+    fn the_image_in_a_round_mirror_was_where_the_eye_saw_it() {
+        for (axes, eye) in
+            [(Vec3::ONE, Vec3::X), (Vec3::ONE, Vec3::Y), (Vec3::new(1.0, 0.0, 1.0), Vec3::X), (Vec3::new(1.0, 0.0, 1.0), Vec3::Y)]
+        {
+            let eye = 0.3 * eye;
+            let round = Round::new(axes, eye);
+            let motion = VirtualMotion::new(&round.frame, &round.guide);
+            for p in PIXELS {
+                let mirror = motion.mirror(p, [0.0; 2]);
+                let thing = mirror.position + 4.0 * mirror.sight.reflect(mirror.surface.unit_normal());
+                let at = round.mirroring_point(round.on_surface(mirror.position), eye, thing);
+                let [expected, surface] =
+                    [at, mirror.position].map(|point| motion.previous_pixel_position(point).expect("before the eye"));
+                let seen = SeenReflection { hit_distance: 4.0, roughness: 0.0 };
+                let given = motion.image_position(&mirror, &motion.curvature(&mirror), seen).expect("before the eye");
+                let error = given.distance(expected);
+                assert!(error < 0.06, "{p}, {axes}, {eye}: {given} for {expected}, {} of the surface", surface.distance(expected));
+            }
+        }
+    }
+
+    #[test]
+    fn a_ball_is_as_curved_as_its_radius_says_and_a_plane_is_not() {
+        let round = Round::new(Vec3::ONE, Vec3::ZERO);
+        let motion = VirtualMotion::new(&round.frame, &round.guide);
+        let mean = |p: IVec2| motion.curvature(&motion.mirror(p, [0.0; 2])).mean;
+        for p in PIXELS {
+            assert!((mean(p) * RADIUS - 1.0).abs() < 0.1, "{p}: {}", mean(p));
+        }
+        let wall = Surface { linear_depth: 4.0, normal: [0.0, 0.0, 1.0], roughness: 0.0, id: 1 };
+        let guide = Image::new(EXTENT, pack_guide(&wall));
+        let motion = VirtualMotion::new(&round.frame, &guide);
+        assert_eq!(motion.curvature(&motion.mirror(IVec2::new(20, 30), [0.0; 2])).mean, 0.0);
+    }
+
+    /// On the outline one side of a row is background.
+    #[test]
+    fn an_outline_is_as_curved_as_the_side_that_there_is() {
+        let round = Round::new(Vec3::ONE, Vec3::ZERO);
+        let motion = VirtualMotion::new(&round.frame, &round.guide);
+        let outline = (0..64).find(|x| !motion.surfaces.at(IVec2::new(*x, 32)).is_background()).expect("a ball");
+        let curvature = motion.curvature(&motion.mirror(IVec2::new(outline, 32), [0.0; 2])).mean;
+        assert!((curvature * RADIUS - 1.0).abs() < 0.2, "{curvature}");
     }
 }

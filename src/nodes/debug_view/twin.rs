@@ -174,7 +174,7 @@ impl DebugViewInputs<'_> {
         let surface = self.surface_motion_at(p);
         let seen = self.reflection.map(|reflection| unpack_reflection(reflection.at(p))).filter(|seen| seen.hit_distance > 0.0);
         let mirror = of.mirror(p, surface);
-        let position = seen.and_then(|seen| of.image_position(&mirror, of.mean_curvature(&mirror), seen));
+        let position = seen.and_then(|seen| of.image_position(&mirror, &of.curvature(&mirror), seen));
         position.map_or(surface, |position| (position - mirror.surface_position + Vec2::from(surface)).into())
     }
 

@@ -50,6 +50,8 @@ pub struct SpecularAccumulationInputs<'a> {
     pub has_holes: bool,
     /// Whether the history was filtered.
     pub is_filtered: bool,
+    /// Whether history that lies between pixels is looked up by a cubic.
+    pub is_sharp: bool,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// Confidence in the history.
@@ -191,6 +193,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         noisy: b.colour("noisy")?,
         has_holes: b.is_on("HOLES")?,
         is_filtered: b.is_on("FILTERED")?,
+        is_sharp: b.is_on("SHARP")?,
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
         previous: PreviousSpecular {

@@ -22,7 +22,7 @@ mod volume;
 
 pub(crate) use adapter::twin;
 pub(crate) use blend::{blend, fresh, worth_of, AlphaBounds};
-pub(crate) use taps::SMALLEST_WEIGHT_SUM;
+pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
 pub use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// History of a signal.

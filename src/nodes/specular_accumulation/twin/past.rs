@@ -1,7 +1,7 @@
 //! The past of a reflection: where the surface was, where the image behind it was, and how much each is worth.
 
 use super::{Centre, Scene};
-use crate::nodes::temporal_accumulation::twin::SMALLEST_WEIGHT_SUM;
+use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
 use crate::reference::projection::extent_ratio;
@@ -15,6 +15,12 @@ use glam::{IVec2, Vec2, Vec4Swizzles};
 const STILL: f32 = 0.01;
 /// Radians: seen from a side that turns by as much from frame to frame, what a lobe gathers does not stand still.
 const TURNED: f32 = 1e-3;
+
+/// Pixels that a past may be off: a lobe of four and more blurs what it shows by more than bilinear taps do.
+const BLURRED_ANYWAY: f32 = 2.5;
+
+/// Of a pixel, to which a position is rounded before 4×4 taps are looked up: which of them count is then no matter of the last bit.
+const LOOKUP_STEPS: f32 = 256.0;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -73,10 +79,10 @@ impl Scene<'_> {
             let now = nearness(depth, seen.hit_distance);
             seen.hit_distance = hit_distance_of(depth, now + share * (past.nearness - now));
         }
-        let (curvature, share) = (self.motion.mean_curvature(&c.mirror), mirror_share(seen.roughness));
-        let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature), ..*seen };
+        let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(seen.roughness));
+        let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature.mean), ..*seen };
         let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
-        let position_of = |seen| self.motion.image_position(&c.mirror, curvature, seen);
+        let position_of = |seen| self.motion.image_position(&c.mirror, &curvature, seen);
         let position = Some(*seen).filter(|seen| seen.hit_distance > 0.0).and_then(position_of);
         let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));
         let image = position.filter(|position| self.is_in_lobe(c, *position, *seen));
@@ -93,14 +99,25 @@ impl Scene<'_> {
             let change = distance * share / (0.05 + lobe_width(seen.roughness)) + (seen.roughness - past.roughness).abs() * 8.0;
             past.frames = worth(past.frames, change, 2.0);
         }
-        let (past, image_share) = match (surface, image) {
-            (Some(surface), Some(image)) => {
-                let [a, b] = [surface, image].map(|past| past.frames * past.frames);
-                let share = b / (a + b).max(1e-20);
-                (surface.blend(&image, share), share)
+        let [a, b] = [surface, image].map(|past| past.map_or(0.0, |past| past.frames * past.frames));
+        let image_share = match (surface, image) {
+            (Some(_), Some(_)) => b / (a + b).max(1e-20),
+            (Some(_), None) => 0.0,
+            (None, _) => 1.0,
+        };
+        if self.inputs.is_sharp && tolerance < BLURRED_ANYWAY {
+            // The image where both count the same.
+            let counts_more = match image_share > 0.49 {
+                true => (&mut image, position),
+                false => (&mut surface, Some(c.mirror.surface_position)),
+            };
+            if let (Some(past), Some(position)) = counts_more {
+                self.sharpen(c, past, position);
             }
-            (Some(surface), None) => (surface, 0.0),
-            (None, image) => (image?, 1.0),
+        }
+        let past = match (surface, image) {
+            (Some(surface), Some(image)) => surface.blend(&image, image_share),
+            (surface, image) => surface.or(image)?,
         };
         Some(BestPast { past, image_share, steadiness })
     }
@@ -148,6 +165,17 @@ impl Scene<'_> {
             irradiance: [r, g, b],
             mean: moments.mean,
             second_moment: moments.deviation * moments.deviation + moments.mean * moments.mean,
+        }
+    }
+
+    /// Replaces the irradiance of a past by that of 4×4 taps, unless one of them that counts is refused or the position lies on a pixel.
+    fn sharpen(&self, c: &Centre, past: &mut Past, position: Vec2) {
+        let is_same = |q: IVec2| c.reprojected.is_on_plane(&self.previous_surfaces, q);
+        let cubic = cubic_taps((position * LOOKUP_STEPS + 0.5).floor() / LOOKUP_STEPS);
+        if let Some(taps) = cubic.filter(|taps| taps.iter().all(|(q, weight)| *weight == 0.0 || is_same(*q))) {
+            let history = |q: IVec2| self.inputs.previous.history.at(RenderRect::new(self.frame.previous_render_extent).clamp(q));
+            let sum = |i: usize| taps.iter().map(|(q, weight)| weight * history(*q)[i]).sum::<f32>();
+            past.irradiance = [0, 1, 2].map(|i| sum(i).max(0.0));
         }
     }
 

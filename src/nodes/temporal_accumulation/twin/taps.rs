@@ -26,16 +26,22 @@ pub(super) fn find(s: Vec2, refusal: impl Fn(IVec2) -> Reason) -> Option<History
 /// `found` with 4×4 taps of Catmull and Rom's cubic, unless one of them is refused or the position lies on a pixel.
 pub(super) fn sharpened(s: Vec2, found: History, refusal: impl Fn(IVec2) -> Reason) -> History {
     let History::Taps(taps) = found else { return found };
+    match cubic_taps(s).filter(|cubic| cubic.iter().all(|(q, _)| refusal(*q) == Reason::None)) {
+        Some(cubic) => History::Sharp(taps, cubic),
+        None => found,
+    }
+}
+
+/// 4×4 taps around a position with the weights of Catmull and Rom's cubic; `None` where it lies on a pixel.
+pub(crate) fn cubic_taps(s: Vec2) -> Option<[(IVec2, f32); 16]> {
     let corner = s.floor();
     let f = s - corner;
     let (x_weights, y_weights) = (cubic_weights(f.x), cubic_weights(f.y));
-    let cubic: [(IVec2, f32); 16] = std::array::from_fn(|i| {
-        (corner.as_ivec2() + IVec2::new(i as i32 % 4, i as i32 / 4) - 1, x_weights[i % 4] * y_weights[i / 4])
-    });
-    match f != Vec2::ZERO && cubic.iter().all(|(q, _)| refusal(*q) == Reason::None) {
-        true => History::Sharp(taps, cubic),
-        false => found,
-    }
+    (f != Vec2::ZERO).then(|| {
+        std::array::from_fn(|i| {
+            (corner.as_ivec2() + IVec2::new(i as i32 % 4, i as i32 / 4) - 1, x_weights[i % 4] * y_weights[i / 4])
+        })
+    })
 }
 
 /// Weights of four taps in a row, `t` from the second to the third.
