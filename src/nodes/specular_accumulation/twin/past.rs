@@ -68,6 +68,18 @@ fn worth(frames: f32, error: f32, tolerance: f32) -> f32 {
     frames.min(tolerance / error.max(1e-4))
 }
 
+/// How much of a blend comes from the image's past: by the squares of what both are worth.
+fn image_share(surface: Option<Past>, image: Option<Past>) -> f32 {
+    match (surface, image) {
+        (Some(surface), Some(image)) => {
+            let [a, b] = [surface, image].map(|past| past.frames * past.frames);
+            b / (a + b).max(1e-20)
+        }
+        (Some(_), None) => 0.0,
+        (None, _) => 1.0,
+    }
+}
+
 impl Scene<'_> {
     /// The better of two pasts, or a blend of both. `seen` is of this frame, then with its past.
     pub(super) fn best_past(&self, c: &Centre, seen: &mut SeenReflection) -> Option<BestPast> {
@@ -99,12 +111,7 @@ impl Scene<'_> {
             let change = distance * share / (0.05 + lobe_width(seen.roughness)) + (seen.roughness - past.roughness).abs() * 8.0;
             past.frames = worth(past.frames, change, 2.0);
         }
-        let [a, b] = [surface, image].map(|past| past.map_or(0.0, |past| past.frames * past.frames));
-        let image_share = match (surface, image) {
-            (Some(_), Some(_)) => b / (a + b).max(1e-20),
-            (Some(_), None) => 0.0,
-            (None, _) => 1.0,
-        };
+        let image_share = image_share(surface, image);
         if self.inputs.is_sharp && tolerance < BLURRED_ANYWAY {
             // The image where both count the same.
             let counts_more = match image_share > 0.49 {
