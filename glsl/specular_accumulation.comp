@@ -202,7 +202,7 @@ Past mixed(Past a, Past b, float share) {
 float steadiness_of(Centre c, float radius, vec2 image_position) {
     vec2 still = previous_position(c.mirror.p, vec2(0.0), frame.render_extent, frame.previous_render_extent) - 0.5;
     float moved = max(distance(image_position, still), distance(c.mirror.surface_position, still));
-    vec3 sight = normalize(c.mirror.position - previous_world_position(c.mirror.p, 0.0).xyz);
+    vec3 sight = -normalize(previous_eye_from(c.mirror.position));
     float turned = FILTERED ? 1.0 : min(1.0, distance(sight, c.mirror.sight) / TURNED);
     return max(1.0 - radius, (1.0 - moved / STILL) * (1.0 - 0.5 * turned));
 }

@@ -109,7 +109,7 @@ impl<'a> VirtualMotion<'a> {
 
     /// From a point of the world to where the lines of sight of the previous frame came from, times the w of that homogeneous point, with this
     /// w: 0 where they are parallel.
-    fn previous_eye_from(&self, world: Vec3) -> (Vec3, f32) {
+    pub fn previous_eye_from(&self, world: Vec3) -> (Vec3, f32) {
         let w = self.frame.previous_clip_w_scale;
         let place = Vec4::new(0.0, 0.0, -self.frame.previous_clip_w_offset, w);
         let eye = Mat4::from_cols_array_2d(&self.frame.world_from_previous_sample) * place;

@@ -135,8 +135,8 @@ impl Scene<'_> {
     fn steadiness(&self, c: &Centre, radius: f32, image_position: Vec2) -> f32 {
         let still = (c.mirror.p.as_vec2() + 0.5) * extent_ratio(self.frame) - 0.5;
         let moved = image_position.distance(still).max(c.mirror.surface_position.distance(still));
-        let eye = previous_world_position(self.frame, c.mirror.p, 0.0).xyz();
-        let turned = ((c.mirror.position - eye).normalize().distance(c.mirror.sight) / TURNED).min(1.0);
+        let sight = -self.motion.previous_eye_from(c.mirror.position).0.normalize();
+        let turned = (sight.distance(c.mirror.sight) / TURNED).min(1.0);
         let turned = if self.inputs.is_filtered { 1.0 } else { turned };
         (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * turned)).max(0.0)
     }
