@@ -28,9 +28,8 @@ const GONE: usize = 4;
 const SHOWS: f32 = 0.25;
 /// Half the side of the square whose light is compared.
 const WINDOW: i32 = 2;
-/// Runs in which the camera always stood there, with other random numbers up to the stop. The first has those of the run that moves; the last
-/// tells what noise alone is.
-const STANDING: u32 = 4;
+/// Runs in which the camera always stood there, with other random numbers before the stop. The first has those of the run that moves.
+const STANDING: u32 = 3;
 
 /// What leads to the stop.
 #[derive(Clone, Copy, Default)]
@@ -52,16 +51,19 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     for numbers in 0..STANDING {
         others.push(light(lab, Run { numbers, ..Run::default() })?);
     }
-    let noise = others.split_off(STANDING as usize).remove(0);
-    let frames = 0..=AFTER as usize;
+    let noise = light(lab, Run { numbers: STANDING, ..Run::default() })?;
     let (mut shares, mut floors) = (Vec::new(), Vec::new());
     for (filter, name) in FILTERS.iter().enumerate() {
-        let of = |light: &Light, frame: usize| excess(&light[frame][filter], others.iter().map(|other| &*other[frame][filter]));
+        let frames_of = |light: &Light| -> Vec<_> {
+            let frames = light.iter().enumerate();
+            frames.map(|(frame, light)| excess(&light[filter], others.iter().map(|other| &*other[frame][filter]))).collect()
+        };
+        let frames = frames_of(&came);
         for after in [0, GONE] {
-            write_map(&folder.join(format!("{name}, {after} after.png")), lab.settings.size, &of(&came, after))?;
+            write_map(&folder.join(format!("{name}, {after} after.png")), lab.settings.size, &frames[after])?;
         }
-        shares.push(frames.clone().map(|frame| share(&of(&came, frame))).collect());
-        floors.push(frames.clone().map(|frame| share(&of(&noise, frame))).collect());
+        shares.push(frames.iter().map(|frame| share(frame)).collect());
+        floors.push(frames_of(&noise).iter().map(|frame| share(frame)).collect());
     }
     Ok(report(shares, &floors, lab.settings))
 }
@@ -141,7 +143,7 @@ fn report(shares: Vec<Vec<f64>>, floors: &[Vec<f64>], settings: &Settings) -> Fi
              than {:.0} % brighter than in all of them.",
             settings.size.0,
             settings.size.1,
-            STANDING - 1,
+            STANDING,
             100.0 * SHOWS,
             side = 2 * WINDOW + 1
         ),
