@@ -84,7 +84,7 @@ vec2 confidence_at(ivec2 p) {
     vec3 differences = (around.largest.rgb - around.least.rgb) / max(around.largest.rgb, 1e-6);
     float difference = max(differences.r, max(differences.g, differences.b));
     // Between strata history is scaled by what lies between their ratios.
-    return 1.0 - change * vec2(1.0 - around.least.a * coherence_of(difference), 1.0);
+    return 1.0 - change * vec2(1.0 - around.least.a * stratum_coherence(difference), 1.0);
 }
 #else
 vec2 confidence_at(ivec2 p) {

@@ -5,7 +5,8 @@
 // In:  guide, albedo, noisy radiance per signal. SOURCE 0: gradient_samples. SOURCE 1: reshaded_radiance, previous_guide, surface_motion,
 //      depth_gradient. Both: noisy_luminance of the previous frame, which demodulate.comp left. SOURCE 2: sparse_gradient of the host.
 // Out: gradient: δ, Δ, mean, deviation of luminance; gradient_guide. For the ratio of light: light_before and light_now, the mean radiance of
-//      the samples over the albedo's luminance; in light_before's alpha the mean of sqrt(before * now), summed over the components.
+//      the samples over the albedo's luminance; in light_before's alpha the mean of sqrt(before * now), summed over the components, in
+//      light_now's the root of the sum of the squares of the larger of both lights, over their number: how few samples hold the light.
 // Constants: SOURCE, where the change comes from; STRATUM_SIZE.
 // optional: albedo, noisy_1, gradient_samples, reshaded_radiance, previous_guide, surface_motion, depth_gradient, sparse_gradient
 // optional: previous_luminance, previous_red_blue, light_before, light_now
@@ -72,7 +73,7 @@ struct Sum {
     float squares;
     float surfaces;
     vec4 before;
-    vec3 now;
+    vec4 now;
 };
 
 KeptRadiance noisy_at(ivec2 p) {
@@ -94,7 +95,8 @@ bool has_ratio() { return is_present(PREVIOUS_RED_BLUE) && is_present(LIGHT_BEFO
 
 void add_light(inout Sum sum, vec3 before, vec3 now) {
     sum.before += vec4(before, dot(sqrt(before * now), vec3(1.0)));
-    sum.now += now;
+    float larger = max(dot(before, vec3(1.0)), dot(now, vec3(1.0)));
+    sum.now += vec4(now, larger * larger);
 }
 
 // `before`: light_of the previous pixel.
@@ -148,7 +150,7 @@ void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
     uvec2 extent = stratum_extent(s);
-    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), vec3(0.0));
+    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0));
     // The sample's own pixel stands for the stratum; else its middle, else its first surface.
     uint wanted = (extent.x - 1u) / 2u + (extent.y - 1u) / 2u * STRATUM_SIZE;
     GradientSample gradient_sample = GradientSample(ivec2(0), 0u, false);
@@ -189,5 +191,5 @@ void main() {
     if (!has_ratio()) return;
     float samples = max(sum.samples, 1.0);
     imageStore(light_before, s, min(sum.before / samples, 65504.0));
-    imageStore(light_now, s, vec4(storable(sum.now / samples), 0.0));
+    imageStore(light_now, s, storable(vec4(sum.now.rgb, sqrt(sum.now.a)) / samples));
 }

@@ -3,7 +3,8 @@
 // Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
 // In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration. With RATIO
 //      light_before and light_now as well, and out of the LAST iteration, instead of light_before, light_ratio: by which the light of each
-//      component changed, in alpha its coherence, -1 in the background (ours; docs/stages.md).
+//      component changed, in alpha its coherence, -1 in the background (ours; docs/stages.md). Both are filtered no wider than the ratio
+//      needs to be known.
 // Constants: STRATUM_SIZE, LAST. SMOOTH: eq. 11, means are compared by the deviation of 3x3 strata.
 // variants: RATIO=0 RATIO=1
 #extension GL_EXT_control_flow_attributes : require
@@ -56,15 +57,45 @@ ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
 const float LARGEST_RATIO = 64.0;
 // Share of the brightest component, below which a component has no ratio of its own.
 const float RATIO_FLOOR = 1e-3;
+// Light is filtered up to this level: a ratio that is not known by then says too little of the place.
+const uint RATIO_LEVELS = 4u;
+// Few samples that agree may do so by chance: a spread that each sample has besides.
+const float LEAST_SPREAD = 0.3;
+// The spread of a ratio that no sample has.
+const float NO_SPREAD = 3.0;
+// Below this relative error a ratio is known, and taps that are farther away only blur it; above twice as much they count in full.
+const float KNOWN_ERROR = 0.02;
+// Up to this relative error a ratio is applied in full; from twice as much on only where samples agree.
+const float LARGEST_ERROR = 0.05;
+// The variance of a ratio, of the squared change, from which on its components are not told apart is 1 over this.
+const float COLOUR_NOISE = 0.3;
 
-// By the inequality of Cauchy and Schwarz the mean of sqrt(before * now) is largest where now is before times one number, and falls short
-// of that by an eighth of the squared spread of the number.
-vec4 light_ratio(vec4 before, vec3 now) {
-    float largest = dot(sqrt(before.rgb * now), vec3(1.0));
-    float spread = largest > 0.0 ? sqrt(8.0 * max(0.0, 1.0 - before.a / largest)) : INCOHERENT;
-    float coherence = coherence_of(spread);
+float sum_of(vec3 light) { return dot(light, vec3(1.0)); }
+
+// Relative spread of the ratio from sample to sample. By the inequality of Cauchy and Schwarz the mean of sqrt(before * now) is largest where
+// now is before times one number, and falls short of that by an eighth of the squared spread of the number.
+float spread_of(vec4 before, vec4 now) {
+    float largest = sum_of(sqrt(before.rgb * now.rgb));
+    return largest > 0.0 ? sqrt(8.0 * max(0.0, 1.0 - before.a / largest)) : NO_SPREAD;
+}
+
+// Relative standard error of the ratio: the spread over the root of the number of samples that hold the light.
+float error_of(vec4 before, vec4 now) {
+    float spread = spread_of(before, now), light = max(sum_of(before.rgb), sum_of(now.rgb));
+    float share = now.a > 0.0 ? min(1.0, now.a / light) : 1.0;
+    return sqrt(spread * spread + LEAST_SPREAD * LEAST_SPREAD) * share;
+}
+
+vec4 light_ratio(vec4 before, vec4 now) {
+    float coherence = sample_coherence(spread_of(before, now)), error = error_of(before, now);
     float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
-    return vec4(mix(vec3(1.0), min((now + least) / (before.rgb + least), LARGEST_RATIO), coherence), coherence);
+    vec3 own = min((now.rgb + least) / (before.rgb + least), LARGEST_RATIO);
+    float whole = min((sum_of(now.rgb) + least) / (sum_of(before.rgb) + least), LARGEST_RATIO);
+    float change = (sum_of(now.rgb) - sum_of(before.rgb)) / max(max(sum_of(before.rgb), sum_of(now.rgb)), 1e-6);
+    float noise = clamp(COLOUR_NOISE * error * error / max(change * change, 1e-8), 0.0, 1.0);
+    // A power, so that light which falls and rises again by the same factor leaves a history as it was.
+    float applied = max(coherence, clamp(2.0 - error / LARGEST_ERROR, 0.0, 1.0));
+    return vec4(pow(mix(own, vec3(whole), noise), vec3(applied)), coherence);
 }
 #endif
 
@@ -99,11 +130,12 @@ void main() {
     }
 #if RATIO
     vec4 before = texel_at(before_in, s), now = texel_at(now_in, s);
+    float unknown = push.level < RATIO_LEVELS ? clamp(error_of(before, now) / KNOWN_ERROR - 1.0, 0.0, 1.0) : 0.0;
 #endif
     if (push.level >= FIRST_KEPT_LEVEL && centre.x == 0.0 && centre.y > 0.0) {
         imageStore(gradient_out, s, centre);
 #if RATIO
-        imageStore(before_out, s, LAST ? light_ratio(before, now.rgb) : before);
+        imageStore(before_out, s, LAST ? light_ratio(before, now) : before);
         imageStore(now_out, s, now);
 #endif
         return;
@@ -113,6 +145,10 @@ void main() {
     float sharpness = LOG2_E / (push.sigma_l * deviation_around(s, centre.w) + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
+#if RATIO
+    float light_sum = 1.0;
+    now.a *= now.a;
+#endif
     int step_size = 1 << push.level;
     ivec2 last = ivec2(strata_of(frame.render_extent)) - 1;
     [[unroll]] for (int y = -1; y <= 1; ++y)
@@ -129,15 +165,18 @@ void main() {
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;
 #if RATIO
-            before += weight * texel_at(before_in, tap);
-            now += weight * texel_at(now_in, tap);
+            float light_weight = weight * unknown;
+            vec4 now_t = texel_at(now_in, tap);
+            before += light_weight * texel_at(before_in, tap);
+            now += light_weight * vec4(now_t.rgb, light_weight * now_t.a * now_t.a);
+            light_sum += light_weight;
 #endif
         }
     imageStore(gradient_out, s, vec4(sum, sqrt(variance)) / weight_sum);
 #if RATIO
-    before /= weight_sum;
-    now /= weight_sum;
-    imageStore(before_out, s, LAST ? light_ratio(before, now.rgb) : before);
+    before /= light_sum;
+    now = vec4(now.rgb, sqrt(now.a)) / light_sum;
+    imageStore(before_out, s, LAST ? light_ratio(before, now) : before);
     imageStore(now_out, s, now);
 #endif
 }

@@ -2,11 +2,18 @@
 #ifndef LIGHT_RATIO_GLSL
 #define LIGHT_RATIO_GLSL
 
-// The relative spread of a ratio, among samples or between strata: what is below COHERENT is rounding, what is above INCOHERENT is no ratio.
-const float COHERENT = 0.1;
-const float INCOHERENT = 0.3;
+// Relative spreads of a ratio: below the first of both numbers it is none, above the second there is no ratio. Samples of one place may
+// differ, as long as their mean is known.
+const vec2 SAMPLE_SPREADS = vec2(0.2, 0.5);
+const vec2 STRATUM_SPREADS = vec2(0.1, 0.3);
 
 // 1, true, to 0.
-float coherence_of(float spread) { return clamp((INCOHERENT - spread) / (INCOHERENT - COHERENT), 0.0, 1.0); }
+float coherence_of(float spread, vec2 spreads) { return clamp((spreads.y - spread) / (spreads.y - spreads.x), 0.0, 1.0); }
+
+// Among the samples of a place.
+float sample_coherence(float spread) { return coherence_of(spread, SAMPLE_SPREADS); }
+
+// Between strata.
+float stratum_coherence(float spread) { return coherence_of(spread, STRATUM_SPREADS); }
 
 #endif

@@ -252,8 +252,8 @@ pub struct Gradient {
     pub(crate) light_ratio: Option<LightRatio>,
 }
 
-/// Ratio of the light of this frame to that of the frame before, one texel a stratum. rgb: the ratio of each component, 0 to 64; alpha:
-/// 1 where all samples agree on it, down to 0, where the ratio is 1, and -1 in the background.
+/// Ratio of the light of this frame to that of the frame before, one texel a stratum. rgb: the ratio of each component, 0 to 64, as
+/// far as it is known; alpha: 1 where all samples agree on it, down to 0, and -1 in the background.
 #[derive(Clone, Copy, Debug)]
 pub struct LightRatio {
     pub(crate) image: Image,

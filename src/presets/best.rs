@@ -9,7 +9,7 @@ use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Gra
 /// Parameters of [`best_with`]: what [`best`] has beyond A-SVGF, part by part. `docs/quality.md` has what each of them is worth.
 #[derive(Clone, Copy, Debug)]
 pub struct Best {
-    /// Whether history is scaled where all samples of a place agree on how the light changed. Default: true.
+    /// Whether history is scaled where the samples of a place say by how much the light changed. Default: true.
     pub light_ratio: bool,
     /// Whether the change test of [`super::percentile`] stands in where no gradient is known, and has gradients not count where it is sure
     /// that nothing changed. Default: true.
@@ -42,7 +42,7 @@ impl Best {
     }
 }
 
-/// A-SVGF whose history follows the light instead of being dropped where all samples of a place agree on how the light changed, is not
+/// A-SVGF whose history follows the light instead of being dropped where the samples of a place say by how much it changed, is not
 /// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of
 /// [`super::percentile`] takes its place. `docs/quality.md` has what each of these is worth.
 ///

@@ -1,12 +1,22 @@
 //! How far a history is true again once it is scaled by the ratio of light.
 
-/// The relative spread of a ratio, among samples or between strata, below which it is rounding.
-const COHERENT: f32 = 0.1;
+/// Relative spreads of a ratio among the samples of a place: below the first it is none, above the second there is no ratio. Samples may
+/// differ, as long as their mean is known.
+const SAMPLE_SPREADS: [f32; 2] = [0.2, 0.5];
 
-/// The spread above which there is no ratio.
-pub(crate) const INCOHERENT: f32 = 0.3;
+/// The same between strata.
+const STRATUM_SPREADS: [f32; 2] = [0.1, 0.3];
 
-/// 1, true, to 0.
-pub(crate) fn coherence_of(spread: f32) -> f32 {
-    ((INCOHERENT - spread) / (INCOHERENT - COHERENT)).clamp(0.0, 1.0)
+/// 1, true, to 0, by the spread among the samples of a place.
+pub(crate) fn sample_coherence(spread: f32) -> f32 {
+    coherence_of(spread, SAMPLE_SPREADS)
+}
+
+/// 1, true, to 0, by the difference between strata.
+pub(crate) fn stratum_coherence(difference: f32) -> f32 {
+    coherence_of(difference, STRATUM_SPREADS)
+}
+
+fn coherence_of(spread: f32, [none, all]: [f32; 2]) -> f32 {
+    ((all - spread) / (all - none)).clamp(0.0, 1.0)
 }

@@ -2,7 +2,7 @@
 
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
-use crate::reference::light_ratio::coherence_of;
+use crate::reference::light_ratio::stratum_coherence;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 
@@ -71,7 +71,7 @@ fn coherence(ratios: &[[f32; 4]]) -> f32 {
     }
     let differences = [0, 1, 2].map(range).map(|(least, largest)| (largest - least) / largest.max(1e-6));
     let difference = differences.into_iter().fold(0.0, f32::max);
-    range(3).0 * coherence_of(difference)
+    range(3).0 * stratum_coherence(difference)
 }
 
 /// λ of a stratum.

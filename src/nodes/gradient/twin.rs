@@ -67,7 +67,8 @@ pub struct GradientOutputs {
     /// One texel a stratum. rgb: mean radiance of its samples in the previous frame over the luminance of the albedo; alpha: mean of
     /// √(before · now), summed over the components. Half precision.
     pub light_before: Image<[f32; 4]>,
-    /// One texel a stratum. rgb: mean radiance of the same samples in this frame over the same albedo. Half precision.
+    /// One texel a stratum. rgb: mean radiance of the same samples in this frame over the same albedo; alpha: the root of the sum of the
+    /// squares of the larger of both lights, each summed over the components, over the number of samples. Half precision.
     pub light_now: Image<[f32; 4]>,
 }
 
@@ -113,6 +114,7 @@ struct Change {
     brightest: f32,
     /// Its light in the previous frame, and in alpha √(before · now), summed over the components.
     before: [f32; 4],
+    /// Its light in this frame, and in alpha the larger of both lights, each summed over the components.
     now: [f32; 4],
 }
 
@@ -184,7 +186,8 @@ impl Changes<'_> {
         let before = radiance_of(l, halves(red_blue.at(previous)).map(exposed)).map(|c| c / albedo);
         let now = radiance_of(l_now, kept_red_blue(radiance)).map(|c| c / albedo);
         let both = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
-        Some(Change { before: [before[0], before[1], before[2], both], now: [now[0], now[1], now[2], 0.0], ..change })
+        let larger = before.iter().sum::<f32>().max(now.iter().sum());
+        Some(Change { before: [before[0], before[1], before[2], both], now: [now[0], now[1], now[2], larger], ..change })
     }
 
     /// The change at the previous pixel that showed the surface of `p`.
@@ -214,12 +217,15 @@ impl Changes<'_> {
 fn mean_change(changes: &[Change]) -> Change {
     let share = 1.0 / changes.len().max(1) as f32;
     let add = |sum: [f32; 4], texel: [f32; 4]| std::array::from_fn(|i| sum[i] + share * texel[i]);
-    changes.iter().fold(Change::default(), |sum, c| Change {
+    let mean = changes.iter().fold(Change::default(), |sum, c| Change {
         change: sum.change + share * c.change,
         brightest: sum.brightest + share * c.brightest,
         before: add(sum.before, c.before),
         now: add(sum.now, c.now),
-    })
+    });
+    let squares: f32 = changes.iter().map(|c| c.now[3] * c.now[3]).sum();
+    let [r, g, b, _] = mean.now;
+    Change { now: [r, g, b, share * squares.sqrt()], ..mean }
 }
 
 /// A texel of the guide with a place instead of the roughness.

@@ -5,7 +5,7 @@ use crate::reference::binary16::round_to_half;
 use crate::reference::bindings::Bindings;
 use crate::reference::geometry_weights::depth_and_normal_weight;
 use crate::reference::guide::unpack_guide;
-use crate::reference::light_ratio::{coherence_of, INCOHERENT};
+use crate::reference::light_ratio::sample_coherence;
 use crate::reference::strata::Strata;
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
@@ -70,8 +70,7 @@ pub fn gradient_atrous(
         let sum: f32 = weights.iter().map(|tap| tap.1).sum();
         let variance: f32 = weights.iter().map(|(t, weight)| (weight * inputs.gradient.at(*t)[3]).powi(2)).sum();
         let gradient = [change, brightest, mean, variance.sqrt() / sum];
-        let [before, now] =
-            inputs.light.map_or([[0.0; 4]; 2], |light| [light.before, light.now].map(|image| weighted_mean(image, &weights)));
+        let [before, now] = inputs.light.map_or([[0.0; 4]; 2], |light| filtered_light(light, level, s, &weights));
         [gradient, if inputs.last { light_ratio(before, now) } else { before }, now].map(|texel| texel.map(round_to_half))
     });
     let [gradient, before, now] = [0, 1, 2].map(|i| texels.map(|t| t[i]));
@@ -88,17 +87,66 @@ const NO_RATIO: [f32; 4] = [1.0, 1.0, 1.0, -1.0];
 const LARGEST_RATIO: f32 = 64.0;
 /// Share of the brightest component, below which a component has no ratio of its own.
 const RATIO_FLOOR: f32 = 1e-3;
+/// Level from which on light is not filtered: a ratio that is not known by then says too little of the place.
+const RATIO_LEVELS: u32 = 4;
+/// Few samples that agree may do so by chance: a spread that each sample has besides.
+const LEAST_SPREAD: f32 = 0.3;
+/// The spread of a ratio that no sample has.
+const NO_SPREAD: f32 = 3.0;
+/// Relative error below which a ratio is known, and taps that are farther away only blur it; above twice as much they count in full.
+const KNOWN_ERROR: f32 = 0.02;
+/// Relative error up to which a ratio is applied in full; from twice as much on only where samples agree.
+const LARGEST_ERROR: f32 = 0.05;
+/// 1 over the variance of a ratio, of the squared change, from which on its components are not told apart.
+const COLOUR_NOISE: f32 = 0.3;
 
-/// rgb: the factor by which light changed; alpha: its coherence, by how far the mean of √(before · now), in the alpha of `before`, falls
-/// short of what one factor for all samples would give (Cauchy and Schwarz).
+/// rgb: the factor by which light changed, as far as it is known; alpha: its coherence, by the spread of the samples' own factors.
 pub fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
-    let largest: f32 = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
-    let spread = if largest > 0.0 { (8.0 * (1.0 - before[3] / largest).max(0.0)).sqrt() } else { INCOHERENT };
-    let coherence = coherence_of(spread);
+    let (coherence, error) = (sample_coherence(spread_of(before, now)), error_of(before, now));
+    let [sum_before, sum_now] = [before, now].map(sum_of);
     let least = RATIO_FLOOR * before[..3].iter().copied().fold(0.0, f32::max) + 1e-6;
-    let ratio = |i: usize| ((now[i] + least) / (before[i] + least)).min(LARGEST_RATIO);
-    let [r, g, b] = [0, 1, 2].map(|i| 1.0 + coherence * (ratio(i) - 1.0));
-    [r, g, b, coherence]
+    let ratio = |before: f32, now: f32| ((now + least) / (before + least)).min(LARGEST_RATIO);
+    let change = (sum_now - sum_before) / sum_before.max(sum_now).max(1e-6);
+    let noise = (COLOUR_NOISE * error * error / (change * change).max(1e-8)).clamp(0.0, 1.0);
+    let applied = coherence.max((2.0 - error / LARGEST_ERROR).clamp(0.0, 1.0));
+    let of_component = |i: usize| {
+        let (own, whole) = (ratio(before[i], now[i]), ratio(sum_before, sum_now));
+        // A power, so that light which falls and rises again by the same factor leaves a history as it was.
+        (own + noise * (whole - own)).powf(applied)
+    };
+    [of_component(0), of_component(1), of_component(2), coherence]
+}
+
+/// Relative spread of the ratio from sample to sample: by how far the mean of √(before · now), in the alpha of `before`, falls short of
+/// what one factor for all samples would give (Cauchy and Schwarz).
+fn spread_of(before: [f32; 4], now: [f32; 4]) -> f32 {
+    let largest: f32 = (0..3).map(|i| (before[i] * now[i]).sqrt()).sum();
+    if largest > 0.0 {
+        (8.0 * (1.0 - before[3] / largest).max(0.0)).sqrt()
+    } else {
+        NO_SPREAD
+    }
+}
+
+/// Relative standard error of the ratio: the spread over the root of the number of samples that hold the light.
+fn error_of(before: [f32; 4], now: [f32; 4]) -> f32 {
+    let share = if now[3] > 0.0 { (now[3] / sum_of(before).max(sum_of(now))).min(1.0) } else { 1.0 };
+    spread_of(before, now).hypot(LEAST_SPREAD) * share
+}
+
+fn sum_of(light: [f32; 4]) -> f32 {
+    light[..3].iter().sum()
+}
+
+/// Light before and now, of taps that count as far as the ratio of the stratum `s` itself is not known.
+fn filtered_light(light: Light, level: u32, s: IVec2, weights: &[(IVec2, f32)]) -> [[f32; 4]; 2] {
+    let error = error_of(light.before.at(s), light.now.at(s));
+    let unknown = if level < RATIO_LEVELS { (error / KNOWN_ERROR - 1.0).clamp(0.0, 1.0) } else { 0.0 };
+    let weights: Vec<_> = weights.iter().map(|(t, weight)| (*t, if *t == s { 1.0 } else { weight * unknown })).collect();
+    let sum: f32 = weights.iter().map(|tap| tap.1).sum();
+    let squares: f32 = weights.iter().map(|(t, weight)| (weight * light.now.at(*t)[3]).powi(2)).sum();
+    let [r, g, b, _] = weighted_mean(light.now, &weights);
+    [weighted_mean(light.before, &weights), [r, g, b, squares.sqrt() / sum]]
 }
 
 fn weighted_mean(image: &Image<[f32; 4]>, weights: &[(IVec2, f32)]) -> [f32; 4] {

@@ -1,6 +1,7 @@
 //! Differences by hand.
 
 use super::*;
+use crate::reference::binary16::half_bits;
 use crate::reference::test_scene::*;
 use crate::reference::{noisy_luminance, pack_gradient_sample, GradientSample};
 use crate::Flags;
@@ -95,7 +96,7 @@ fn a_dense_image_counts_where_the_surface_was() {
         noisy: &[&grey(1.0)],
         albedo: Some(&grey(0.5)),
         previous_luminance: Some(&previous),
-        previous_red_blue: None,
+        previous_red_blue: Some(&Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001)),
         source: GradientInput::Reshaded {
             reshaded_radiance: Some(&again),
             previous_guide: Some(&guides.guide),
@@ -107,6 +108,10 @@ fn a_dense_image_counts_where_the_surface_was() {
     let [left, right] = outputs.gradient.texels() else { panic!("two strata") };
     assert!((left[0] - 2.0).abs() < 5e-3 && (left[1] - 4.0).abs() < 5e-3, "{left:?}");
     assert_eq!((right[0], (right[1] - 2.0).abs() < 5e-3), (0.0, true), "{right:?}");
+    // Three samples shone 2 and shine 2, three shine 6, each in three components.
+    let [light, _] = outputs.light_now.texels() else { panic!("two strata") };
+    let expected = [4.0, 4.0, 4.0, (3.0_f32 * 6.0 * 6.0 + 3.0 * 18.0 * 18.0).sqrt() / 6.0];
+    assert!((0..4).all(|i| (light[i] - expected[i]).abs() < 2e-2), "{light:?} for {expected:?}");
     let hidden = Image::new(EXTENT, pack(9.0));
     let source = GradientInput::Reshaded {
         reshaded_radiance: Some(&again),

@@ -90,34 +90,102 @@ fn a_smooth_deviation_lets_strata_that_know_of_none_take_part() {
     assert!(change > 0.1 && (change / brightest - 0.5).abs() < 1e-3, "{change} of {brightest}");
 }
 
-#[test]
-fn samples_that_agree_give_the_ratio_and_others_none() {
-    // Light of every component changes by its own factor, the same for two samples of a bright and a dark place.
-    let mean = |samples: &[([f32; 3], [f32; 3])]| {
-        let share = 1.0 / samples.len() as f32;
-        let mut sums = ([0.0; 4], [0.0; 4]);
-        for (before, now) in samples {
-            for i in 0..3 {
-                sums.0[i] += share * before[i];
-                sums.0[3] += share * (before[i] * now[i]).sqrt();
-                sums.1[i] += share * now[i];
-            }
+/// The light of a place whose samples are `times` those given: before and now.
+fn light_of(samples: &[([f32; 3], [f32; 3])], times: usize) -> [[f32; 4]; 2] {
+    let share = 1.0 / samples.len() as f32;
+    let (mut before, mut now) = ([0.0; 4], [0.0; 4]);
+    for (sample_before, sample_now) in samples {
+        for i in 0..3 {
+            before[i] += share * sample_before[i];
+            before[3] += share * (sample_before[i] * sample_now[i]).sqrt();
+            now[i] += share * sample_now[i];
         }
-        sums
-    };
-    let (before, now) = mean(&[([1.0, 2.0, 4.0], [0.5, 2.0, 1.0]), ([0.1, 0.2, 0.4], [0.05, 0.2, 0.1])]);
-    let [r, g, b, coherence] = light_ratio(before, now);
-    assert_eq!(coherence, 1.0);
-    for (ratio, expected) in [(r, 0.5), (g, 1.0), (b, 0.25)] {
-        assert!((ratio - expected).abs() < 2e-3, "{ratio} for {expected}");
+        now[3] += sample_before.iter().sum::<f32>().max(sample_now.iter().sum()).powi(2);
     }
+    now[3] = share * (now[3] / times as f32).sqrt();
+    [before, now]
+}
+
+fn assert_ratio(ratio: [f32; 4], expected: [f32; 3]) {
+    assert!((0..3).all(|i| (ratio[i] - expected[i]).abs() < 2e-3), "{ratio:?} for {expected:?}");
+}
+
+#[test]
+fn samples_that_agree_give_the_ratio_and_few_others_none() {
+    // Light of every component changes by its own factor, the same for samples of a bright and a dark place.
+    let [before, now] = light_of(&[([1.0, 2.0, 4.0], [0.5, 2.0, 1.0]), ([0.1, 0.2, 0.4], [0.05, 0.2, 0.1])], 1000);
+    let ratio = light_ratio(before, now);
+    assert_eq!(ratio[3], 1.0);
+    assert_ratio(ratio, [0.5, 1.0, 0.25]);
     // One of two lamps went out: half of the samples are as they were.
-    let (before, now) = mean(&[([1.0; 3], [1.0; 3]), ([1.0; 3], [0.0; 3])]);
+    let [before, now] = light_of(&[([1.0; 3], [1.0; 3]), ([1.0; 3], [0.0; 3])], 1);
     assert_eq!(light_ratio(before, now), [1.0, 1.0, 1.0, 0.0]);
     // Nothing changed; nothing is lit; light came on where there was none.
-    let (before, now) = mean(&[([0.3, 0.0, 7.0], [0.3, 0.0, 7.0])]);
+    let [before, now] = light_of(&[([0.3, 0.0, 7.0], [0.3, 0.0, 7.0])], 1);
     assert_eq!(light_ratio(before, now), [1.0; 4]);
     assert_eq!(light_ratio([0.0; 4], [0.0; 4]), [1.0, 1.0, 1.0, 0.0]);
-    let came_on = light_ratio([0.0; 4], [5.0; 4]);
-    assert_eq!(came_on, [1.0, 1.0, 1.0, 0.0]);
+    assert_eq!(light_ratio([0.0; 4], [5.0, 5.0, 5.0, 15.0]), [1.0, 1.0, 1.0, 0.0]);
+}
+
+#[test]
+fn many_samples_that_differ_give_the_ratio_of_their_means_without_coherence() {
+    let one_of_two_lamps_out = [([1.0; 3], [1.0; 3]), ([1.0; 3], [0.0; 3])];
+    let [before, now] = light_of(&one_of_two_lamps_out, 1000);
+    let ratio = light_ratio(before, now);
+    assert_ratio(ratio, [0.5; 3]);
+    assert_eq!(ratio[3], 0.0);
+    // From few to many it is applied more and more, and one that falls and rises again leaves nothing behind.
+    let mut last = 1.0;
+    for times in [100, 200, 300, 400, 1000] {
+        let [before, now] = light_of(&one_of_two_lamps_out, times);
+        let fallen = light_ratio(before, now);
+        assert!(fallen[0] <= last, "{times}: {fallen:?} after {last}");
+        let larger = now[3];
+        let risen = light_ratio([now[0], now[1], now[2], before[3]], [before[0], before[1], before[2], larger]);
+        assert!((fallen[0] * risen[0] - 1.0).abs() < 2e-3, "{times}: {fallen:?} {risen:?}");
+        last = fallen[0];
+    }
+    assert!(last < 0.51);
+}
+
+/// A small change of brightness of noisy samples says nothing about colours; a large one does.
+#[test]
+fn components_have_ratios_of_their_own_where_the_change_is_above_the_noise() {
+    let colours_of = |samples: &[([f32; 3], [f32; 3])]| {
+        let [before, now] = light_of(samples, 60);
+        let ratio = light_ratio(before, now);
+        (ratio[1] / ratio[0], now[1] / now[0] * before[0] / before[1])
+    };
+    let (told_apart, true_colours) = colours_of(&[([1.0, 1.0, 1.0], [1.0, 0.98, 1.0])]);
+    assert!((told_apart - 1.0).abs() < 1e-3, "{told_apart} of {true_colours}");
+    let (told_apart, true_colours) = colours_of(&[([1.0, 1.0, 1.0], [0.5, 0.4, 0.5])]);
+    assert!((told_apart / true_colours - 1.0).abs() < 2e-3, "{told_apart} of {true_colours}");
+}
+
+/// Light on the right half of one plane doubles; samples agree, `times` of them in each stratum.
+#[test]
+fn a_ratio_that_is_known_is_not_blurred() {
+    let filtered = |times: usize| {
+        let light = |x: i32| light_of(&[([1.0; 3], [if x < 12 { 1.0 } else { 2.0 }; 3])], times);
+        let gradient = Image::new(STRATA, [0.5, 1.0, 1.0, 0.1]);
+        let gradient_guide = paint(STRATA, |_, _| surface(4.0)).map(pack_guide).map(|t| [t[0] & !0xf, t[1], t[2], t[3]]);
+        let depth_gradient = Image::new(EXTENT, 0);
+        let mut images = [0, 1].map(|which| paint(STRATA, |x, _| light(x)[which]));
+        for level in 0..GRADIENT_ITERATIONS {
+            let inputs = GradientAtrousInputs {
+                gradient_guide: &gradient_guide,
+                depth_gradient: &depth_gradient,
+                gradient: &gradient,
+                light: Some(Light { before: &images[0], now: &images[1] }),
+                smooth_deviation: false,
+                last: level + 1 == GRADIENT_ITERATIONS,
+            };
+            images = gradient_atrous(&frame(EXTENT), &svgf_tuning(), 3, level, &inputs).light.expect("light went in");
+        }
+        [11, 12].map(|x| images[0].at(IVec2::new(x, 10))[0])
+    };
+    let [left, right] = filtered(1000);
+    assert!((left - 1.0).abs() < 1e-3 && (right - 2.0).abs() < 2e-3, "{left}, {right}");
+    let [left, right] = filtered(1);
+    assert!(left > 1.1 && right < 1.9, "{left}, {right}");
 }
