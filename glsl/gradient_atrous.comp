@@ -57,8 +57,6 @@ ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
 const float LARGEST_RATIO = 64.0;
 // Share of the brightest component, below which a component has no ratio of its own.
 const float RATIO_FLOOR = 1e-3;
-// Light is filtered up to this level: a ratio that is not known by then says too little of the place.
-const uint RATIO_LEVELS = 4u;
 // Few samples that agree may do so by chance: a spread that each sample has besides.
 const float LEAST_SPREAD = 0.3;
 // The spread of a ratio that no sample has.
@@ -88,10 +86,11 @@ float error_of(vec4 before, vec4 now) {
 
 vec4 light_ratio(vec4 before, vec4 now) {
     float coherence = sample_coherence(spread_of(before, now)), error = error_of(before, now);
+    float sum_before = sum_of(before.rgb), sum_now = sum_of(now.rgb);
     float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
     vec3 own = min((now.rgb + least) / (before.rgb + least), LARGEST_RATIO);
-    float whole = min((sum_of(now.rgb) + least) / (sum_of(before.rgb) + least), LARGEST_RATIO);
-    float change = (sum_of(now.rgb) - sum_of(before.rgb)) / max(max(sum_of(before.rgb), sum_of(now.rgb)), 1e-6);
+    float whole = min((sum_now + least) / (sum_before + least), LARGEST_RATIO);
+    float change = (sum_now - sum_before) / max(max(sum_before, sum_now), 1e-6);
     float noise = clamp(COLOUR_NOISE * error * error / max(change * change, 1e-8), 0.0, 1.0);
     // A power, so that light which falls and rises again by the same factor leaves a history as it was.
     float applied = max(coherence, clamp(2.0 - error / LARGEST_ERROR, 0.0, 1.0));
@@ -130,7 +129,8 @@ void main() {
     }
 #if RATIO
     vec4 before = texel_at(before_in, s), now = texel_at(now_in, s);
-    float unknown = push.level < RATIO_LEVELS ? clamp(error_of(before, now) / KNOWN_ERROR - 1.0, 0.0, 1.0) : 0.0;
+    // A ratio that is not known by the last iteration would say too little of the place.
+    float unknown = LAST ? 0.0 : clamp(error_of(before, now) / KNOWN_ERROR - 1.0, 0.0, 1.0);
 #endif
     if (push.level >= FIRST_KEPT_LEVEL && centre.x == 0.0 && centre.y > 0.0) {
         imageStore(gradient_out, s, centre);
@@ -165,11 +165,13 @@ void main() {
             variance += weight * weight * value.w * value.w;
             weight_sum += weight;
 #if RATIO
-            float light_weight = weight * unknown;
-            vec4 now_t = texel_at(now_in, tap);
-            before += light_weight * texel_at(before_in, tap);
-            now += light_weight * vec4(now_t.rgb, light_weight * now_t.a * now_t.a);
-            light_sum += light_weight;
+            if (unknown > 0.0) {
+                float light_weight = weight * unknown;
+                vec4 now_t = texel_at(now_in, tap);
+                before += light_weight * texel_at(before_in, tap);
+                now += light_weight * vec4(now_t.rgb, light_weight * now_t.a * now_t.a);
+                light_sum += light_weight;
+            }
 #endif
         }
     imageStore(gradient_out, s, vec4(sum, sqrt(variance)) / weight_sum);

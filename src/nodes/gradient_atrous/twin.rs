@@ -70,7 +70,7 @@ pub fn gradient_atrous(
         let sum: f32 = weights.iter().map(|tap| tap.1).sum();
         let variance: f32 = weights.iter().map(|(t, weight)| (weight * inputs.gradient.at(*t)[3]).powi(2)).sum();
         let gradient = [change, brightest, mean, variance.sqrt() / sum];
-        let [before, now] = inputs.light.map_or([[0.0; 4]; 2], |light| filtered_light(light, level, s, &weights));
+        let [before, now] = inputs.light.map_or([[0.0; 4]; 2], |light| filtered_light(light, inputs.last, s, &weights));
         [gradient, if inputs.last { light_ratio(before, now) } else { before }, now].map(|texel| texel.map(round_to_half))
     });
     let [gradient, before, now] = [0, 1, 2].map(|i| texels.map(|t| t[i]));
@@ -87,8 +87,6 @@ const NO_RATIO: [f32; 4] = [1.0, 1.0, 1.0, -1.0];
 const LARGEST_RATIO: f32 = 64.0;
 /// Share of the brightest component, below which a component has no ratio of its own.
 const RATIO_FLOOR: f32 = 1e-3;
-/// Level from which on light is not filtered: a ratio that is not known by then says too little of the place.
-const RATIO_LEVELS: u32 = 4;
 /// Few samples that agree may do so by chance: a spread that each sample has besides.
 const LEAST_SPREAD: f32 = 0.3;
 /// The spread of a ratio that no sample has.
@@ -138,10 +136,11 @@ fn sum_of(light: [f32; 4]) -> f32 {
     light[..3].iter().sum()
 }
 
-/// Light before and now, of taps that count as far as the ratio of the stratum `s` itself is not known.
-fn filtered_light(light: Light, level: u32, s: IVec2, weights: &[(IVec2, f32)]) -> [[f32; 4]; 2] {
+/// Light before and now, of taps that count as far as the ratio of the stratum `s` itself is not known. One that is not known by the last
+/// iteration would say too little of the place.
+fn filtered_light(light: Light, last: bool, s: IVec2, weights: &[(IVec2, f32)]) -> [[f32; 4]; 2] {
     let error = error_of(light.before.at(s), light.now.at(s));
-    let unknown = if level < RATIO_LEVELS { (error / KNOWN_ERROR - 1.0).clamp(0.0, 1.0) } else { 0.0 };
+    let unknown = if last { 0.0 } else { (error / KNOWN_ERROR - 1.0).clamp(0.0, 1.0) };
     let weights: Vec<_> = weights.iter().map(|(t, weight)| (*t, if *t == s { 1.0 } else { weight * unknown })).collect();
     let sum: f32 = weights.iter().map(|tap| tap.1).sum();
     let squares: f32 = weights.iter().map(|(t, weight)| (weight * light.now.at(*t)[3]).powi(2)).sum();

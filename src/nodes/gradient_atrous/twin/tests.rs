@@ -140,8 +140,7 @@ fn many_samples_that_differ_give_the_ratio_of_their_means_without_coherence() {
         let [before, now] = light_of(&one_of_two_lamps_out, times);
         let fallen = light_ratio(before, now);
         assert!(fallen[0] <= last, "{times}: {fallen:?} after {last}");
-        let larger = now[3];
-        let risen = light_ratio([now[0], now[1], now[2], before[3]], [before[0], before[1], before[2], larger]);
+        let risen = light_ratio([now[0], now[1], now[2], before[3]], [before[0], before[1], before[2], now[3]]);
         assert!((fallen[0] * risen[0] - 1.0).abs() < 2e-3, "{times}: {fallen:?} {risen:?}");
         last = fallen[0];
     }
