@@ -2,7 +2,6 @@
 // A host's input is answered by an error. Tests may panic.
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
-mod binding;
 #[cfg(feature = "capture")]
 pub mod capture;
 #[forbid(unsafe_code)]
@@ -11,13 +10,10 @@ mod choice;
 pub mod config;
 #[forbid(unsafe_code)]
 pub mod contract;
-mod denoiser;
-mod device;
 mod error;
 #[cfg(feature = "executor")]
 pub mod executor;
 mod frame_constants;
-mod frame_life;
 #[forbid(unsafe_code)]
 pub mod graph;
 #[cfg(feature = "hot-reload")]
@@ -27,12 +23,11 @@ mod kernel;
 pub mod nodes;
 #[forbid(unsafe_code)]
 mod parallel;
-mod pipeline;
 #[forbid(unsafe_code)]
 pub mod presets;
+mod record;
 #[forbid(unsafe_code)]
 pub mod reference;
-mod requirements;
 mod shaders;
 
 /// The examples in docs/integrate.md.
@@ -47,12 +42,9 @@ struct AddAStage;
 
 /// The Vulkan bindings of the public interface, for hosts that have another version or none.
 pub use ash;
-pub use binding::Binding;
 pub use choice::Choice;
 pub use config::Config;
 pub use contract::*;
-pub use denoiser::Denoiser;
-pub use device::{Device, LoadedDevice};
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};
-pub use requirements::Requirements;
+pub use record::{Denoiser, Device, LoadedDevice, Requirements};

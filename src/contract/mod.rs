@@ -3,6 +3,7 @@
 //! Nothing in here talks to Vulkan or contains `unsafe`: the types map one to one onto a host's own frame graph.
 
 mod access;
+mod binding;
 mod boundary;
 mod debug_view;
 mod declaration;
@@ -24,6 +25,7 @@ pub(crate) use alias::{alias, Span};
 
 pub use crate::shaders::Component;
 pub use access::{Access, BufferAccess, ImageAccess};
+pub use binding::Binding;
 pub use boundary::{Boundary, BoundaryUse};
 pub use debug_view::DebugView;
 pub(crate) use declaration::life;

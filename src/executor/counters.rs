@@ -3,8 +3,8 @@
 use super::transfer::Staging;
 use super::Executor;
 use crate::contract::{FrameContext, HistoryWatch, Statistics, UseFrame, STATISTICS_BYTES};
-use crate::device::Device;
 use crate::error::Error;
+use crate::record::Device;
 use ash::vk;
 
 /// Name of the buffer.

@@ -1,7 +1,7 @@
 //! A Vulkan device without a window: for tools, benchmarks and tests.
 
-use crate::device::Device;
 use crate::error::Error;
+use crate::record::Device;
 use ash::vk;
 use std::ffi::{c_void, CStr};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};

@@ -3,8 +3,8 @@
 use super::storage::{Object, Storages, StoredImage};
 use super::{AllocatedMemory, ExecutorOptions};
 use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span, WHOLE};
-use crate::device::Device;
 use crate::error::Error;
+use crate::record::Device;
 use ash::vk;
 use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, Allocator, AllocatorCreateDesc};
 use gpu_allocator::MemoryLocation;

@@ -29,13 +29,9 @@ pub use profiler::PassTime;
 pub use readback::Readback;
 pub use session::{Session, SessionOptions, Trace};
 
-use crate::binding::Binding;
-use crate::contract::{Declaration, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Tuning};
-use crate::denoiser::Denoiser;
-use crate::device::Device;
+use crate::contract::{Binding, Declaration, FrameContext, FrameParams, Lifetime, Phase, ResourceId, Tuning};
 use crate::error::Error;
-use crate::frame_life::check_slot;
-use crate::requirements::Requirements;
+use crate::record::{check_slot, Denoiser, Device, Requirements};
 use ash::vk;
 use barriers::Barriers;
 use memory::Memory;

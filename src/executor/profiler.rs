@@ -1,7 +1,7 @@
 //! Time per pass by timestamps, read when a frame slot comes round again, so that nothing waits.
 
-use crate::device::Device;
 use crate::error::Error;
+use crate::record::Device;
 use ash::vk;
 
 /// GPU time of one pass.

@@ -1,7 +1,7 @@
 //! Physical images and buffers of a declaration, with their tracker. Knows no device.
 
 use super::HostImage;
-use crate::binding::Binding;
+use crate::contract::Binding;
 use crate::contract::{
     component_of, Component, Declaration, FrameContext, PhysicalResource, ResourceId, ResourceState, Span, Tracker,
 };

@@ -2,8 +2,7 @@
 
 use super::barrier::WHOLE;
 use super::{Barrier, BarrierTarget};
-use crate::binding::Binding;
-use crate::contract::{Access, ResourceId};
+use crate::contract::{Access, Binding, ResourceId};
 use ash::vk;
 
 /// The image or buffer that stands for one copy of a resource.

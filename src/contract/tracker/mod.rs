@@ -12,8 +12,7 @@ pub(crate) use barrier::WHOLE;
 pub use barrier::{Barrier, BarrierTarget};
 pub use state::ResourceState;
 
-use super::{Access, Declaration, FrameContext, Lifetime, Phase, ResourceId, Shape, Use};
-use crate::binding::Binding;
+use super::{Access, Binding, Declaration, FrameContext, Lifetime, Phase, ResourceId, Shape, Use};
 use ash::vk;
 
 /// Remembers what was last done to every physical image and buffer of a declaration, and tells the barriers before each pass.

@@ -1,7 +1,7 @@
 //! Requirements on a device, checked before anything is created.
 
+use super::device::Device;
 use crate::contract::{Declaration, Lifetime, Shape};
-use crate::device::Device;
 use crate::error::Error;
 use crate::shaders::BindingKind;
 use ash::vk;

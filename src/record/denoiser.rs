@@ -1,12 +1,12 @@
 //! Records a declaration into a host's command buffers: the Vulkan objects of its passes, and nothing else.
 
-use crate::binding::{absent_gradients, check_bindings, descriptor, present, Binding};
-use crate::contract::{Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work, WHOLE};
-use crate::device::Device;
+use super::binding::{absent_gradients, check_bindings, descriptor, present};
+use super::device::Device;
+use super::frame_life::{check_slot, FrameLife};
+use super::pipeline::{Bindable, Descriptor, Pipelines};
+use super::requirements::Requirements;
+use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work, WHOLE};
 use crate::error::Error;
-use crate::frame_life::{check_slot, FrameLife};
-use crate::pipeline::{Bindable, Descriptor, Pipelines};
-use crate::requirements::Requirements;
 use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
 use ash::vk;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};

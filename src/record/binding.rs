@@ -1,45 +1,11 @@
-//! Bindings of a host for the uses of a pass, and the check that they fit.
+//! Whether the bindings of a host fit the uses of a pass, and the descriptor that each becomes.
 
-use crate::contract::{Access, Declaration, Dispatch, Lifetime, PassDecl, Shape, Slot};
+use crate::contract::{Access, Binding, Declaration, Dispatch, Lifetime, PassDecl, Shape, Slot};
 use crate::error::Error;
 use crate::shaders::MAX_BINDINGS;
-use ash::vk;
 
 /// Inputs without which a graph with gradients has none.
 const GRADIENT_INPUTS: [&str; 2] = ["reshaded_radiance", "sparse_gradient"];
-
-/// The binding of a host for one use of a pass.
-///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Binding {
-    /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`. A depth
-    /// view may be sampled in `DEPTH_STENCIL_READ_ONLY_OPTIMAL` and the other read-only layouts of depth as well.
-    Image {
-        /// 2D view of mip 0, layer 0: of the colour, or of the depth aspect alone.
-        view: vk::ImageView,
-        /// Layout of the image.
-        layout: vk::ImageLayout,
-    },
-    /// An image itself, for a use with [`crate::Access::Clear`]: mip 0, layer 0, in `TRANSFER_DST_OPTIMAL` or `GENERAL`.
-    ClearedImage {
-        /// Colour image.
-        image: vk::Image,
-        /// Layout of the image.
-        layout: vk::ImageLayout,
-    },
-    /// A range of a buffer.
-    Buffer {
-        /// Buffer.
-        buffer: vk::Buffer,
-        /// Offset in bytes, aligned as the device demands for its descriptor type.
-        offset: vk::DeviceSize,
-        /// Bytes, or `WHOLE_SIZE`.
-        range: vk::DeviceSize,
-    },
-    /// An optional input that the host does not have this frame.
-    Absent,
-}
 
 /// Whether a pass can be recorded with them.
 pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, bindings: &[Binding]) -> Result<(), Error> {

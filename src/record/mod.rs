@@ -1,0 +1,15 @@
+//! Writes the passes of a declaration into command buffers: devices, pipelines, descriptors, and the checks of a frame.
+//!
+//! Recording allocates nothing, places no barrier and submits nothing. Everything that may fail was checked before.
+
+mod binding;
+mod denoiser;
+mod device;
+mod frame_life;
+mod pipeline;
+mod requirements;
+
+pub use denoiser::Denoiser;
+pub use device::{Device, LoadedDevice};
+pub(crate) use frame_life::check_slot;
+pub use requirements::Requirements;
