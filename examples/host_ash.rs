@@ -35,7 +35,6 @@ struct Engine {
 }
 
 impl Engine {
-    // README: begin
     /// One frame: the phases of the denoiser lie around the engine's own lighting pass.
     fn frame(&mut self, denoiser: &mut Denoiser, params: &FrameParams, input: &synthetic::Frame) -> Result<()> {
         let frame = denoiser.begin_frame(params, &Tuning::default())?;
@@ -46,6 +45,7 @@ impl Engine {
     }
 
     // glue: begin
+    // README: begin
     /// The passes of a phase, each behind the barriers that its declared uses ask for.
     fn denoise(&mut self, denoiser: &Denoiser, frame: &FrameContext, phase: Phase) -> Result<()> {
         let physical = |id: ResourceId, copy: usize| Some(self.resources[id.0 as usize].get(copy)?.physical);
@@ -60,7 +60,7 @@ impl Engine {
     }
     // README: end
 
-    // integrate.md: begin
+    // docs: begin
     /// The image of an input or an output, behind the barrier before a use of the engine's own.
     fn access(&mut self, id: ResourceId, next: ResourceState, discard: bool) -> Result<vk::Image> {
         let resource = &self.resources[id.0 as usize][0];
@@ -77,7 +77,7 @@ impl Engine {
             unsafe { self.device.cmd_pipeline_barrier(self.cmd, b.src_stage, b.dst_stage, none, &b.memory, &b.buffers, &b.images) };
         }
     }
-    // integrate.md: end
+    // docs: end
     // glue: end
 
     /// A G-buffer pass would stand here.

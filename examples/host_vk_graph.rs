@@ -19,7 +19,7 @@ use vk_graph::Graph;
 
 type Result<T> = std::result::Result<T, Box<dyn std::error::Error>>;
 
-// integrate.md: begin
+// docs: begin
 /// The one table that a host with a vocabulary of its own needs.
 fn access_type(access: Access) -> AccessType {
     match access {
@@ -31,7 +31,7 @@ fn access_type(access: Access) -> AccessType {
         Access::Clear => AccessType::TransferWrite,
     }
 }
-// integrate.md: end
+// docs: end
 
 /// A resource of the host, which outlives the graph of a frame.
 enum Resource {

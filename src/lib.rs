@@ -30,15 +30,22 @@ mod record;
 pub mod reference;
 mod shaders;
 
-/// The examples in docs/integrate.md.
+/// The examples of the pages for hosts.
 #[cfg(doctest)]
-#[doc = include_str!("../docs/integrate.md")]
-struct Integrate;
-
-/// The examples in docs/add_a_stage.md.
-#[cfg(all(doctest, feature = "host-stages"))]
-#[doc = include_str!("../docs/add_a_stage.md")]
-struct AddAStage;
+mod pages {
+    #[doc = include_str!("../docs/contract.md")]
+    struct Contract;
+    #[doc = include_str!("../docs/inputs.md")]
+    struct Inputs;
+    #[doc = include_str!("../docs/graphs.md")]
+    struct Graphs;
+    #[cfg(feature = "executor")]
+    #[doc = include_str!("../docs/hosts/one_call.md")]
+    struct OneCall;
+    #[cfg(feature = "host-stages")]
+    #[doc = include_str!("../docs/add_a_stage.md")]
+    struct AddAStage;
+}
 
 /// The Vulkan bindings of the public interface, for hosts that have another version or none.
 pub use ash;

@@ -30,6 +30,7 @@ mod hosts;
 #[cfg(feature = "hot-reload")]
 mod hot_reload;
 mod input_sets;
+mod links;
 mod mirror;
 mod one_call;
 mod packages;
@@ -90,6 +91,7 @@ fn main() {
         Group { name: "properties", tests: properties::TESTS, needs_device: true },
         Group { name: "gradients", tests: gradients::TESTS, needs_device: true },
         Group { name: "graphs", tests: graphs::TESTS, needs_device: true },
+        Group { name: "links", tests: links::TESTS, needs_device: false },
         Group { name: "mirror", tests: mirror::TESTS, needs_device: true },
         Group { name: "one_call", tests: one_call::TESTS, needs_device: true },
         Group { name: "packages", tests: packages::TESTS, needs_device: false },

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 /// Times every pass of presets and other graphs, with their bytes, memory, start-up and recording.
 ///
-/// docs/performance.md says what the columns mean.
+/// docs/lab/performance.md says what the columns mean.
 #[derive(Parser)]
 #[command(name = "bench")]
 pub struct Options {

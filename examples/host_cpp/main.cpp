@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    // integrate.md: begin
+    // docs: begin
     // The passes of a phase as passes of the engine's graph.
     void add_phase(uint32_t phase) {
         for (uint32_t index = 0; index < pass_count_; ++index) {
@@ -107,7 +107,7 @@ private:
                 });
         }
     }
-    // integrate.md: end
+    // docs: end
 
     Handle handle(const AtrousUse& use) {
         auto& copies = resources_[use.resource];

@@ -192,7 +192,7 @@ impl From<VolumeEstimate> for Radiance {
     }
 }
 
-/// Packed guides of a frame, as the node `import` writes them. `docs/stages.md` has the bits.
+/// Packed guides of a frame, as the node `import` writes them. `docs/specification/packed_images.md` has the bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Guides {
     /// Depth, normal, roughness and id of every pixel; four times 16 bits.

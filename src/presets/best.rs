@@ -6,7 +6,7 @@ use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
 
-/// Parameters of [`best_with`]: what [`best`] has beyond A-SVGF, part by part. `docs/quality.md` has what each of them is worth.
+/// Parameters of [`best_with`]: what [`best`] has beyond A-SVGF, part by part. `docs/lab/quality.md` has what each of them is worth.
 #[derive(Clone, Copy, Debug)]
 pub struct Best {
     /// Whether history is scaled where the samples of a place say by how much the light changed. Default: true.
@@ -44,7 +44,7 @@ impl Best {
 
 /// A-SVGF whose history follows the light instead of being dropped where the samples of a place say by how much it changed, is not
 /// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of
-/// [`super::percentile`] takes its place. `docs/quality.md` has what each of these is worth.
+/// [`super::percentile`] takes its place. `docs/lab/quality.md` has what each of these is worth.
 ///
 /// It reads `signals`, `sampling`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.

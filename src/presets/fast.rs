@@ -7,7 +7,7 @@ use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 
 /// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the history: for hosts that count every
-/// microsecond. `docs/performance.md` has what it costs and how good it is beside the others.
+/// microsecond. `docs/lab/performance.md` has what it costs and how good it is beside the others.
 ///
 /// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {

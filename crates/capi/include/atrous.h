@@ -2,7 +2,7 @@
  *
  * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
  * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike.
- * docs/integrate.md has the contract on two pages; examples/host_cpp is an engine that uses it. */
+ * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */
 
 #ifndef ATROUS_H
 #define ATROUS_H

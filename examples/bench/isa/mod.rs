@@ -1,5 +1,5 @@
 //! What a driver's compiler makes of every shader: registers, occupancy, instructions, cycles. Free of noise, and without a GPU
-//! where Mesa's RADV opens its null device: see docs/performance.md.
+//! where Mesa's RADV opens its null device: see docs/lab/performance.md.
 
 mod compare;
 mod device;

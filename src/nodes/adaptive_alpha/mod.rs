@@ -1,4 +1,6 @@
 //! Turns temporal gradients into confidence in the history of each pixel. \[ASVGF\] 3.5, eq. 14.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! The edge-avoiding à-trous wavelet transform, guided by variance. \[SVGF\] 4.3, eq. 1 to 5.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

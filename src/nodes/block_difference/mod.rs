@@ -1,4 +1,6 @@
 //! Measures the departure of a frame from its own history, block by block.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Two percentiles of luminance in every 8×8 pixels. [PSVGF], block percentiles.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Turns the departure of blocks into confidence in the history of each pixel: a test in both directions.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Shows the denoiser's knowledge of each pixel as a picture. Not a stage of a filter: nothing reads it.
+//!
+#![doc = include_str!("specification.md")]
 
 mod legend;
 pub(crate) mod twin;

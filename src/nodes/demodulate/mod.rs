@@ -1,4 +1,6 @@
 //! Divides the noisy radiance by the albedo, and stops what is not finite.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

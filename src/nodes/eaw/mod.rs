@@ -1,4 +1,6 @@
 //! The edge-avoiding à-trous wavelet transform by radiance, normal and position. \[EAW\].
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Fills pixels without a sample from those around them, before the accumulation. Ours.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

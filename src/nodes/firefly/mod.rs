@@ -1,4 +1,6 @@
 //! Scales outliers down before they reach the history, and spreads what that takes. [PSVGF], firefly filter.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Picks a pixel in every stratum of the previous frame and finds it in this one, for the host to shade again. \[ASVGF\] 3.1, 3.3.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Measures the change in luminance of the same samples from the previous frame to this one, per stratum. \[ASVGF\] eq. 2, 3, 13.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Spreads the gradients over strata without a sample, and takes their noise. \[ASVGF\] 3.4, eq. 7 to 12.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 
@@ -13,7 +15,7 @@ const ITERATIONS: u32 = 5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GradientAtrous {
     /// Whether the deviation by which the means of strata are compared is that of 3×3 strata \[ASVGF eq. 11\] rather than the stratum's
-    /// own. Default: false; `docs/stages.md` has the figures.
+    /// own. Default: false; `docs/lab/stages.md` has the figures.
     pub smooth_deviation: bool,
 }
 

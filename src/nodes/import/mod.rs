@@ -1,4 +1,6 @@
 //! Turns the host's guides into ours. The only stage that knows the host's encodings.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

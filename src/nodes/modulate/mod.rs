@@ -1,4 +1,6 @@
 //! Multiplies the albedo back, adds the signals and the emission.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

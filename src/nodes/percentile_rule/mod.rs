@@ -1,4 +1,6 @@
 //! Turns percentiles into confidence in the history of each pixel, by the published rule. \[PSVGF\], adaptive accumulation.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Divides the light of gradient samples by the albedo of the points that it comes from. The node `demodulate` adds it.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Adds the light of the source whose visibility was filtered.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

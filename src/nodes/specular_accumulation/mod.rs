@@ -1,5 +1,7 @@
 //! Blends specular light with its own past, found where the surface was and where the image of what it mirrors was.
 //! \[Zimmer et al. 2015\], \[Stachowiak 2015\]
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

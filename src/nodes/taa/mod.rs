@@ -1,4 +1,6 @@
 //! Temporal anti-aliasing. \[Karis 2014\]
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

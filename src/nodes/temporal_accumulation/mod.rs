@@ -1,4 +1,6 @@
 //! Blends each pixel with its own past, found by motion and tested tap by tap. \[SVGF\] 4.1.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

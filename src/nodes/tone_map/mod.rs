@@ -1,4 +1,6 @@
 //! HDR radiance to display-referred linear values.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

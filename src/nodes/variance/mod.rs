@@ -1,5 +1,7 @@
 //! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings.
 //! \[SVGF\] 4.2.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Blends the visibility of a light with its past, and measures its penumbra. \[Mehta et al. 2012\], \[SVGF\] 4.1.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

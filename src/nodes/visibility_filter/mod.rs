@@ -1,4 +1,6 @@
 //! Filters the visibility of a light along surfaces, no wider than its penumbra. \[Mehta et al. 2012\], \[SVGF\] 4.3.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

@@ -1,4 +1,6 @@
 //! Takes in the visibility of one light, and how far away its occluder is.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

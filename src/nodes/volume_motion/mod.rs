@@ -1,4 +1,6 @@
 //! Carries the points of a volume forward from the previous frame, for motion vectors of its own. [PSVGF], volumes.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 

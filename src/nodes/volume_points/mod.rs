@@ -1,4 +1,6 @@
 //! Takes in the light that a volume scatters towards the camera, and where. [PSVGF], volumes.
+//!
+#![doc = include_str!("specification.md")]
 
 pub(crate) mod twin;
 
