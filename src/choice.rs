@@ -8,8 +8,9 @@ use std::str::FromStr;
 
 /// An enum that a host chooses from, for code that takes any of them: menus, command lines, files.
 ///
-/// Each is [`Display`]ed as its name, parsed from it, and made from its number; an [`Error::Choice`] names what was given and lists
-/// what there is. With the feature `serde` it is written and read as its name.
+/// Each is [`Display`]ed as its name, parsed from it, and made from its number; an
+/// [`Error::Choice`] names the given value and lists the choices. With the feature `serde` it is
+/// written and read as its name.
 pub trait Choice:
     Copy + Debug + Display + Eq + Hash + Send + Sync + FromStr<Err = Error> + TryFrom<u32, Error = Error> + 'static
 {

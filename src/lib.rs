@@ -47,7 +47,7 @@ mod pages {
     struct AddAStage;
 }
 
-/// The Vulkan bindings of the public interface, for hosts that have another version or none.
+/// The Vulkan bindings of the public interface, if you have a different version of them or none.
 pub use ash;
 pub use choice::Choice;
 pub use config::Config;

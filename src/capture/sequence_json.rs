@@ -1,4 +1,4 @@
-//! The text of `sequence.json`: see docs/denoise.md for its keys.
+//! The text of `sequence.json`: see docs/specification/exr.md for its keys.
 
 use crate::config::{Config, Conventions};
 use crate::contract::{FrameParams, ResetReason, Tuning};

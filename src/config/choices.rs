@@ -37,58 +37,63 @@ choices! {
     pub enum Preset {
         /// Spatiotemporal variance-guided filtering \[SVGF\].
         Svgf = 0 => "svgf",
-        /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples say where history is out of date.
+        /// Adaptive temporal filtering \[ASVGF\]: temporal gradients of re-shaded samples detect
+        /// outdated history.
         Asvgf = 1 => "asvgf",
         /// Drives a temporal accumulation over the output of any other denoiser by the gradients of [`Preset::Asvgf`] \[ASVGF 4\].
         /// One signal.
         Stabilize = 2 => "stabilize",
-        /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks say where history is out of date. Needs nothing of the
-        /// host that SVGF does not.
+        /// Percentile-based adaptive SVGF \[PSVGF\]: statistics of blocks detect outdated history.
+        /// Needs no input beyond those of SVGF.
         Percentile = 3 => "percentile",
-        /// Edge-avoiding à-trous wavelets \[EAW\]: no history at all, so it works on a single frame.
+        /// Edge-avoiding à-trous wavelets \[EAW\]. It has no history, so it works on a single
+        /// frame.
         Eaw = 4 => "eaw",
-        /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume` \[PSVGF\]. [`crate::Config::volume`]
-        /// adds the same passes to another preset.
+        /// A volume alone, without surfaces to filter: `noisy_volume` to `denoised_volume`
+        /// \[PSVGF\]. [`crate::Config::volume`] adds the same passes to any other preset.
         Volume = 5 => "volume",
-        /// The cheapest filter that follows light that changes: SVGF with 4 levels of 9 taps and the change test of
-        /// [`Preset::Percentile`]. Needs nothing of the host that SVGF does not.
+        /// The cheapest filter that follows changing light: SVGF with 4 levels of 9 taps and the
+        /// change test of [`Preset::Percentile`]. Needs no input beyond those of SVGF.
         Fast = 6 => "fast",
-        /// The filter of choice: [`Preset::Asvgf`] whose history follows light that changes as a whole, is not filtered and stays sharp
-        /// in motion; with the change test of [`Preset::Percentile`] wherever no gradient is known, so that it needs nothing of the
-        /// host that SVGF does not.
+        /// The filter to start with: [`Preset::Asvgf`] whose history follows changing light, is not
+        /// filtered, and stays sharp in motion. Where no gradient is known it has the change test
+        /// of [`Preset::Percentile`], so it needs no input beyond those of SVGF.
         #[default]
         Best = 7 => "best",
     }
 
-    /// Share of the pixels that have a sample in a frame. A pixel without one is not finite (NaN) in the noisy image: it shows its own
-    /// history, or, where it has none, the samples around it. Which pixels have one may change from frame to frame, as it should.
+    /// Share of the pixels that have a sample in a frame. Write NaN into the noisy image for a
+    /// pixel without one: it shows its own history, or the samples around it if it has none. Give
+    /// each pixel its turn from frame to frame.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum Sampling {
-        /// Every one. What is not finite is counted and black in this frame.
+        /// Every one. A value that is not finite is counted, and black in this frame.
         #[default]
         Full = 0 => "full",
-        /// At least one of each 2×2, so a checkerboard, too: holes look one pixel to each side. [`Preset::Eaw`]: the first level paints in
-        /// the others.
+        /// At least one of each 2×2, for example a checkerboard: holes look one pixel to each side.
+        /// [`Preset::Eaw`]: the first level fills the others.
         OneOf2x2 = 1 => "one_of_2x2",
-        /// At least one of each 4×4: holes look three pixels to each side. [`Preset::Eaw`]: the first two levels paint in the others.
+        /// At least one of each 4×4: holes look three pixels to each side. [`Preset::Eaw`]: the
+        /// first two levels fill the others.
         OneOf4x4 = 2 => "one_of_4x4",
     }
 
-    /// The rule by which [`Preset::Percentile`] finds out that light has changed.
+    /// The rule by which [`Preset::Percentile`] detects changes of light.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum AdaptiveRule {
-        /// The mean difference between a frame and its history over 24×24 pixels, against its standard error. Sees a light that
-        /// comes on as well as one that goes out.
+        /// The mean difference between a frame and its history over 24×24 pixels, against its
+        /// standard error. It detects a light that comes on as well as one that goes out.
         #[default]
         ChangeTest = 0 => "change_test",
-        /// The published rule: history outside of the percentiles of the noisy frame is dropped. At one sample a pixel the low
-        /// percentile is next to 0, so that a light that comes on is not seen.
+        /// The published rule: history outside the percentiles of the noisy frame is dropped. With
+        /// one sample per pixel the low percentile is close to 0, so a light that comes on is not
+        /// detected.
         Percentiles = 1 => "percentiles",
     }
 
-    /// The way in which the percentiles of a block are found. The result is the same to the bit.
+    /// The method that finds the percentiles of a block. The result is the same to the bit.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum BlockSort {
@@ -103,30 +108,33 @@ choices! {
     #[derive(Default)]
     #[non_exhaustive]
     pub enum GradientSource {
-        /// The host's path tracer re-shades one pixel a stratum with the surface and the seed of a pixel of the previous frame,
-        /// which the stage `forward_project` picks (`glsl/host/gradient_sample.glsl`). Costs no extra samples.
+        /// Your path tracer re-shades one pixel per stratum with the surface and the seed of a
+        /// pixel of the previous frame, which the stage `forward_project` picks
+        /// (`glsl/host/gradient_sample.glsl`). Costs no extra samples.
         #[default]
         ForwardProjected = 0 => "forward_projected",
-        /// An image `reshaded_radiance`: the paths of the previous frame, traced again in the scene of this frame with the same
-        /// random numbers, at the pixels of the previous frame. As dense as the host likes; pixels that it leaves out are NaN.
+        /// An image `reshaded_radiance`: the paths of the previous frame, traced again in the scene
+        /// of this frame with the same random numbers, at the pixels of the previous frame. As
+        /// dense as you like; write NaN into the pixels that you leave out.
         Reshaded = 1 => "reshaded",
-        /// An image `sparse_gradient` with one texel a stratum, of a host that takes the differences itself: x the change of
-        /// luminance δ, y the larger of the two luminances Δ. 0, 0 where there is none.
+        /// An image `sparse_gradient` with one texel per stratum, if you take the differences
+        /// yourself: x the change of luminance δ, y the larger of the two luminances Δ. 0, 0 where
+        /// there is none.
         Sparse = 2 => "sparse",
-        /// An image `confidence` with one texel a pixel, of a host that knows what changed: x from 1, keep the history, to 0, drop
-        /// it.
+        /// An image `confidence` with one texel per pixel, if your engine knows the changes: x from
+        /// 1, keep the history, to 0, drop it.
         Confidence = 3 => "confidence",
     }
 }
 
 impl Preset {
-    /// Whether it asks how the light changed, by [`crate::Config::gradient_source`].
+    /// Whether it reads gradients of light, by [`crate::Config::gradient_source`].
     pub const fn has_gradients(self) -> bool {
         matches!(self, Self::Asvgf | Self::Stabilize | Self::Best)
     }
 
-    /// À-trous levels where a configuration asks for no number: 4 for [`Self::Best`], whose history is not filtered and which loses detail to
-    /// a wider filter, and for [`Self::Fast`], else 5.
+    /// À-trous levels unless the configuration sets a number: 4 for [`Self::Fast`] and for
+    /// [`Self::Best`], which would lose detail to a wider filter; else 5.
     pub const fn levels(self) -> u32 {
         match self {
             Self::Best | Self::Fast => 4,

@@ -1,5 +1,5 @@
-//! The configuration of a preset: extents, preset, signals, and the encodings of the host's guides. Changing it re-declares every
-//! resource.
+//! The configuration of a preset: extents, preset, signals, and the encodings of your guides.
+//! Changing it re-declares every resource.
 
 use crate::error::Error;
 
@@ -18,18 +18,19 @@ pub use conventions::{
 };
 pub use eaw_weights::EawWeights;
 
-/// Choices that are made once for a preset. [`crate::Tuning`] holds what may change from frame to frame.
+/// Choices that you make once for a preset. Numbers that may change from frame to frame are in
+/// [`crate::Tuning`].
 ///
-/// With the feature `serde`, what a file leaves out has its default. An extent has none: [`Config::validate`] refuses a file
-/// without one, until the host sets it.
+/// With the feature `serde`, a field that a file leaves out has its default. The extent has none:
+/// [`Config::validate`] refuses a file without one until you set it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default = "Config::without_extent", deny_unknown_fields))]
 pub struct Config {
-    /// Width and height that images are allocated with, 1 to [`Config::MAX_SIDE`] each; a frame renders into the top left part. No
-    /// default.
+    /// Width and height of the allocated images, 1 to [`Config::MAX_SIDE`] each; a frame renders
+    /// into their top left part. No default.
     pub allocated_extent: [u32; 2],
-    /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
+    /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
     /// Filter. Default: [`Preset::Best`].
     pub preset: Preset,
@@ -37,54 +38,61 @@ pub struct Config {
     pub signals: Signals,
     /// À-trous levels, 1 to 10. Default: none, which is the preset's number, [`Preset::levels`].
     pub levels: Option<u32>,
-    /// Whether the host has a volume (fog, smoke), whose radiance is filtered apart, with motion of its own \[PSVGF\]: an input
-    /// `noisy_volume`, an output `denoised_volume`. It is what the medium itself scatters towards the camera; the surfaces'
-    /// radiance is what reaches the camera through it. The two add up to the picture, and the post-process has their sum. Costs 40
-    /// bytes a pixel, and 8 of the output. Default: false.
+    /// Whether you have a volume (fog, smoke), to be filtered apart, with motion of its own
+    /// \[PSVGF\]: an input `noisy_volume`, an output `denoised_volume`. It is the light that the
+    /// medium itself scatters towards the camera; the radiance of surfaces is the light that
+    /// reaches the camera through it. The two add up to the picture, and the post-process shows
+    /// their sum. Costs 40 bytes per pixel, and 8 of the output. Default: false.
     ///
-    /// The optional input `scattering_depth` says where: for every pixel the linear depth (scene units, along the view axis, as
-    /// `guide` has it) of one point that contributes much, as a distance that was chosen by transmittance does. 0, infinite or NaN:
-    /// none. It is carried to the next frame to give the volume its motion; without the input a volume moves as the surfaces behind
-    /// it.
+    /// The optional input `scattering_depth` locates it: for every pixel the linear depth (scene
+    /// units, along the view axis, as in `guide`) of one point that contributes much, for example a
+    /// distance chosen by transmittance. 0, infinite or NaN: none. It is carried to the next frame
+    /// to give the volume its motion; without the input a volume moves as the surfaces behind it.
     pub volume: bool,
-    /// Whether the host has the visibility of one light, such as the sun, apart: an input `noisy_visibility` from 0 (occluded) to 1
-    /// (lit), usually one of the two, with `occluder_distance`, how far along the shadow ray from the surface something is in the
-    /// way (scene units; 0 or infinite: nothing, or not known); an output `denoised_visibility`. The light's size is
-    /// [`crate::Tuning::light_radius`]. Costs 12 bytes a pixel, the output included. Default: false.
+    /// Whether you give the visibility of one light, such as the sun, apart: an input
+    /// `noisy_visibility` from 0 (occluded) to 1 (lit), usually one of the two, with
+    /// `occluder_distance`, the distance from the surface to the occluder along the shadow ray
+    /// (scene units; 0 or infinite: none, or not known); an output `denoised_visibility`. The
+    /// light's size is [`crate::Tuning::light_radius`]. Costs 12 bytes per pixel, the output
+    /// included. Default: false.
     ///
-    /// The host multiplies its light by it; or it gives the optional input `unshadowed_direct`, the light that the surface would
-    /// reflect if nothing were in the way, times albedo and BSDF, and `denoised_radiance` has the product. Either way that light is
-    /// no part of the noisy radiance.
+    /// Multiply your light by it. Or give the optional input `unshadowed_direct`, the light that
+    /// the surface would reflect without an occluder, times albedo and BSDF; `denoised_radiance`
+    /// then contains the product. Either way, leave that light out of the noisy radiance.
     pub visibility: bool,
-    /// Scales outliers of the input down to what is usual around them, before they reach the history \[PSVGF\].
-    /// [`Preset::Percentile`] always does. Default: false.
+    /// Scales outliers of the input down to the usual brightness around them, before they reach the
+    /// history \[PSVGF\]. [`Preset::Percentile`] always does. Default: false.
     pub firefly_filter: bool,
-    /// The rule by which the preset `Percentile` sees changed light. Default: [`AdaptiveRule::ChangeTest`].
+    /// The rule by which the preset `Percentile` detects changes of light. Default:
+    /// [`AdaptiveRule::ChangeTest`].
     pub adaptive_rule: AdaptiveRule,
-    /// The way in which percentiles are found. Default: [`BlockSort::Counting`].
+    /// The method that finds percentiles. Default: [`BlockSort::Counting`].
     pub block_sort: BlockSort,
     /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
     pub stratum_size: u32,
     /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
     pub gradient_source: GradientSource,
-    /// Whether the host has an image `forward_motion`, for surfaces that deform: at every pixel of the previous frame its motion to
-    /// this frame. Only for forward-projected gradients. Default: false.
+    /// Whether you have an image `forward_motion`, for deforming surfaces: at every pixel of the
+    /// previous frame its motion to this frame. Only for forward-projected gradients. Default:
+    /// false.
     pub forward_motion: bool,
     /// Edge-stopping functions of the preset `Eaw`. Default: all three.
     pub eaw_weights: EawWeights,
-    /// Share of the pixels that have a sample in this frame, for checkerboards and tracing at half the rate: the others are NaN in the
-    /// noisy images. Costs 8 bytes a pixel and signal while history is not yet read, and a pass a signal. Not of
-    /// [`Preset::Stabilize`] and of volumes, whose pixels all have one. Default: [`Sampling::Full`].
+    /// Share of the pixels that have a sample in this frame, for checkerboards and tracing at half
+    /// the rate: the others are NaN in the noisy images. Costs 8 bytes per pixel and signal until
+    /// history is read, and one pass per signal. Not of [`Preset::Stabilize`] and of volumes, whose
+    /// pixels all have one. Default: [`Sampling::Full`].
     pub sampling: Sampling,
-    /// Whether the host has an image of surface ids. Default: true.
+    /// Whether you have an image of surface ids. Default: true.
     pub surface_id: bool,
-    /// Whether the host has object-space normals, by which a turning object keeps its history. Costs 8 bytes a pixel. Default:
-    /// false.
+    /// Whether you have object-space normals, by which a turning object keeps its history. Costs 8
+    /// bytes per pixel. Default: false.
     pub object_normal: bool,
     /// Post-process. Default: [`PostProcess::None`].
     pub post_process: PostProcess,
-    /// A last pass `debug_view`, which shows what the denoiser knows of each pixel: see [`crate::DebugView`]. It keeps what it
-    /// shows until then, which transients cannot share memory with. A host may leave the pass out of a frame. Default: false.
+    /// A last pass `debug_view`, which shows the state of each pixel: see [`crate::DebugView`]. It
+    /// keeps the shown images alive to the end, so that transients cannot share their memory. You
+    /// may leave the pass out of a frame. Default: false.
     pub debug_view: bool,
     /// Encodings. Default: those of [`Conventions::default`].
     pub conventions: Conventions,
@@ -94,7 +102,7 @@ impl Config {
     /// Largest side of an extent.
     pub const MAX_SIDE: u32 = 16384;
 
-    /// Defaults for an extent.
+    /// The defaults, for an extent.
     pub fn new(allocated_extent: [u32; 2]) -> Self {
         Self {
             allocated_extent,
@@ -145,7 +153,7 @@ impl Config {
         self.conventions.validate()
     }
 
-    /// À-trous levels: those that were asked for, or the preset's.
+    /// À-trous levels: those of the configuration, or those of the preset.
     pub fn levels(&self) -> u32 {
         self.levels.unwrap_or(self.preset.levels())
     }

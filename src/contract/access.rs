@@ -1,11 +1,12 @@
-//! Accesses of a pass to a resource; everything that Vulkan wants to know is derived from them.
+//! Accesses of a pass to a resource. All synchronisation parameters of Vulkan follow from them.
 
 use ash::vk;
 
 /// The access of a pass to a resource.
 ///
-/// Closed and small on purpose, so that it maps onto any host's own vocabulary. Stage, access mask, layout, usage flags and
-/// descriptor type follow from it, so a declaration cannot contradict itself. A host may match every one.
+/// Closed and small on purpose, so that you can map it onto your own vocabulary. Stage, access
+/// mask, layout, usage flags and descriptor type follow from it, so a declaration cannot contradict
+/// itself. You may match every one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 pub enum Access {
@@ -13,14 +14,14 @@ pub enum Access {
     Sampled = 0,
     /// Storage image or buffer that is only read.
     StorageRead = 1,
-    /// Storage image or buffer of which **every** texel of the render rect is written and none is read: old contents may be
-    /// discarded.
+    /// Storage image or buffer. **Every** texel of the render rect is written and none is read, so
+    /// you may discard the old content.
     StorageWrite = 2,
     /// Storage image or buffer that is read and written, or written in part only.
     StorageReadWrite = 3,
     /// Uniform buffer.
     Uniform = 4,
-    /// Filled or updated by a transfer command; old contents may be discarded.
+    /// Filled or updated by a transfer command. You may discard the old content.
     Clear = 5,
 }
 
@@ -31,7 +32,7 @@ pub struct ImageAccess {
     pub stage: vk::PipelineStageFlags2,
     /// Access mask.
     pub access: vk::AccessFlags2,
-    /// The layout that is declared. `GENERAL` is always legal in its place.
+    /// The declared layout. `GENERAL` is always legal instead.
     pub layout: vk::ImageLayout,
 }
 
@@ -89,12 +90,12 @@ impl Access {
         }
     }
 
-    /// Whether the old contents matter. `false`: the host may transition from `UNDEFINED`.
+    /// Whether the old content matters. `false`: you may transition from `UNDEFINED`.
     pub const fn reads(self) -> bool {
         !matches!(self, Self::StorageWrite | Self::Clear)
     }
 
-    /// Whether the contents change.
+    /// Whether the content changes.
     pub const fn writes(self) -> bool {
         matches!(self, Self::StorageWrite | Self::StorageReadWrite | Self::Clear)
     }

@@ -4,7 +4,7 @@ use ash::vk;
 
 /// The binding of a host for one use of a pass.
 ///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Binding {
     /// A view of the whole image, and the layout that the image is in when the pass runs: the declared one, or `GENERAL`. A depth

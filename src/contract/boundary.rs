@@ -1,4 +1,4 @@
-//! Resources that a phase touches, for hosts that put something between two phases.
+//! Resources that a phase uses, for work of yours between two phases.
 
 use super::{Access, Declaration, Phase, ResourceId, UseFrame};
 
@@ -17,11 +17,11 @@ pub struct BoundaryUse {
     pub written: bool,
 }
 
-/// Resources that a phase touches.
+/// Resources that a phase uses.
 pub type Boundary = Vec<BoundaryUse>;
 
 impl Declaration {
-    /// First and last access of every resource that a phase touches, in order of first use.
+    /// First and last access of every resource that a phase uses, in order of first use.
     pub fn boundary(&self, phase: Phase) -> Boundary {
         let mut boundary: Boundary = Vec::new();
         for u in self.passes.iter().filter(|p| p.phase == phase).flat_map(|p| &p.uses) {

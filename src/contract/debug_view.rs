@@ -4,8 +4,9 @@ use super::Declaration;
 use crate::choice::choices;
 
 choices! {
-    /// A view of `debug_view`, for [`crate::Config::debug_view`]. rgb of the output is display-referred, linear, 0 to 1; a is the
-    /// number behind the colour. Surfaces only: the background is black. A view that the preset has nothing for is a dark chequer.
+    /// A view of `debug_view`, for [`crate::Config::debug_view`]. rgb of the output is
+    /// display-referred, linear, 0 to 1; a is the number behind the colour. Surfaces only: the
+    /// background is black. A view without data in the preset is a dark chequer.
     #[derive(Default)]
     #[non_exhaustive]
     pub enum DebugView {
@@ -28,8 +29,9 @@ choices! {
         Percentiles = 6 => "percentiles",
         /// Share of the luminance that the firefly filter took away, 0 to 1.
         Fireflies = 7 => "fireflies",
-        /// The reason why there is no history. Grey: there is. Orange: off screen; light blue: background or another id; green:
-        /// depth; yellow: normal; red: reset. a: a [`crate::reference::Reason`] as a number.
+        /// The reason for a missing history. Grey: it is there. Orange: off screen; light blue:
+        /// background or a different id; green: depth; yellow: normal; red: reset. a: a
+        /// [`crate::reference::Reason`] as a number.
         Disocclusion = 8 => "disocclusion",
         /// Motion: red to the right, green downwards, less blue the longer, logarithmic up to 64 pixels. a: its length, pixels.
         Motion = 9 => "motion",
@@ -43,16 +45,18 @@ choices! {
         /// emission, forward motion, scattering depth, roughness, hit distance, visibility, distance of the occluder; the logarithm of
         /// their number against that of all pixels. a: the number.
         BadValues = 13 => "bad_values",
-        /// Distance d to what is seen in a surface, as the filter of specular light has it: d over the way from the eye in false
-        /// colours, so that contact is dark; black where it is not known. a: scene units; 65504 beyond the scene.
+        /// Hit distance d of the reflection in a surface, as the filter of specular light has it: d
+        /// over the way from the eye in false colours, so that contact is dark; black if unknown.
+        /// a: scene units; 65504 beyond the scene.
         HitDistance = 14 => "hit_distance",
         /// Half the angle of the lobe of a surface, 0 to 45 degrees in false colours. a: degrees.
         LobeAngle = 15 => "lobe_angle",
-        /// Motion of what is seen in a surface, of the image behind it: coloured as [`Self::Motion`], which it is where nothing is
-        /// known of the image. a: its length, pixels.
+        /// Motion of the image behind a mirroring surface, coloured as [`Self::Motion`]. It is the
+        /// motion of the surface where nothing is known of the image. a: its length, pixels.
         VirtualMotion = 16 => "virtual_motion",
-        /// The past that specular light was blended with: orange from where the surface was, blue from where the image behind it was,
-        /// mixed by their shares; red: there is none. a: the share of the image, 0 to 1, or −1.
+        /// The past that specular light was blended with: orange from the surface, blue from the
+        /// image behind it, mixed by their shares; red: none. a: the share of the image, 0 to 1, or
+        /// −1.
         ReflectionHistory = 17 => "reflection_history",
         /// Visibility of the light over its history, before the filter, 0 to 1 in false colours. a: the same.
         Visibility = 18 => "visibility",
@@ -80,7 +84,7 @@ impl DebugView {
 }
 
 impl Declaration {
-    /// The views that this denoiser has something for; none without [`crate::Config::debug_view`].
+    /// The views that this denoiser has data for; none without [`crate::Config::debug_view`].
     pub fn debug_views(&self) -> Vec<DebugView> {
         let Some(pass) = self.passes.iter().find(|pass| pass.draws_view()) else { return Vec::new() };
         let shows = |view: &DebugView| view.needs().is_none_or(|binding| pass.use_of(binding).is_some());

@@ -5,17 +5,17 @@ use crate::config::Config;
 use crate::error::Error;
 use ash::vk;
 
-/// The place of a pass in the host's frame.
+/// The place of a pass in your frame.
 ///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum Phase {
-    /// Behind the G-buffer, before light transport.
+    /// After your G-buffer and before light transport.
     BeforeLighting = 0,
-    /// Behind light transport.
+    /// After light transport.
     AfterLighting = 1,
-    /// Wherever the host does tone mapping and anti-aliasing.
+    /// Where you do tone mapping and anti-aliasing.
     PostProcess = 2,
 }
 
@@ -24,20 +24,20 @@ impl Phase {
     pub const ALL: [Self; 3] = [Self::BeforeLighting, Self::AfterLighting, Self::PostProcess];
 }
 
-/// The copy of a history that a use means. Everything else is always `Current`.
+/// The copy of a history that a use refers to. Every other resource is always `Current`.
 ///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u32)]
 pub enum UseFrame {
     /// The copy of this frame.
     Current = 0,
-    /// The copy of the frame before.
+    /// The copy of the previous frame.
     Previous = 1,
 }
 
-/// The use of one resource by a pass. The uses of a pass stand in the order of the numbers of its bindings, and so do the bindings
-/// of a host.
+/// The use of one resource by a pass. The uses of a pass are in the order of its binding numbers.
+/// Give your bindings in the same order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Use {
     /// The resource.
@@ -48,8 +48,8 @@ pub struct Use {
     pub access: Access,
 }
 
-/// The smallest schedulable unit: one dispatch, or the upload that starts a frame. Hazard-free inside; every barrier belongs
-/// between passes.
+/// The smallest unit that you schedule: one dispatch, or the upload that starts a frame. It is free
+/// of hazards inside; every barrier belongs between passes.
 #[derive(Clone, Debug)]
 pub struct PassDecl {
     /// Unique in a denoiser: for labels and profiles.
@@ -92,8 +92,9 @@ impl Declaration {
         self.setup.allocated_extent
     }
 
-    /// The same graph for images of another extent: what it would have declared if it had been built for that one. Shapes hold
-    /// divisors of the extent, and no pass depends on it.
+    /// The same graph for images of a different extent. It equals the declaration that you would
+    /// get by building the graph for that extent. Shapes hold divisors of the extent, and no pass
+    /// depends on it.
     ///
     /// # Errors
     /// [`Error::Extent`], as [`Config::declare`] and [`crate::graph::Graph::finish`] give it.
@@ -109,13 +110,13 @@ impl Declaration {
         &self.setup
     }
 
-    /// The configuration that a preset was declared from; `None` for a graph that a host composed.
+    /// The configuration of a preset; `None` for a graph that you composed.
     pub fn config(&self) -> Option<&Config> {
         self.config.as_ref()
     }
 
-    /// The tunables that a parameter of a pass comes from, in the order of [`Tuning::FIELDS`]: any other changes nothing. What
-    /// the debug view alone reads does not count, since it changes no output but the view.
+    /// The tunables that some pass reads, in the order of [`Tuning::FIELDS`]. Any other changes
+    /// nothing. Those that only the debug view reads are left out.
     pub fn tunables(&self) -> impl Iterator<Item = &'static TuningField> + '_ {
         let filters = self.passes.iter().filter(|pass| !pass.draws_view()).filter_map(PassDecl::dispatch);
         let read: Vec<_> = filters.flat_map(|dispatch| dispatch.parameters.iter().copied()).collect();
@@ -174,7 +175,7 @@ impl Declaration {
         self.resources.iter().position(|r| r.name == name).map(|i| ResourceId(i as u32))
     }
 
-    /// First and last pass that touch a resource, whichever copy.
+    /// First and last pass that use any copy of a resource.
     pub fn life(&self, id: ResourceId) -> Option<(usize, usize)> {
         life(&self.passes, id)
     }
@@ -187,7 +188,7 @@ impl Declaration {
         })
     }
 
-    /// The physical copy that a use means in a frame: 0 or 1.
+    /// The physical copy that a use refers to in a frame: 0 or 1.
     pub fn copy(&self, u: &Use, frame: &FrameContext) -> usize {
         match self.resource(u.resource).lifetime {
             Lifetime::History => frame.history_copy(u.frame),
@@ -196,7 +197,7 @@ impl Declaration {
     }
 }
 
-/// First and last of the passes that touch a resource, whichever copy.
+/// First and last of the passes that use any copy of a resource.
 pub(crate) fn life(passes: &[PassDecl], id: ResourceId) -> Option<(usize, usize)> {
     let touches = |pass: &PassDecl| pass.uses.iter().any(|u| u.resource == id);
     Some((passes.iter().position(touches)?, passes.iter().rposition(touches)?))

@@ -56,9 +56,10 @@ pub(crate) enum Parameter {
 /// Invocations of a dispatch.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Grid {
-    /// One a pixel of this frame.
+    /// One per pixel of this frame.
     Pixels,
-    /// One a stratum of so many pixels a side, of this frame and of the previous one, which is walked, too.
+    /// One per stratum of so many pixels a side, of this frame and of the previous one, which is
+    /// walked, too.
     Strata(u32),
     /// One a column of so many pixels of this frame.
     Columns(u32),

@@ -1,4 +1,5 @@
-//! Notices that nearly every surface loses its history, frame after frame: guides that are not encoded as they are declared.
+//! Detects that nearly every surface loses its history, frame after frame. The usual cause is a
+//! guide whose encoding differs from the declared one.
 
 use super::{Counter, Statistics};
 use std::fmt::{Display, Formatter};
@@ -9,8 +10,8 @@ const FRAMES: u32 = 8;
 /// The share of surfaces without history above which a frame counts, in percent.
 const PERCENT: u64 = 90;
 
-/// A watch over the [`Statistics`] of consecutive frames. `executor::Executor` has one, and logs what it says; a host that
-/// schedules passes itself may read `statistics` back and do the same.
+/// A watch over the [`Statistics`] of consecutive frames. `executor::Executor` has one and logs its
+/// reports. If you schedule the passes yourself, read `statistics` back and do the same.
 #[derive(Clone, Debug, Default)]
 pub struct HistoryWatch {
     frames: u32,
@@ -18,8 +19,9 @@ pub struct HistoryWatch {
 }
 
 impl HistoryWatch {
-    /// Looks at the counters of the next frame. `Some`, once and not again, in the eighth frame in a row in which more than 90 % of the
-    /// surfaces lost their history. A frame with a reset, or without a surface, begins the row anew.
+    /// Looks at the counters of the next frame. Returns `Some` once, in the eighth frame in a row
+    /// in which more than 90 % of the surfaces lost their history. A frame with a reset, or without
+    /// a surface, starts the count over.
     pub fn look(&mut self, statistics: &Statistics) -> Option<HistoryLoss> {
         let (lost, sought) = (statistics.history_lost(), statistics.history_sought());
         self.frames = if 100 * lost > PERCENT * sought { self.frames.saturating_add(1) } else { 0 };

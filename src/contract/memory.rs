@@ -9,7 +9,7 @@ pub struct ResourceMemory {
     pub name: String,
     /// Life of its content.
     pub lifetime: Lifetime,
-    /// Bytes of all its copies; 0 for an input, which is the host's.
+    /// Bytes of all its copies; 0 for an input, which is yours.
     pub bytes: u64,
 }
 
@@ -22,14 +22,14 @@ pub struct Memory {
     pub transient: u64,
     /// Transients if none is aliased.
     pub transient_unaliased: u64,
-    /// Outputs, which are the host's.
+    /// Outputs, which are yours.
     pub output: u64,
     /// Each resource.
     pub resources: Vec<ResourceMemory>,
 }
 
 impl Declaration {
-    /// Bytes, known before any is spent.
+    /// Bytes, known before you allocate any.
     pub fn memory(&self) -> Memory {
         let bytes = |r: &ResourceDecl| r.bytes(self.allocated_extent()) * r.lifetime.copies() as u64;
         let sum = |want: fn(Lifetime) -> bool| self.resources.iter().filter(|r| want(r.lifetime)).map(bytes).sum();

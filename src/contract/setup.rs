@@ -3,19 +3,19 @@
 use crate::config::{check_extent, Config, Conventions};
 use crate::error::Error;
 
-/// Settings that are fixed for every frame of a denoiser, whatever its passes are.
+/// Settings that are fixed for every frame of a denoiser, with any passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
-    /// Width and height that images are allocated with; each frame renders into its top left part.
+    /// Width and height of the allocated images; each frame renders into their top left part.
     pub allocated_extent: [u32; 2],
-    /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
+    /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
-    /// Encodings of the host's guides. Default: [`Conventions::default`].
+    /// Encodings of your guides. Default: [`Conventions::default`].
     pub conventions: Conventions,
 }
 
 impl Setup {
-    /// Defaults for an extent.
+    /// The defaults, for an extent.
     pub fn new(allocated_extent: [u32; 2]) -> Self {
         Self { allocated_extent, frames_in_flight: 2, conventions: Conventions::default() }
     }

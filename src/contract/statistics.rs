@@ -5,11 +5,11 @@ use crate::error::Error;
 use std::ops::{Index, IndexMut};
 
 choices! {
-    /// What the buffer `statistics` counts, in pixels of the render extent: 32-bit words in the order of the numbers, which are those of
-    /// `glsl/include/statistics.glsl`.
+    /// The counters in the buffer `statistics`, in pixels of the render extent: 32-bit words, in
+    /// the order of `glsl/include/statistics.glsl`.
     ///
-    /// The last five are counted by `temporal_accumulation`, once for each accumulation of a graph, and nowhere in a frame with a reset and
-    /// in the background.
+    /// `temporal_accumulation` counts the last five, once for each accumulation of a graph. It
+    /// counts nothing in the background, or in a frame with a reset.
     #[non_exhaustive]
     pub enum Counter {
         /// A depth that is NaN.
@@ -32,7 +32,7 @@ choices! {
         Roughness = 8 => "roughness",
         /// A hit distance that is NaN or negative, on a surface.
         HitDistance = 9 => "hit_distance",
-        /// A visibility that is not finite, or outside of 0 to 1, on a surface.
+        /// A visibility that is not finite, or outside 0 to 1, on a surface.
         Visibility = 10 => "visibility",
         /// A distance of an occluder that is NaN or negative, on a surface.
         OccluderDistance = 11 => "occluder_distance",
@@ -40,11 +40,12 @@ choices! {
         HistoryKept = 12 => "history_kept",
         /// A surface without history: its motion leads out of the picture.
         LostOffScreen = 13 => "lost_off_screen",
-        /// A surface without history: another `surface_id`, or the background, is where its motion leads.
+        /// A surface without history: its motion leads to a different `surface_id` or to the
+        /// background.
         LostSurfaceId = 14 => "lost_surface_id",
-        /// A surface without history: the depth is another where its motion leads.
+        /// A surface without history: its motion leads to a different depth.
         LostDepth = 15 => "lost_depth",
-        /// A surface without history: the normal is another where its motion leads.
+        /// A surface without history: its motion leads to a different normal.
         LostNormal = 16 => "lost_normal",
     }
 }
@@ -66,7 +67,7 @@ impl Statistics {
     /// Reads a copy of the buffer `statistics`.
     ///
     /// # Errors
-    /// [`Error::Size`] where it has another size.
+    /// [`Error::Size`] if the size differs.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
         bytemuck::try_pod_read_unaligned(bytes).map_err(|_| Error::Size {
             resource: "a copy of `statistics`".into(),

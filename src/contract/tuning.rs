@@ -38,11 +38,12 @@ choices! {
 
 macro_rules! tuning {
     ($($(#[doc = $doc:literal])+ $name:ident: $unit:literal, $min:literal ..= $max:literal, $default:literal;)+) => {
-        /// Per-frame numbers. Every field documents unit, range, default and what raising it does; see [`Tuning::FIELDS`] for the
-        /// same as data. The defaults are those of the default preset; [`Tuning::for_preset`] has those of every other.
+        /// Per-frame numbers. Every field documents unit, range, default and the effect of raising
+        /// it; [`Tuning::FIELDS`] has the same as data. The defaults are those of the default
+        /// preset; [`Tuning::for_preset`] has those of every other.
         ///
-        /// With the feature `serde`, what a file leaves out has its default, whatever the preset; [`Tuning::validate`] checks what it
-        /// has.
+        /// With the feature `serde`, a field that a file leaves out has its default, whatever the
+        /// preset. [`Tuning::validate`] checks the others.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
         pub struct Tuning {
@@ -52,7 +53,7 @@ macro_rules! tuning {
         }
 
         impl Tuning {
-            /// What the fields document.
+            /// The documented defaults.
             const DOCUMENTED: Self = Self { $($name: $default,)+ tone_curve: ToneCurve::Aces };
 
             /// Every number, in order.
@@ -111,10 +112,12 @@ tuning! {
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy
     /// surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.4;
-    /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 + edge_falloff · depth) (PSVGF). Raising
-    /// it blurs more far away. It counts in units of the scene: what 0.05 does in metres 0.0005 does in centimetres.
+    /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 +
+    /// edge_falloff · depth) (PSVGF). Raising it blurs more far away. It counts in units of the
+    /// scene: for example, 0.05 in metres equals 0.0005 in centimetres.
     edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
-    /// Lower percentile of the luminance of 8×8 pixels (PSVGF). At one sample a pixel next to 0, whatever it is.
+    /// Lower percentile of the luminance of 8×8 pixels (PSVGF). With one sample per pixel it is
+    /// close to 0 at any setting.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;
     /// Upper percentile (PSVGF). Raising it lets the firefly filter pass more, and the published rule keep more history.
     percentile_up: "share of the pixels", 0.0 ..= 1.0, 0.95;
@@ -164,8 +167,9 @@ tuning! {
     /// stays after a change by a half; at 5 a change by a fifth drops all of it. Raising it lags less and leaves more noise where
     /// light changes a little.
     gradient_scale: "1", 0.0 ..= 16.0, 5.0;
-    /// Largest reach of the filter of specular light, in radii of what the lobe of the surface blurs. Raising it blurs reflections more;
-    /// 0 filters none but those of the roughest surfaces.
+    /// Largest reach of the filter of specular light, in radii of the blur by the lobe of the
+    /// surface. Raising it blurs reflections more; 0 filters none but those of the roughest
+    /// surfaces.
     specular_blur: "lobe radii", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
@@ -206,7 +210,7 @@ impl Tuning {
 
     /// The defaults for a preset.
     ///
-    /// | preset | what differs from [`Preset::Best`], whose numbers the fields document |
+    /// | preset | differences from [`Preset::Best`], whose numbers the fields document |
     /// | --- | --- |
     /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
     /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
@@ -216,9 +220,10 @@ impl Tuning {
     /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
     /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `specular_blur` 1 |
     ///
-    /// Presets that are told of changed light react less by themselves, with an `alpha` of 0.1 (ASVGF). What was accumulated with
-    /// a lower `alpha` has less noise for the same variance of a sample, `sqrt(alpha / (2 - alpha))` of it, so that A-SVGF has a
-    /// `sigma_l` lower by the same factor: 4 times 0.23 / 0.33.
+    /// Presets that detect changes of light can react less by themselves, with an `alpha` of 0.1
+    /// (ASVGF). Light that is accumulated with a lower `alpha` has less noise for the same variance
+    /// of a sample, by the factor `sqrt(alpha / (2 - alpha))`. So A-SVGF has a `sigma_l` that is
+    /// lower by the same factor: 4 times 0.23 / 0.33.
     pub fn for_preset(preset: Preset) -> Self {
         let svgf = Self {
             alpha: 0.2,

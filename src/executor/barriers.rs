@@ -59,7 +59,7 @@ impl Barriers {
         unsafe { self.flush(device, cmd) };
     }
 
-    /// The barrier before a use outside of any pass.
+    /// The barrier before a use outside any pass.
     ///
     /// # Safety
     /// Obligations of `Executor::record`.

@@ -1,4 +1,4 @@
-//! Images and buffers of a host, for inputs and outputs.
+//! Your images and buffers, for inputs and outputs.
 
 use super::storage::{Object, StoredImage};
 use super::Executor;
@@ -6,7 +6,7 @@ use crate::contract::{Lifetime, ResourceState, Shape};
 use crate::error::Error;
 use ash::vk;
 
-/// An image of the host, for an input or an output.
+/// An image of yours, for an input or an output.
 #[derive(Clone, Copy, Debug)]
 pub struct HostImage {
     /// Image.
@@ -17,9 +17,9 @@ pub struct HostImage {
     pub format: vk::Format,
     /// Extent, at least the allocated one.
     pub extent: [u32; 2],
-    /// Layout that it is in whenever a phase is recorded, and is brought back to at the end of the phase.
+    /// Its layout before each phase, to which it returns at the end of the phase.
     pub layout: vk::ImageLayout,
-    /// Stages of the host that wrote or read it before a phase, and that read it after.
+    /// Your stages that use it before a phase, and that read it after.
     pub stage: vk::PipelineStageFlags2,
     /// Accesses of those stages.
     pub access: vk::AccessFlags2,
@@ -33,7 +33,7 @@ impl HostImage {
 }
 
 impl Executor {
-    /// Binds an image of the host to an input or an output, until it is bound anew.
+    /// Binds an image of yours to an input or an output, until you bind a new one.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
@@ -63,8 +63,8 @@ impl Executor {
         Ok(())
     }
 
-    /// Binds a buffer of the host to an input, until it is bound anew. `stage` and `access` are the host's own uses before each
-    /// phase.
+    /// Binds a buffer of yours to an input, until you bind a new one. `stage` and `access` are your
+    /// own uses before each phase.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is no input buffer, [`Error::Size`].

@@ -1,4 +1,5 @@
-//! The counters of frames, read when a frame slot comes round again, so that nothing waits; with a warning where history is lost.
+//! The counters of frames, read when a frame slot comes round again, so that nothing waits. A
+//! warning tells of lost history.
 
 use super::transfer::Staging;
 use super::Executor;
@@ -43,7 +44,7 @@ impl Counters {
         self.is_filled = false;
     }
 
-    /// Forgets what was recorded and will never run: the buffer and the copies of it hold what was there before.
+    /// Forgets recorded work that will never run: the buffer and its copies keep their old content.
     pub fn forget(&mut self) {
         self.is_filled = false;
         self.slots.iter_mut().for_each(|slot| slot.is_recorded = false);
@@ -64,13 +65,13 @@ impl Counters {
 }
 
 impl Executor {
-    /// Counters of the newest frame that was read: of the one before the last with this frame's slot, or `None` until then, and where
-    /// the host bound the buffer `statistics` itself.
+    /// Counters of the newest frame that was read: the one before the last with this frame's slot.
+    /// `None` until then, and if you bound the buffer `statistics` yourself.
     pub fn statistics(&self) -> Option<Statistics> {
         self.counters.newest
     }
 
-    /// Copies the counters of the frame before, which the first pass clears.
+    /// Copies the counters of the previous frame, which the first pass clears.
     ///
     /// # Safety
     /// Obligations of [`Self::record`].

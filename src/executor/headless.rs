@@ -51,7 +51,7 @@ impl HeadlessDevice {
     /// Opens a device.
     ///
     /// # Errors
-    /// [`Error::NoDevice`] says what is missing and lists the devices that there are.
+    /// [`Error::NoDevice`] names the missing part and lists the devices found.
     pub fn new(options: &HeadlessOptions) -> Result<Self, Error> {
         // SAFETY: the loader's initialisation is as safe as that library's.
         let entry = unsafe { ash::Entry::load() }.map_err(|e| Error::NoDevice(format!("the Vulkan loader was not found ({e})")))?;
@@ -113,13 +113,13 @@ impl HeadlessDevice {
         self.queue_family
     }
 
-    /// Whether timeline semaphores are enabled: where the device has Vulkan 1.2.
+    /// Whether timeline semaphores are enabled: if the device has Vulkan 1.2.
     pub fn has_timeline_semaphores(&self) -> bool {
         self.timeline_semaphores
     }
 
-    /// Whether synchronization2 is enabled: where the device has Vulkan 1.3. Without it barriers are those of Vulkan 1.0:
-    /// [`super::ExecutorOptions::legacy_barriers`].
+    /// Whether synchronization2 is enabled: if the device has Vulkan 1.3. Without it barriers are
+    /// those of Vulkan 1.0: [`super::ExecutorOptions::legacy_barriers`].
     pub fn has_synchronization2(&self) -> bool {
         self.synchronization2
     }
@@ -140,7 +140,7 @@ impl HeadlessDevice {
         self.errors.clone()
     }
 
-    /// The device with other functions in the place of its own, by name: for tests of calls.
+    /// The device with other functions instead of its own, by name: for tests of calls.
     ///
     /// # Safety
     /// Each has the signature of the function that it stands for, and does what that promises.
@@ -155,7 +155,7 @@ impl HeadlessDevice {
         unsafe { ash::Device::load_with(load, handle) }
     }
 
-    /// Puts functions in the place of those of the device: for tests of calls that fail.
+    /// Puts functions instead of those of the device: for tests of calls that fail.
     ///
     /// # Safety
     /// Obligations of [`Self::device_with`].

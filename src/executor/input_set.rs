@@ -27,19 +27,19 @@ impl InputSet {
         self.images.contains_key(name)
     }
 
-    /// Adds the images that a session has bound now; those of the same names are replaced. What is uploaded to the session later
-    /// goes to other images.
+    /// Adds the images that a session has bound now; those of the same names are replaced. Later
+    /// uploads to the session go to new images.
     ///
     /// # Errors
-    /// [`Error::NoDevice`] where the session is one of another device.
+    /// [`Error::NoDevice`] if the session is on a different device.
     pub fn add(&mut self, session: &Session) -> Result<(), Error> {
         self.check(session)?;
         self.images.extend(session.inputs.iter().map(|(name, image)| (name.clone(), image.clone())));
         Ok(())
     }
 
-    /// Binds the images to those inputs of the same names that the declaration of an executor has. The set has to live as long as
-    /// work that is recorded with them.
+    /// Binds the images to those inputs of the same names that the declaration of an executor has.
+    /// Keep the set alive as long as recorded work uses it.
     ///
     /// # Errors
     /// Errors of [`Executor::bind_image`].
@@ -63,7 +63,7 @@ impl Session {
     /// Binds the images of a set to those inputs of the same names that the declaration has.
     ///
     /// # Errors
-    /// Errors of [`Executor::bind_image`]; [`Error::NoDevice`] for a set of another device.
+    /// Errors of [`Executor::bind_image`]; [`Error::NoDevice`] for a set of a different device.
     pub fn bind_inputs(&mut self, set: &InputSet) -> Result<(), Error> {
         set.check(self)?;
         self.settle()?;

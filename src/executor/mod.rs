@@ -1,7 +1,8 @@
-//! The built-in frame graph: for hosts without one, for tools and for tests.
+//! The built-in frame graph: for engines without one, for tools and for tests.
 //!
-//! It allocates what a declaration asks for, aliases transients by lifetime, keeps history pairs, derives every barrier from the
-//! declared uses, and times passes. A host with a frame graph of its own needs none of this.
+//! It allocates the resources of a declaration, aliases transients by lifetime, keeps history
+//! pairs, derives every barrier from the declared uses, and times passes. If you have a frame
+//! graph, you need none of this.
 
 mod barriers;
 mod bound;
@@ -40,15 +41,16 @@ use profiler::Profiler;
 /// Options of an executor beyond the declaration.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExecutorOptions {
-    /// Usage that every image gets on top of what passes need, for example `TRANSFER_SRC` to read results back.
+    /// Additional usage of every image, for example `TRANSFER_SRC` to read results back.
     pub extra_image_usage: vk::ImageUsageFlags,
-    /// Bytes of which every transient and every copy that is about to be written are filled with NaN before a frame: for tests.
+    /// Fills every transient, and every copy that is about to be written, with NaN before a frame:
+    /// for tests.
     pub poison: bool,
     /// Gives every transient memory of its own: to look at intermediate images.
     pub no_aliasing: bool,
     /// Times every pass by timestamps. Needs a queue family with `timestampValidBits`.
     pub timestamps: bool,
-    /// Places barriers by `vkCmdPipelineBarrier`: for devices without synchronization2, which is not asked for then.
+    /// Places barriers by `vkCmdPipelineBarrier`, for devices without synchronization2.
     pub legacy_barriers: bool,
     /// Labels every pass. `VK_EXT_debug_utils` is enabled on the instance.
     pub debug_labels: bool,
@@ -64,11 +66,11 @@ pub struct AllocatedMemory {
     pub history: u64,
     /// Transients, after aliasing.
     pub transient: u64,
-    /// Outputs that no host image was bound to.
+    /// Outputs without an image of yours.
     pub output: u64,
 }
 
-/// Runs a denoiser on a host's command buffers.
+/// Runs a denoiser on your command buffers.
 pub struct Executor {
     denoiser: Denoiser,
     device: ash::Device,
@@ -136,11 +138,11 @@ impl Executor {
         self.memory.allocated()
     }
 
-    /// Starts a frame, and collects the timestamps that its slot holds.
+    /// Starts a frame, and collects the timestamps of its slot.
     ///
     /// # Errors
-    /// Errors of [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input that nothing is bound to, and an image
-    /// that was bound before [`Self::resize`] alone.
+    /// Errors of [`crate::FrameState::begin`]; [`Error::NotBound`] names a required input without
+    /// an image, and an image that you did not bind again after [`Self::resize`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let (declaration, storages) = (self.denoiser.declaration(), &self.memory.storages);
         let is_required = |id| declaration.resource(id).lifetime != Lifetime::Input { optional: true };
@@ -158,13 +160,14 @@ impl Executor {
         Ok(frame)
     }
 
-    /// The next frame drops all history.
+    /// Makes the next frame drop all history.
     pub fn invalidate(&mut self) {
         self.denoiser.invalidate();
     }
 
-    /// Forgets what was recorded and will never run: a submission failed, or its command buffer was thrown away. The next frame drops
-    /// all history; outputs hold nothing until then, and a capture that waits for a frame ends.
+    /// Forgets recorded work that will never run, for example because a submission failed or you
+    /// threw its command buffer away. The next frame drops all history; outputs hold nothing until
+    /// then, and a capture that waits for a frame ends.
     pub fn forget_recorded(&mut self) {
         self.denoiser.invalidate();
         self.memory.storages.forget();
@@ -173,12 +176,14 @@ impl Executor {
         self.capture.forget();
     }
 
-    /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`]. Not during a capture.
+    /// Makes the next frame count as `index` and drop all history: see
+    /// [`crate::FrameState::restart_at`]. Not during a capture.
     pub fn restart_at(&mut self, index: u64) {
         self.denoiser.restart_at(index);
     }
 
-    /// Gives the passes that run a shader other code, and keeps the history: see [`Denoiser::replace_shader`].
+    /// Replaces the code of a shader in all passes that run it, and keeps the history: see
+    /// [`Denoiser::replace_shader`].
     ///
     /// # Errors
     /// Errors of [`Denoiser::replace_shader`].
@@ -208,7 +213,7 @@ impl Executor {
         Ok(())
     }
 
-    /// Records a phase, and leaves what the host lent in the states in which the passes left it.
+    /// Records a phase, and leaves lent images in the states in which the passes left them.
     ///
     /// # Safety
     /// Obligations of [`Self::record`].
@@ -245,8 +250,8 @@ impl Executor {
         Ok(())
     }
 
-    /// Records the pass `debug_view` once more, with another view: in a submission after that of the frame. Nothing, without
-    /// [`crate::Config::debug_view`] or a view.
+    /// Records the pass `debug_view` again, with a different view, for a submission after that of
+    /// the frame. Does nothing without [`crate::Config::debug_view`] or a view.
     ///
     /// # Errors
     /// Errors of [`Denoiser::record`].

@@ -1,18 +1,19 @@
-//! A whole frame in one call, for hosts that want no graph.
+//! A whole frame in one call, for engines without a frame graph.
 
 use super::{Executor, HostImage};
 use crate::contract::{FrameContext, FrameParams, Lifetime, Phase, ResourceId, ResourceState, Shape, Tuning};
 use crate::error::Error;
 use ash::vk;
 
-/// An image that the host lends for one call of [`Executor::denoise`]: an input, or an output to be written.
+/// An image that you lend for one call of [`Executor::denoise`]: an input, or an output to be
+/// written.
 #[derive(Clone, Copy, Debug)]
 pub struct LentImage<'a> {
-    /// Name of the resource, as `depth`.
+    /// Name of the resource, for example `depth`.
     pub name: &'a str,
     /// The image, in the state in which the call finds it.
     pub image: HostImage,
-    /// The state in which the call leaves it: the accesses of the host that come next. `None`: as it was found.
+    /// The state in which the call leaves it, for your next accesses. `None`: as it was found.
     pub after: Option<ResourceState>,
 }
 
@@ -24,19 +25,21 @@ impl<'a> LentImage<'a> {
 }
 
 impl Executor {
-    /// Denoises a frame on the host's command buffer: begins the frame and records all its phases. Histories and transients are the
-    /// executor's; so are outputs that are not lent, which [`Self::record_copy`] reads.
+    /// Denoises a frame on your command buffer: begins the frame and records all its phases.
+    /// Histories and transients belong to the executor, and so do outputs that you do not lend;
+    /// [`Self::record_copy`] reads them.
     ///
-    /// Every image that the frame has is lent anew: an optional input that is not lent is left out. Buffers that were bound by
-    /// [`Self::bind_buffer`] stay. After [`Self::resize`], images of the new extent are lent. A path tracer that re-shades
-    /// gradient samples works between the phases, so it calls [`Self::begin_frame`] and [`Self::record`] instead.
+    /// Lend every image anew in each frame: an optional input that you do not lend is left out.
+    /// Buffers from [`Self::bind_buffer`] stay. After [`Self::resize`], lend images of the new
+    /// extent. If your path tracer re-shades gradient samples, it works between the phases: call
+    /// [`Self::begin_frame`] and [`Self::record`] instead.
     ///
     /// # Errors
-    /// Errors of [`Self::bind_image`], [`Self::begin_frame`] and [`Self::record`]. A frame that is refused before it began changes
-    /// nothing but what is bound.
+    /// Errors of [`Self::bind_image`], [`Self::begin_frame`] and [`Self::record`]. A frame that is
+    /// refused before it began changes nothing but the bound images.
     ///
     /// # Safety
-    /// Obligations of [`Self::record`]; every image is in the state that is given with it.
+    /// Obligations of [`Self::record`]; every image is in the state given with it.
     pub unsafe fn denoise(
         &mut self,
         cmd: vk::CommandBuffer,

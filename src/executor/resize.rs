@@ -1,21 +1,23 @@
-//! Another extent for an executor or a session: memory is allocated anew, pipelines stay.
+//! A new extent for an executor or a session: memory is allocated anew, pipelines stay.
 
 use super::{Executor, Session};
 use crate::error::Error;
 
 impl Executor {
-    /// Runs the same passes for another extent. Pipelines stay; histories, transients and outputs are allocated anew, and the old
-    /// ones exist until then; the first frame drops all history: see [`Denoiser::resize`](crate::Denoiser::resize).
+    /// Runs the same passes for a new extent. Pipelines stay. Histories, transients and outputs are
+    /// allocated anew, before the old ones are freed. The first frame drops all history: see
+    /// [`Denoiser::resize`](crate::Denoiser::resize).
     ///
-    /// Buffers that the host bound stay bound. Its images do not: [`Self::begin_frame`] names one that was neither bound again nor
-    /// unbound. A capture ends here, since its frames have one extent: `finish_capture` says so if it lacks any.
+    /// Your buffers stay bound. Your images do not: [`Self::begin_frame`] names each one that you
+    /// neither bound again nor unbound. A capture ends here, since its frames have one extent:
+    /// `finish_capture` reports missing frames.
     ///
     /// # Errors
     /// Errors of [`Denoiser::resize`](crate::Denoiser::resize); [`Error::OutOfMemory`]. Nothing is changed then.
     ///
     /// # Safety
-    /// GPU work that was recorded with this executor is complete, in every frame slot, and none is recorded that has yet to be
-    /// submitted.
+    /// All GPU work recorded with this executor is complete, in every frame slot, and no recorded
+    /// work is left to submit.
     pub unsafe fn resize(&mut self, allocated_extent: [u32; 2]) -> Result<(), Error> {
         let declaration = self.denoiser.resized(allocated_extent)?;
         // SAFETY: no GPU work uses the memory that is replaced, and the device has the formats and is large enough for the extent.
@@ -32,8 +34,8 @@ impl Executor {
 }
 
 impl Session {
-    /// Runs the same passes for another extent, without history and without input images: upload each again, or unbind it. Buffers
-    /// and pipelines stay: see [`Executor::resize`].
+    /// Runs the same passes for a new extent, without history and without input images: upload each
+    /// again, or unbind it. Buffers and pipelines stay: see [`Executor::resize`].
     ///
     /// # Errors
     /// Errors of [`Executor::resize`]. Nothing is changed then.

@@ -1,4 +1,5 @@
-//! Frames from slices to slices, one after the other: for tools, tests and whoever has no engine.
+//! Frames from slices to slices, one after the other: for tools, tests, and programs without an
+//! engine.
 
 use super::barriers::Barriers;
 use super::headless::HeadlessDevice;
@@ -27,8 +28,9 @@ pub struct SessionOptions {
 
 /// An executor with a command buffer, a staging buffer and images for the inputs. Every frame is waited for.
 ///
-/// A call of Vulkan that fails is returned by the method that makes it, and the session stays usable, unless the device is lost. Where
-/// it was to run commands, the next frame drops all history, and there is nothing to download until then.
+/// A failed call of Vulkan is returned by the method that makes it, and the session stays usable
+/// unless the device is lost. If commands did not run, the next frame drops all history, and you
+/// can download nothing until then.
 pub struct Session {
     // Declared before `gpu`, so that it is dropped first.
     pub(super) executor: Executor,
@@ -83,17 +85,18 @@ impl Session {
         &self.executor
     }
 
-    /// The next frame drops all history.
+    /// Makes the next frame drop all history.
     pub fn invalidate(&mut self) {
         self.executor.invalidate();
     }
 
-    /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`]. Not during a capture.
+    /// Makes the next frame count as `index` and drop all history: see
+    /// [`crate::FrameState::restart_at`]. Not during a capture.
     pub fn restart_at(&mut self, index: u64) {
         self.executor.restart_at(index);
     }
 
-    /// Gives the passes that run a shader other code, and keeps the history: see
+    /// Replaces the code of a shader in all passes that run it, and keeps the history: see
     /// [`Denoiser::replace_shader`](crate::Denoiser::replace_shader).
     ///
     /// # Errors
@@ -143,8 +146,8 @@ impl Session {
         Ok(frame)
     }
 
-    /// Texels of the output `debug_view` for the last frame with any view, as often as there are views to show: rgb as it is
-    /// displayed, linear; alpha: the number behind it.
+    /// Texels of the output `debug_view` for the last frame, with any view. You may call it once
+    /// for each view. rgb: display-referred, linear; alpha: the number behind it.
     ///
     /// # Errors
     /// Errors of [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
@@ -202,7 +205,8 @@ impl Session {
         self.executor.capture(folder, frames)
     }
 
-    /// Writes what was captured and not yet written, and ends the capture: see [`Executor::finish_capture`].
+    /// Writes the captured frames that are not yet written, and ends the capture: see
+    /// [`Executor::finish_capture`].
     ///
     /// # Errors
     /// Errors of [`Executor::finish_capture`].
@@ -213,7 +217,7 @@ impl Session {
         unsafe { self.executor.finish_capture() }
     }
 
-    /// GPU time per pass of the frame before the last: see [`Executor::times`].
+    /// GPU time per pass of the previous frame the last: see [`Executor::times`].
     pub fn times(&self) -> Vec<PassTime> {
         self.executor.times()
     }
@@ -228,8 +232,8 @@ impl Session {
         self.staging.as_mut().ok_or(Error::OutOfMemory { what: "a staging buffer".into(), bytes: size })
     }
 
-    /// Records, submits and waits. Where that fails, what was recorded has not run, or nobody knows how far: the next frame drops all
-    /// history, and there is no frame to look at until then.
+    /// Records, submits and waits. If that fails, the commands may have run only in part: the next
+    /// frame drops all history, and there is no frame to look at until then.
     pub(super) fn submit(&mut self, record: impl FnOnce(&mut Self, vk::CommandBuffer) -> Result<(), Error>) -> Result<(), Error> {
         self.submit_and_wait(record).inspect_err(|_| {
             self.executor.forget_recorded();

@@ -11,8 +11,8 @@ use ash::vk;
 use std::sync::Arc;
 
 impl Session {
-    /// Sets an input image from one value a texel of the allocated extent, row by row. Components that the stage does not read do
-    /// not matter.
+    /// Sets an input image from one value per texel of the allocated extent, row by row. Unread
+    /// components do not matter.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::Format`] for an image of ids, [`Error::Size`] for a wrong number of texels.
@@ -29,7 +29,8 @@ impl Session {
     }
 
     /// Sets an input image from raw texels of the format that its declaration prefers
-    /// ([`ImageFormat::preferred`](crate::ImageFormat::preferred)), row by row: for times and traffic as a host has them.
+    /// ([`ImageFormat::preferred`](crate::ImageFormat::preferred)), row by row: for the times and
+    /// traffic of a real engine.
     ///
     /// # Errors
     /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Size`] for a wrong number of bytes.

@@ -1,8 +1,10 @@
-//! A denoiser composed from nodes: what a host builds, what the presets are built with.
+//! A denoiser composed from nodes. The presets are built in this way, and so are graphs of your
+//! own.
 //!
-//! A [`Graph`] collects nodes. A node is a method of the graph: it takes ports, adds its resources and passes, and returns ports. A
-//! wrong wire does not compile, since ports are typed by what is in their images; what types cannot tell is an [`Error::Graph`] of
-//! [`Graph::finish`] with the node, the port and what to do. The result is a [`Declaration`], plain data, which [`crate::Denoiser`]
+//! A [`Graph`] collects nodes. A node is a method of the graph: it takes ports, adds its resources
+//! and passes, and returns ports. A wrong wire does not compile, since ports are typed by the
+//! content of their images. Every other mistake is an [`Error::Graph`] of [`Graph::finish`] with
+//! node, port and remedy. The result is a [`Declaration`], plain data, which [`crate::Denoiser`]
 //! records on a GPU and [`crate::reference::Engine`] runs on the CPU.
 //!
 //! ```
@@ -23,8 +25,9 @@
 //! # Ok::<(), atrous::Error>(())
 //! ```
 //!
-//! Names of resources and passes are those of the node with the label of the signal behind it: `noisy_direct` gives
-//! `moments_direct`. A node that stands twice in a graph for the same signal needs a [`Graph::scope`], whose name goes behind that.
+//! Names of resources and passes are those of the node, followed by the label of the signal: for
+//! example, `noisy_direct` gives `moments_direct`. Put a node that appears twice for the same
+//! signal into a [`Graph::scope`], whose name follows the label.
 
 mod check;
 mod matching;
@@ -62,14 +65,15 @@ pub enum Feedback {
     /// The accumulated picture itself. Keeps more detail.
     #[default]
     Accumulated,
-    /// The output of the first level of a filter, as \[SVGF\] 4.1 has it: [`crate::nodes::Atrous::feedback`]. Takes more noise.
+    /// The output of the first level of a filter, as in \[SVGF\] 4.1:
+    /// [`crate::nodes::Atrous::feedback`]. Removes more noise.
     Filtered,
 }
 
 /// Nodes that were composed so far.
 #[derive(Debug)]
 pub struct Graph {
-    /// Tells the images of one graph from those of another.
+    /// Distinguishes the images of this graph from those of other graphs.
     key: u32,
     setup: Setup,
     config: Option<Config>,
@@ -94,7 +98,7 @@ struct ResourceState {
     version: u32,
     /// Label behind the names of resources and passes of its signal; empty for the only one.
     label: String,
-    /// What a graph has to do so that a history is written.
+    /// The node that a graph needs so that a history is written.
     writer: Option<&'static str>,
 }
 
@@ -126,25 +130,27 @@ impl Graph {
         Self { setup: config.setup(), config: Some(*config), ..Self::new(config.allocated_extent) }
     }
 
-    /// Sets the encodings of the host's guides. Default: [`Conventions::default`].
+    /// Sets the encodings of your guides. Default: [`Conventions::default`].
     pub fn conventions(self, conventions: Conventions) -> Self {
         Self { setup: Setup { conventions, ..self.setup }, ..self }
     }
 
-    /// Frames that the host records before it waits for the oldest, 1 to 8. Default: 2.
+    /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
         Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }
     }
 
-    /// Sets whether transients may lie in the images of outputs, before an output itself is written and in the same phase: 8 bytes a
-    /// pixel for most graphs. Not for a host that still reads the output of the frame before while that phase runs, or that wants
-    /// to see every transient. Default: true.
+    /// Sets whether transients may lie in the images of outputs, before an output itself is written
+    /// and in the same phase. It saves 8 bytes per pixel in most graphs. Turn it off if you still
+    /// read the output of the previous frame while that phase runs, or want to see every transient.
+    /// Default: true.
     pub fn share_outputs(self, share_outputs: bool) -> Self {
         Self { share_outputs, ..self }
     }
 
-    /// Nodes of `body` under names of their own: `_name` stands behind the names of their resources and passes. For a node that
-    /// stands twice in a graph. Inputs of the host keep their names, so that both read the same ones.
+    /// Gives the nodes of `body` names of their own: `_name` follows the names of their resources
+    /// and passes. Use it for a node that appears twice in a graph. Your inputs keep their names,
+    /// so that both nodes read the same ones.
     pub fn scope<T>(&mut self, name: &str, body: impl FnOnce(&mut Self) -> T) -> T {
         self.scopes.push(name.to_owned());
         let result = body(self);
@@ -152,7 +158,7 @@ impl Graph {
         result
     }
 
-    /// Gives the host an image: it becomes an output of this name, which the host allocates and reads.
+    /// Makes an image an output of this name, which you allocate and read.
     pub fn output<K>(&mut self, name: &str, port: &Port<K>) {
         self.output_image(name, port.image());
         if port.signals() > 1 {
@@ -163,9 +169,10 @@ impl Graph {
     /// The graph as plain data.
     ///
     /// # Errors
-    /// [`Error::Extent`] and [`Error::Config`] for extents and frames in flight that are out of range; [`Error::Graph`] names node,
-    /// port and remedy: an image of another graph, stale content, a read of what nothing writes, a cycle, two writers, a history
-    /// that nothing writes, a format that does not fit, a name that is taken.
+    /// [`Error::Extent`] and [`Error::Config`] for extents and frames in flight that are out of
+    /// range; [`Error::Graph`] names node, port and remedy: for example an image of a different
+    /// graph, stale content, a read of unwritten content, a cycle, two writers, an unwritten
+    /// history, a wrong format, or a name that is taken.
     pub fn finish(mut self) -> Result<Declaration, Error> {
         self.setup.validate()?;
         if self.errors.is_empty() {
@@ -180,7 +187,8 @@ impl Graph {
         errors.into_iter().next().map_or(Ok(Declaration { setup, config, resources, passes }), Err)
     }
 
-    /// Notes an error of a node. The first one is the one that [`Self::finish`] returns, since later ones may follow from it.
+    /// Notes an error of a node. [`Self::finish`] returns the first one, since later ones may
+    /// follow from it.
     pub(crate) fn fail(&mut self, node: &str, port: &str, problem: String) {
         self.errors.push(Error::Graph { node: node.to_owned(), port: port.to_owned(), problem });
     }

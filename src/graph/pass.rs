@@ -9,10 +9,11 @@ use crate::shaders::ShaderRef;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Value {
-    /// The field of [`crate::Tuning`] that has the name of the parameter: it may change from frame to frame.
+    /// The field of [`crate::Tuning`] with the name of the parameter. It may change from frame to
+    /// frame.
     #[default]
     Own,
-    /// Another field of [`crate::Tuning`], by name.
+    /// A different field of [`crate::Tuning`], by name.
     Tunable(&'static str),
     /// A fixed number, in every frame.
     Fixed(f32),
@@ -53,7 +54,7 @@ pub(crate) struct Pass {
 }
 
 impl Pass {
-    /// A dispatch of one invocation a pixel, after lighting.
+    /// A dispatch of one invocation per pixel, after lighting.
     pub fn new(node: &str, shader: impl Into<ShaderRef>) -> Self {
         Self {
             node: node.to_owned(),

@@ -4,8 +4,9 @@ use super::Graph;
 use crate::contract::{life, Lifetime, ResourceId, Shape};
 
 impl Graph {
-    /// Gives transients the images of outputs: those of the same format and size whose last use comes before the output's first,
-    /// in the same phase, since until then the host may still read what the frame before left there.
+    /// Gives transients the images of outputs: those of the same format and size whose last use
+    /// comes before the output's first, in the same phase, since until then the host may still read
+    /// what the previous frame left there.
     pub(super) fn put_transients_into_outputs(&mut self) {
         let ids = (0..self.resources.len() as u32).map(ResourceId);
         let mut given = vec![None; self.resources.len()];

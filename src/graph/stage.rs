@@ -1,4 +1,4 @@
-//! A stage of the host: its own compute shader as a pass between ours.
+//! A stage of your own: your compute shader as a pass between ours.
 
 use super::{Graph, Image, Pass, Value};
 use crate::contract::{Grid, Lifetime, Phase, UseFrame};
@@ -9,12 +9,13 @@ use crate::ImageFormat;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A compute shader of the host that runs as a stage.
+/// A compute shader of yours that runs as a stage.
 ///
-/// Everything that the graph has to know of it is read from the SPIR-V: bindings of descriptor set 0 with their names, push
-/// constants, specialisation constants, workgroup size. A uniform block called `frame` is bound to the frame's constants
-/// (`glsl/include/frame.glsl`), a storage buffer called `statistics` to the counters. Members of the push constants called `level`
-/// and `present`, and those with the name of a tunable, are filled by the recorder. One invocation is dispatched for each pixel of
+/// The graph reads its interface from the SPIR-V: bindings of descriptor set 0 with their names,
+/// push constants, specialisation constants, workgroup size. A uniform block called `frame` is
+/// bound to the frame's constants (`glsl/include/frame.glsl`), a storage buffer called `statistics`
+/// to the counters. Members of the push constants called `level` and `present`, and those with the
+/// name of a tunable, are filled by the recorder. One invocation is dispatched for each pixel of
 /// the render extent.
 #[derive(Clone, Debug)]
 pub struct Stage {
@@ -27,8 +28,9 @@ impl Stage {
     /// name.
     ///
     /// # Errors
-    /// [`Error::Stage`] for what is no compute shader, has a binding without a name or of a kind that passes cannot have, numbers
-    /// bindings with a gap or in another set than 0, or has more than 128 bytes of push constants.
+    /// [`Error::Stage`] if the module is no compute shader, has a binding without a name or of a
+    /// kind that passes cannot have, numbers bindings with a gap or outside set 0, or has more than
+    /// 128 bytes of push constants.
     pub fn new(name: &str, spirv: &[u32]) -> Result<Self, Error> {
         let failed = |problem: String| Error::Stage { stage: name.to_owned(), problem };
         let code = spirv.iter().flat_map(|word| word.to_ne_bytes()).collect();
@@ -42,7 +44,7 @@ impl Stage {
     }
 }
 
-/// A stage of the host that is being put into a graph; [`StageCall::add`] ends it.
+/// A stage of yours that is being put into a graph; [`StageCall::add`] ends it.
 #[derive(Debug)]
 #[must_use = "a stage is in the graph when `add` was called"]
 pub struct StageCall<'g> {
@@ -72,7 +74,7 @@ impl StageOutputs {
 }
 
 impl Graph {
-    /// Begins a stage of the host. Each image is given by the name of its binding in the shader.
+    /// Begins a stage of yours. Name each image by its binding in the shader.
     pub fn stage(&mut self, stage: &Stage) -> StageCall<'_> {
         let node = self.node(&stage.shader.name, "");
         let shader = stage.shader.clone();
@@ -88,13 +90,13 @@ impl StageCall<'_> {
         self
     }
 
-    /// Binds the content that an image had one frame ago. It keeps two copies from then on.
+    /// Binds the content that an image had one frame ago. The image has two copies then.
     pub fn previous(mut self, binding: &str, image: Image) -> Self {
         self.pass = self.pass.previous(binding, image);
         self
     }
 
-    /// An image of the host, an input of any float format under this name.
+    /// An image of yours: an input of any float format under this name.
     pub fn input(self, binding: &str, name: &str) -> Self {
         let image = self.graph.input(name, super::HOST_COLOUR, 1, false);
         self.bind(binding, image)
@@ -130,8 +132,8 @@ impl StageCall<'_> {
         self
     }
 
-    /// Adds the stage. Every storage image that it writes and that was not given is made: a transient of the format that the shader
-    /// names.
+    /// Adds the stage. Every storage image that it writes and that you did not bind becomes a
+    /// transient, of the format in the shader.
     pub fn add(mut self) -> StageOutputs {
         let mut images = BTreeMap::new();
         for binding in self.shader.bindings.iter() {

@@ -1,4 +1,4 @@
-//! The stages as nodes of a [`Graph`]: which shader, which images, how each is touched.
+//! The stages as nodes of a [`Graph`]: the shader of each, its images, and their uses.
 //!
 //! A node is a method of [`Graph`] in the file of its stage, with its parameters in a struct that has defaults. It adds passes and
 //! allocates nothing. Beside it, in `twin.rs`, stands the stage on the CPU; [`STAGES`] lists them all.

@@ -6,8 +6,8 @@ use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
 
-/// A-SVGF: temporal gradients say how far each pixel's history is still true; the rest is SVGF with a 3×3 box, and
-/// with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
+/// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
+/// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
 ///
 /// It reads `signals`, `sampling`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and
 /// `surface_id` of the configuration.

@@ -1,4 +1,4 @@
-//! The filter of choice: everything that made pictures better, in one graph.
+//! The default filter: every part that made pictures better, in one graph.
 
 use super::specular::{compared, modulated, Specular};
 use super::{gradient_samples, noisy, Denoised};
@@ -6,24 +6,28 @@ use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
 
-/// Parameters of [`best_with`]: what [`best`] has beyond A-SVGF, part by part. `docs/lab/quality.md` has what each of them is worth.
+/// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
+/// `docs/lab/quality.md` measures the worth of each.
 #[derive(Clone, Copy, Debug)]
 pub struct Best {
-    /// Whether history is scaled where the samples of a place say by how much the light changed. Default: true.
+    /// Whether history is scaled by the ratio of light, where the samples around a pixel agree on
+    /// it. Default: true.
     pub light_ratio: bool,
-    /// Whether the change test of [`super::percentile`] stands in where no gradient is known, and has gradients not count where it is sure
-    /// that nothing changed. Default: true.
+    /// Whether the change test of [`super::percentile`] replaces unknown gradients, and overrules
+    /// gradients where it is sure that nothing changed. Default: true.
     pub change_test: bool,
-    /// Whether outliers are taken out before the history. Default: true.
+    /// Whether the firefly filter runs before the history. Default: true.
     pub firefly_filter: bool,
     /// Source of the history. Default: [`Feedback::Accumulated`].
     pub feedback: Feedback,
-    /// Whether history is looked up by a cubic: [`Accumulation::sharp`], [`super::Specular::sharp`]. Default: true.
+    /// Whether history is read by a cubic: [`Accumulation::sharp`], [`super::Specular::sharp`].
+    /// Default: true.
     pub sharp: bool,
     /// Default: [`Estimator::Fading`], of a deviation half-way to that of the mean.
     pub variance: Variance,
-    /// Spatial filter of the light that is not apart; `feedback` sets its own. Default: as many levels of 9 taps as the configuration says,
-    /// with deviations that taps share; specular light has the latter, too.
+    /// Spatial filter of all light but a separate specular signal; `feedback` sets its own.
+    /// Default: the levels of the configuration with 9 taps, and deviations that taps share;
+    /// specular light shares them too.
     pub spatial: Atrous,
 }
 
@@ -42,9 +46,10 @@ impl Best {
     }
 }
 
-/// A-SVGF whose history follows the light instead of being dropped where the samples of a place say by how much it changed, is not
-/// filtered, and is not blurred by motion; outliers are taken out before it. Where no gradient is known, the change test of
-/// [`super::percentile`] takes its place. `docs/lab/quality.md` has what each of these is worth.
+/// A-SVGF whose history follows the light instead of being dropped, where the samples around a
+/// pixel agree on the change. The history is not filtered and not blurred by motion; a firefly
+/// filter runs before it. Where no gradient is known, the change test of [`super::percentile`]
+/// replaces it. `docs/lab/quality.md` measures the worth of each part.
 ///
 /// It reads `signals`, `sampling`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.

@@ -1,4 +1,4 @@
-//! The cheapest filter that follows light that changes.
+//! The cheapest filter that follows changing light.
 
 use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
@@ -6,15 +6,17 @@ use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 
-/// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the history: for hosts that count every
-/// microsecond. `docs/lab/performance.md` has what it costs and how good it is beside the others.
+/// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the
+/// history. Take it if you count every microsecond. `docs/lab/performance.md` compares its cost and
+/// quality with the others.
 ///
 /// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     fast_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Box, ..Atrous::default() })
 }
 
-/// [`fast`] with another spatial filter of the light that is not apart; its first level writes the history whatever `feedback` says.
+/// [`fast`] with a different spatial filter of all light but a separate specular signal. Its first
+/// level always writes the history.
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });

@@ -1,12 +1,13 @@
-//! The part that presets with temporal gradients share: before lighting the samples, after it the confidence in each pixel's
-//! history.
+//! The part that presets with temporal gradients share: samples before lighting, and the confidence
+//! in each pixel's history after it.
 
 use crate::config::{Config, GradientSource};
 use crate::graph::{Confidence, Gradient, Graph, Guides, Radiance};
 use crate::nodes::{ForwardProject, GradientAtrous, Gradients};
 
-/// The source of gradients, by [`Config::gradient_source`]; for [`GradientSource::ForwardProjected`] with the output
-/// `gradient_samples`. `None`: the host's own confidence takes the place of gradients.
+/// The source of gradients, by [`Config::gradient_source`]; for
+/// [`GradientSource::ForwardProjected`] with the output `gradient_samples`. `None`: your own
+/// confidence replaces gradients.
 pub fn gradient_samples(g: &mut Graph, guides: &Guides, config: &Config) -> Option<Gradients> {
     let &Config { stratum_size, forward_motion, surface_id, .. } = config;
     match config.gradient_source {
@@ -26,11 +27,11 @@ pub fn gradient_samples(g: &mut Graph, guides: &Guides, config: &Config) -> Opti
 pub struct ChangeOfLight {
     /// Confidence in the history.
     pub confidence: Confidence,
-    /// The reconstructed gradients; `None`: the host's own confidence takes their place.
+    /// The reconstructed gradients; `None`: your own confidence replaces them.
     pub gradient: Option<Gradient>,
 }
 
-/// Confidence in the history from the gradients of `noisy`, or from the host where there are none.
+/// Confidence in the history from the gradients of `noisy`, or your own if there are none.
 pub fn change_of_light(g: &mut Graph, guides: &Guides, noisy: &Radiance, gradients: Option<Gradients>) -> ChangeOfLight {
     let Some(source) = gradients else {
         return ChangeOfLight { confidence: g.host_confidence(), gradient: None };

@@ -1,7 +1,9 @@
-//! Presets: each a short list of nodes, in functions that a host can call in a graph of its own, read, copy and cut.
+//! Presets: each is a short list of nodes in a function, which you can call in a graph of your own,
+//! read, copy and cut.
 //!
-//! A preset takes the guides of [`Graph::import`] and the signals that are filtered, and returns [`Denoised`]. [`Config::declare`]
-//! puts around it what a [`Config`] asks for: the inputs of the host, a volume, the post-process, the debug view.
+//! A preset takes the guides of [`Graph::import`] and the noisy signals, and returns [`Denoised`].
+//! [`Config::declare`] adds the parts that a [`Config`] asks for: your inputs, a volume, the
+//! post-process, the debug view.
 
 mod asvgf;
 mod best;
@@ -38,7 +40,7 @@ use crate::nodes::{Import, Known};
 pub struct Denoised {
     /// Denoised radiance.
     pub radiance: Radiance,
-    /// Images that can be shown of the way there: for [`Graph::debug_view`].
+    /// Intermediate images, for [`Graph::debug_view`].
     pub known: Known,
 }
 
@@ -59,7 +61,8 @@ impl Config {
         self.graph_of(filter_of(self.preset))
     }
 
-    /// [`Self::graph`] with another filter of surfaces than the preset's, such as [`best_with`] with other parts, or one of the host.
+    /// [`Self::graph`] with a filter of surfaces other than that of the preset, for example
+    /// [`best_with`] with other parts, or one of your own.
     ///
     /// # Errors
     /// Errors of [`Config::validate`].
@@ -130,8 +133,8 @@ fn outputs(g: &mut Graph, denoised: &Denoised) {
     }
 }
 
-/// The host's noisy radiance: `noisy_radiance`; `noisy_direct` and `noisy_indirect` as a pair; or `noisy_diffuse`, beside which
-/// [`specular`] filters the rest.
+/// Your noisy radiance: `noisy_radiance`; `noisy_direct` and `noisy_indirect` as a pair; or
+/// `noisy_diffuse`, beside which [`specular`] filters the rest.
 pub fn noisy(g: &mut Graph, signals: Signals) -> Radiance {
     match signals {
         Signals::Together => g.radiance("noisy_radiance"),
@@ -143,7 +146,7 @@ pub fn noisy(g: &mut Graph, signals: Signals) -> Radiance {
     }
 }
 
-/// Tone map and temporal anti-aliasing into the output `display`, where they are wanted.
+/// Tone map and temporal anti-aliasing into the output `display`, as configured.
 pub fn post_process(g: &mut Graph, guides: &Guides, post_process: PostProcess, radiance: &Radiance) {
     let display = match post_process {
         PostProcess::None => return,

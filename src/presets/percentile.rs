@@ -6,7 +6,8 @@ use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
 
-/// Percentile-adaptive SVGF: statistics of 8×8 pixels take out fireflies and say where history is out of date. \[PSVGF\]
+/// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
+/// \[PSVGF\]
 ///
 /// It reads `signals`, `sampling`, `levels`, `adaptive_rule` and `block_sort` of the configuration.
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {

@@ -1,4 +1,4 @@
-//! The filter of specular light, which presets have beside that of diffuse light.
+//! The filter of specular light, beside that of diffuse light.
 
 use crate::config::{Config, Signals};
 use crate::graph::{Confidence, Difference, Feedback, Gradient, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
@@ -6,7 +6,7 @@ use crate::nodes::{
     Albedo, Atrous, Demodulate, Estimator, GradientAtrous, Gradients, Kernel, Modulate, SpecularAccumulation, Variance,
 };
 
-/// Parameters of [`specular`]: what differs from preset to preset.
+/// Parameters of [`specular`], which differ from preset to preset.
 #[derive(Clone, Copy, Debug)]
 pub struct Specular {
     /// Source of the history.
@@ -15,20 +15,22 @@ pub struct Specular {
     pub variance: Variance,
     /// Kernel of the wavelet levels.
     pub kernel: Kernel,
-    /// Whether luminance is compared by the deviation of taps, too.
+    /// Whether the deviation of taps counts when luminance is compared.
     pub shared_deviation: bool,
-    /// Whether history is looked up by a cubic: [`SpecularAccumulation::sharp`].
+    /// Whether history is read by a cubic: [`SpecularAccumulation::sharp`].
     pub sharp: bool,
     /// Confidence in the history, which no ratio of light scales.
     pub confidence: Option<Confidence>,
-    /// Difference of diffuse light from its history: with that of specular light it is what a change test looks at, whose confidence takes
-    /// the place of `confidence`, unless there are `gradients`. Default: none.
+    /// Difference of diffuse light from its history. A change test of it and of specular light then
+    /// replaces `confidence`, unless there are `gradients`. Default: none.
     pub difference: Option<Difference>,
-    /// Source of gradients of specular light alone, from which it then has a confidence of its own in place of `confidence`: light that
-    /// changes only what is seen in a mirror leaves diffuse light its history, where that has gradients of its own, too. Samples that the
-    /// host shades again alone are a source: the others are of all light. Costs 8 bytes a pixel. Default: none.
+    /// Source of gradients of specular light alone, from which it then has a confidence of its own
+    /// in place of `confidence`: light that changes only what is seen in a mirror leaves diffuse
+    /// light its history, where that has gradients of its own, too. Samples that the host shades
+    /// again alone are a source: the others are of all light. Costs 8 bytes per pixel. Default:
+    /// none.
     pub gradients: Option<Gradients>,
-    /// Pixels that the host shades again.
+    /// Re-shaded pixels.
     pub samples: Option<GradientSamples>,
 }
 
@@ -48,7 +50,8 @@ impl Default for Specular {
     }
 }
 
-/// Filters `noisy_specular`: irradiance by the specular albedo, and what is seen in the surfaces.
+/// Filters `noisy_specular`: irradiance by the specular albedo, and the reflections in the
+/// surfaces.
 ///
 /// It reads `sampling` and `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {

@@ -6,8 +6,8 @@ use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Demodulate, Estimator, Known, Modulate, Variance};
 
-/// A-RAE: `noisy_radiance` is compared, `other_denoised_radiance` is accumulated, divided by the albedo like every signal, so that
-/// textures stay. \[ASVGF\] 4
+/// A-RAE: `noisy_radiance` is compared and `other_denoised_radiance` is accumulated. Both are
+/// divided by the albedo, so that textures stay. \[ASVGF\] 4
 ///
 /// It reads `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.

@@ -5,11 +5,12 @@ use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Known, VolumeAtrous};
 
-/// The passes of a volume, alone or behind those of any preset for surfaces, whose guides they read. \[PSVGF\]
+/// The passes of a volume, alone or after those of any preset for surfaces, whose guides they read.
+/// \[PSVGF\]
 ///
-/// One graph for both, rather than two denoisers of which one takes the other's guide as an input: the host schedules one list of
-/// passes, begins one frame, and the guide has one owner. It reads `levels` (at least 2, since the first one writes the history),
-/// `firefly_filter` and `block_sort` of the configuration.
+/// Both share one graph: you schedule one list of passes and begin one frame, and the guide has one
+/// owner. It reads `levels` (at least 2, since the first one writes the history), `firefly_filter`
+/// and `block_sort` of the configuration.
 pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let volume = g.volume();
     let motion = g.volume_motion(guides, &volume);

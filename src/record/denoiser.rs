@@ -1,4 +1,5 @@
-//! Records a declaration into a host's command buffers: the Vulkan objects of its passes, and nothing else.
+//! Records a declaration into your command buffers: the Vulkan objects of its passes, and nothing
+//! else.
 
 use super::binding::{absent_gradients, check_bindings, descriptor, present};
 use super::device::Device;
@@ -19,7 +20,7 @@ pub struct Denoiser {
     life: FrameLife,
     device: ash::Device,
     pipelines: Pipelines,
-    /// Limits of the physical device, which another extent has to keep as well.
+    /// Limits of the physical device, which a new extent has to keep as well.
     limits: vk::PhysicalDeviceLimits,
     /// Whether the warning about missing gradients was logged.
     warned: AtomicBool,
@@ -31,7 +32,7 @@ impl Denoiser {
     /// [`Device::pipeline_cache`].
     ///
     /// # Errors
-    /// Errors of [`Requirements::check_device`]; [`Error::Vulkan`] where a call fails.
+    /// Errors of [`Requirements::check_device`]; [`Error::Vulkan`] if a call fails.
     ///
     /// # Safety
     /// - Instance, physical device and device are live, belong together and outlive the result.
@@ -51,10 +52,11 @@ impl Denoiser {
         Ok(Self { life: FrameLife::new(&declaration), declaration, device, pipelines, limits, warned: AtomicBool::new(false) })
     }
 
-    /// Declares everything for images of another extent, and keeps every pipeline and descriptor set: the passes are the same. The
-    /// host allocates its images anew, by [`Self::declaration`]. All else is as after creation: frames count from 0, and the first
-    /// one drops all history, for [`ResetReason::Resize`](crate::ResetReason::Resize). Work that was recorded before may still be
-    /// in flight, as long as its images live.
+    /// Declares everything for images of a different extent, and keeps every pipeline and
+    /// descriptor set: the passes are the same. Allocate your images anew, by
+    /// [`Self::declaration`]. All else is as after creation: frames count from 0, and the first one
+    /// drops all history, for [`ResetReason::Resize`](crate::ResetReason::Resize). Work that was
+    /// recorded before may still be in flight, as long as its images live.
     ///
     /// # Errors
     /// [`Error::Extent`], as [`Config::declare`](crate::Config::declare) gives it; [`Error::Unsupported`] for an extent beyond the
@@ -65,7 +67,7 @@ impl Denoiser {
         Ok(())
     }
 
-    /// The declaration for another extent, if the device is large enough for it.
+    /// The declaration for a different extent, if the device is large enough for it.
     pub(crate) fn resized(&self, allocated_extent: [u32; 2]) -> Result<Declaration, Error> {
         let declaration = self.declaration.with_extent(allocated_extent)?;
         Requirements::new(&declaration).check_limits(&self.limits)?;
@@ -83,8 +85,9 @@ impl Denoiser {
         &self.declaration
     }
 
-    /// Starts a frame. It drops all history, for [`ResetReason::Created`](crate::ResetReason::Created), where the frame before was
-    /// begun and not recorded up to its last write to a history: record each frame before the next is begun.
+    /// Starts a frame. Record each frame before you begin the next: a frame drops all history, for
+    /// [`ResetReason::Created`](crate::ResetReason::Created), if the previous one was not recorded
+    /// up to its last write to a history.
     ///
     /// # Errors
     /// Errors of [`FrameState::begin`](crate::FrameState::begin).
@@ -121,7 +124,7 @@ impl Denoiser {
     /// Errors of [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
     ///
     /// # Safety
-    /// - `spirv` is valid for Vulkan 1.1: what a compiler made, not what a stranger sent.
+    /// - `spirv` is valid for Vulkan 1.1: the output of a compiler, not bytes from a stranger.
     /// - GPU work that was recorded with this denoiser is complete, in every frame slot, and none is recorded that has yet to be
     ///   submitted: the old pipeline is destroyed. A host with frames in flight waits for all of them, for example with
     ///   `vkDeviceWaitIdle`.

@@ -23,9 +23,9 @@ pub struct Device<'a> {
 }
 
 impl Device<'_> {
-    /// Loads the functions of a device that was made elsewhere: for a host on another version of `ash`, or on none. Handles come as
-    /// the numbers that they are (`vk::Handle::as_raw`), `get_instance_proc_addr` as a pointer to the function of the loader that
-    /// made the instance.
+    /// Loads the functions of a device that was made elsewhere, if you have a different version of
+    /// `ash`, or none. Handles come as the numbers that they are (`vk::Handle::as_raw`),
+    /// `get_instance_proc_addr` as a pointer to the function of the loader that made the instance.
     ///
     /// ```no_run
     /// # use ash::vk::Handle;
@@ -45,7 +45,8 @@ impl Device<'_> {
     /// [`Error::NullHandle`] names the one that is null.
     ///
     /// # Safety
-    /// `get_instance_proc_addr` is `vkGetInstanceProcAddr`; the handles are live, belong together, and outlive what is made of them.
+    /// `get_instance_proc_addr` is `vkGetInstanceProcAddr`; the handles are live, belong together,
+    /// and outlive every object made from them.
     pub unsafe fn from_raw(
         get_instance_proc_addr: *const c_void,
         instance: u64,

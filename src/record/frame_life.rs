@@ -4,7 +4,7 @@ use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, PassDe
 use crate::error::Error;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
-/// The memory of the frame before, and how far the frame that was begun last has come.
+/// The memory of the previous frame, and how far the frame that was begun last has come.
 pub(crate) struct FrameLife {
     state: FrameState,
     /// Passes of which each has to be recorded before the frame can be history: all up to the last that writes one.
@@ -30,7 +30,7 @@ impl FrameLife {
         }
     }
 
-    /// Starts a frame, which drops all history where the frame before was not recorded.
+    /// Starts a frame, which drops all history where the previous frame was not recorded.
     pub fn begin(&mut self, declaration: &Declaration, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let mut state = self.state.clone();
         let is_whole = !self.missing.iter().any(|missing| missing.load(Relaxed));
@@ -70,7 +70,7 @@ impl FrameLife {
     }
 }
 
-/// The slot of a frame is one of those that there are.
+/// The slot of a frame is below `frames_in_flight`.
 pub(crate) fn check_slot(declaration: &Declaration, frame: &FrameContext) -> Result<(), Error> {
     let frames_in_flight = declaration.setup().frames_in_flight;
     let given = frame.slot;

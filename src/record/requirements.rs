@@ -19,7 +19,7 @@ impl Requirements {
         Self { declaration: declaration.clone() }
     }
 
-    /// Checks what the nodes need: Vulkan 1.1, compute, limits and formats.
+    /// Checks the needs of the nodes: Vulkan 1.1, compute, limits and formats.
     ///
     /// # Errors
     /// [`Error::Unsupported`] lists everything that is missing.
@@ -64,7 +64,7 @@ impl Requirements {
         nothing_is(missing)
     }
 
-    /// Checks the limits of a device alone: what another extent may break.
+    /// Checks the limits of a device alone, which a different extent may exceed.
     pub(crate) fn check_limits(&self, limits: &vk::PhysicalDeviceLimits) -> Result<(), Error> {
         let mut missing = Vec::new();
         self.list_limits(limits, &mut missing);
@@ -107,7 +107,7 @@ impl Requirements {
         }
     }
 
-    /// Checks what [`Self::check`] does, and that the host created instance and device for Vulkan 1.1.
+    /// Checks as [`Self::check`] does, and that you created instance and device for Vulkan 1.1.
     ///
     /// # Errors
     /// [`Error::Unsupported`] lists everything that is missing.
@@ -128,7 +128,8 @@ impl Requirements {
         Ok(())
     }
 
-    /// Checks what the built-in executor needs on top: synchronization2, from Vulkan 1.3 or `VK_KHR_synchronization2`.
+    /// Checks the additional needs of the built-in executor: synchronization2, from Vulkan 1.3 or
+    /// `VK_KHR_synchronization2`.
     ///
     /// # Errors
     /// [`Error::Unsupported`].
@@ -156,7 +157,7 @@ impl Requirements {
     /// 1.3 has them whether or not its feature was enabled, and Vulkan cannot be asked for that: enabling it is left to the host.
     ///
     /// # Errors
-    /// [`Error::Unsupported`] says what to create the device with.
+    /// [`Error::Unsupported`] names the extension or version to create the device with.
     ///
     /// # Safety
     /// The handles are live and belong together.

@@ -98,7 +98,7 @@ impl Engine {
         Ok(())
     }
 
-    /// The next frame drops all history.
+    /// Makes the next frame drop all history.
     pub fn invalidate(&mut self) {
         self.state.invalidate();
     }

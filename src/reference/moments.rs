@@ -12,7 +12,7 @@ pub enum Reason {
     None = 0,
     /// The surface was outside the previous image.
     OffScreen = 1,
-    /// Another surface id, or the background, was there.
+    /// A different surface id, or the background, was there.
     Id = 2,
     /// The depth there was not the expected one.
     Depth = 3,

@@ -1,7 +1,8 @@
 //! Test of the guides of two consecutive frames against the declared [`Conventions`], on demand.
 //!
-//! A wrong sign, unit, axis or matrix is the most common mistake of an integration, and all of them look alike: ghosts, blur,
-//! boiling. So every reading that a mistake away from the declared one is held against the pixels of what stands still:
+//! A wrong sign, unit, axis or matrix is the most common mistake of an integration, and all of them
+//! look alike: ghosts, blur, boiling. So each encoding that differs from the declared one by a
+//! single mistake is tested on the pixels of static geometry:
 //!
 //! - the **depth** of this frame, reprojected with the matrices, must be the depth of the previous frame;
 //! - the **motion** must lead where depth and matrices lead, z of it to the depth there;
@@ -135,8 +136,8 @@ impl Guides<'_> {
     }
 }
 
-/// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the declared conventions, and names the
-/// likely mistake.
+/// Tests whether depth, matrices, motion and normals of two consecutive frames agree with the
+/// declared conventions, and names the likely mistake.
 ///
 /// # Errors
 /// [`Error::Size`] or [`Error::RenderExtent`] for images that do not fit together; [`Error::FrameParams`] or [`Error::Extent`] for

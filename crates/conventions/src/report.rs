@@ -9,13 +9,13 @@ use std::fmt;
 pub enum Verdict {
     /// The guides are as declared.
     Agrees = 0,
-    /// They are clearly otherwise: [`Finding::mistake`] and [`Finding::remedy`].
+    /// They clearly differ: [`Finding::mistake`] and [`Finding::remedy`].
     Mistake = 1,
-    /// They are not as declared, and nothing that is known fits them.
+    /// They are not as declared, and no known mistake explains them.
     Unexplained = 2,
     /// The two frames cannot tell; [`Finding::mistake`] says why.
     Inconclusive = 3,
-    /// The host gives nothing of the kind.
+    /// You give no such guide.
     Absent = 4,
 }
 
@@ -24,11 +24,12 @@ pub enum Verdict {
 pub enum Measure {
     /// Distance of the depth of the previous frame from where depth and matrices of this frame put it, pixels.
     Depth,
-    /// Difference between the host's motion and that of what stands still, by depth and matrices; pixels.
+    /// Difference between your motion and that of static geometry, by depth and matrices; pixels.
     Motion,
-    /// Difference between z of the host's motion, read as the previous depth, and that of what stands still; percent.
+    /// Difference between z of your motion, read as the previous depth, and that of static
+    /// geometry; percent.
     MotionDepth,
-    /// Angle between the host's normals and those of the surface that the depth makes, degrees.
+    /// Angle between your normals and those of the surface that the depth describes, degrees.
     Normals,
 }
 
@@ -50,7 +51,7 @@ pub struct Evidence {
 pub struct Finding {
     /// The answer in one word.
     pub verdict: Verdict,
-    /// The mistake, or the reason why there is no answer; empty where all is well.
+    /// The mistake, or the reason why there is no answer; empty if all is well.
     pub mistake: String,
     /// The remedy; empty where nothing is known.
     pub remedy: String,

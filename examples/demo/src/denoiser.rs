@@ -199,7 +199,7 @@ impl FrameDenoiser {
         Ok(())
     }
 
-    /// The next frame drops all history.
+    /// Makes the next frame drop all history.
     pub fn reset(&mut self, reason: ResetReason) {
         self.reset = Some(reason);
     }

@@ -1,7 +1,8 @@
-//! The barriers of a frame, derived from the declared uses and from what was last done to each image and buffer.
+//! The barriers of a frame, derived from the declared uses and from the last use of each image and
+//! buffer.
 //!
-//! A frame graph that tracks its resources needs none of this. For every other host it is the part that each would write anew, and
-//! the built-in executor has no other.
+//! If your frame graph tracks its resources, you need none of this. Otherwise it is the part that
+//! you would have to write yourself. The built-in executor has no other.
 
 mod arguments;
 mod barrier;
@@ -15,11 +16,12 @@ pub use state::ResourceState;
 use super::{Access, Binding, Declaration, FrameContext, Lifetime, Phase, ResourceId, Shape, Use};
 use ash::vk;
 
-/// Remembers what was last done to every physical image and buffer of a declaration, and tells the barriers before each pass.
+/// Remembers the last use of every physical image and buffer of a declaration, and gives the
+/// barriers before each pass.
 ///
-/// Inputs are absent until the host says that they are there ([`Self::share`], [`Self::access`]); all else starts with undefined
-/// content. Make a new one where the declaration or its images change: after a resize. A barrier is plain data; [`Barriers2`] and
-/// [`LegacyBarriers`] make arguments of Vulkan's calls of them.
+/// Inputs are absent until you announce them ([`Self::share`], [`Self::access`]); all else starts
+/// with undefined content. Make a new tracker after a resize, or with new images. A barrier is
+/// plain data; [`Barriers2`] and [`LegacyBarriers`] make arguments of Vulkan's calls of them.
 ///
 /// ```
 /// use atrous::{Barriers2, Config, FrameParams, FrameState, PhysicalResource, ResourceId, Tracker, Tuning};
@@ -43,7 +45,7 @@ pub struct Tracker {
     queue_family: u32,
     /// Barriers of the last call; kept, so that a steady state allocates nothing.
     found: Vec<Barrier>,
-    /// What the host's queue acquires after the last [`Self::hand_back`].
+    /// Barriers by which the host's queue acquires after the last [`Self::hand_back`].
     given_back: Vec<Barrier>,
 }
 
@@ -56,13 +58,14 @@ struct TrackedPass {
 #[derive(Clone, Debug)]
 struct Tracked {
     is_image: bool,
-    /// Whether it has two copies, of which the parity of the frame says which is current.
+    /// Whether it has two copies; the parity of the frame selects the current one.
     is_pair: bool,
     /// The pass that a transient starts in.
     starts: Option<usize>,
     /// Transients in the same memory.
     aliases: Vec<ResourceId>,
-    /// What the host asked for, of a shared resource: the state that each phase finds and the one that it leaves.
+    /// The states that the host asked for, of a shared resource: the one that each phase finds and
+    /// the one that it leaves.
     shared: Option<[ResourceState; 2]>,
     copies: [Copy; 2],
 }
@@ -106,7 +109,8 @@ impl Tracker {
         Self { passes, resources, queue_family: vk::QUEUE_FAMILY_IGNORED, found, given_back }
     }
 
-    /// Notes that two transients overlap in memory, so that one starts only after the other is done.
+    /// Tells that two transients overlap in memory, so that one starts only after the other is
+    /// done.
     pub fn alias(&mut self, a: ResourceId, b: ResourceId) {
         for (id, other) in [(a, b), (b, a)] {
             if let Some(resource) = self.resources.get_mut(id.0 as usize).filter(|r| id != other && !r.aliases.contains(&other)) {
@@ -115,9 +119,10 @@ impl Tracker {
         }
     }
 
-    /// Shares an input or an output with the host: each phase finds it in the state `before`, and [`Self::hand_back`] leaves it in
-    /// the state `after`. Between the phases it is the host's. A `before` of reads alone names every stage and access that the content
-    /// is visible to; others are ordered behind those by a barrier.
+    /// Shares an input or an output with you: each phase finds it in the state `before`, and
+    /// [`Self::hand_back`] leaves it in the state `after`. Between the phases it is yours. If
+    /// `before` has reads alone, name every stage and access that the content is visible to; a
+    /// barrier orders all others behind them.
     pub fn share(&mut self, id: ResourceId, before: ResourceState, after: ResourceState) {
         self.set_state(id, 0, before);
         if let Some(resource) = self.resources.get_mut(id.0 as usize) {
@@ -132,7 +137,8 @@ impl Tracker {
         }
     }
 
-    /// Notes what was done to a copy without the tracker. It is there from now on, and no longer shared.
+    /// Tells the state of a copy that you used without the tracker. It is there from now on, and no
+    /// longer shared.
     pub fn set_state(&mut self, id: ResourceId, copy: usize, state: ResourceState) {
         if let Some(resource) = self.resources.get_mut(id.0 as usize) {
             resource.shared = None;
@@ -142,8 +148,8 @@ impl Tracker {
         }
     }
 
-    /// Forgets what was recorded and will never run, as where a submission failed: content and layout of all that is not shared are
-    /// unknown, and what is shared is with the host.
+    /// Forgets recorded work that will never run, for example because a submission failed. Content
+    /// and layout of all unshared resources are then unknown; shared ones are with you.
     pub fn forget(&mut self) {
         for resource in &mut self.resources {
             let state = resource.shared.map_or(ResourceState::UNKNOWN, |[before, _]| before);
@@ -159,18 +165,19 @@ impl Tracker {
         copy.is_there.then_some(copy.state)
     }
 
-    /// The layout that a copy is in, for its binding; `UNDEFINED` for an input that is left out, and for a buffer.
+    /// The current layout of a copy, for its binding; `UNDEFINED` for an input that is left out,
+    /// and for a buffer.
     pub fn layout(&self, id: ResourceId, copy: usize) -> vk::ImageLayout {
         self.state(id, copy).map_or(vk::ImageLayout::UNDEFINED, |state| state.layout)
     }
 
-    /// Records for queues of this family from now on: what another family owns is acquired. `QUEUE_FAMILY_IGNORED`, as at first,
-    /// where ownership never changes.
+    /// Records for queues of this family from now on, and acquires resources that a different
+    /// family owns. `QUEUE_FAMILY_IGNORED`, the initial value, if ownership never changes.
     pub fn set_queue_family(&mut self, queue_family: u32) {
         self.queue_family = queue_family;
     }
 
-    /// The barriers that go before a pass, all into one call. The pass counts as recorded behind them.
+    /// The barriers before a pass, for one call. The pass counts as recorded after them.
     pub fn barriers(&mut self, pass: usize, frame: &FrameContext) -> &[Barrier] {
         let Self { passes, resources, found, queue_family, .. } = self;
         found.clear();
@@ -189,8 +196,9 @@ impl Tracker {
         found
     }
 
-    /// The bindings of a pass for [`Denoiser::record`](crate::Denoiser::record), in the layouts that [`Self::barriers`] reached.
-    /// `physical` gives the image or buffer of a copy of a resource. The list is the host's, so that it can be used again.
+    /// The bindings of a pass for [`Denoiser::record`](crate::Denoiser::record), in the layouts
+    /// that [`Self::barriers`] reached. `physical` gives the image or buffer of a copy of a
+    /// resource. The list is yours, so that you can use it again.
     pub fn bindings(
         &self,
         pass: usize,
@@ -206,8 +214,9 @@ impl Tracker {
         }
     }
 
-    /// The barriers before a use of the host's own between two passes or behind them: an upload, a copy, a draw. `discard` where it
-    /// needs no old content. The resource is there from now on.
+    /// The barriers before a use of your own between two passes or after them, for example an
+    /// upload, a copy or a draw. Set `discard` if it needs no old content. The resource is there
+    /// from now on.
     pub fn access(&mut self, id: ResourceId, copy: usize, next: ResourceState, discard: bool) -> &[Barrier] {
         let Self { resources, found, queue_family, .. } = self;
         found.clear();
@@ -222,8 +231,9 @@ impl Tracker {
         found
     }
 
-    /// The barriers at the end of a phase, which bring what the host shares to the state that it asked for. Where its family is
-    /// another one, they release the ownership, and [`Self::given_back`] has what the host's queue records in its turn.
+    /// The barriers at the end of a phase. They bring shared resources to the state that you asked
+    /// for. If your queue family differs, they release the ownership, and [`Self::given_back`] has
+    /// the barriers for your queue.
     pub fn hand_back(&mut self) -> &[Barrier] {
         let Self { resources, found, given_back, .. } = self;
         found.clear();
@@ -246,14 +256,15 @@ impl Tracker {
         found
     }
 
-    /// The acquiring halves of the last [`Self::hand_back`], for the host's queue; empty where ownership does not change.
+    /// The acquiring halves of the last [`Self::hand_back`], for your queue; empty if ownership
+    /// does not change.
     pub fn given_back(&self) -> &[Barrier] {
         &self.given_back
     }
 
-    /// The releasing halves that go before a phase which is recorded for a queue of another family: what each resource's owner has
-    /// to record on a queue of its own, ahead of the semaphore. [`Self::barriers`] gives the acquiring halves afterwards. Empty
-    /// where ownership does not change.
+    /// The releasing halves before a phase on a queue of a different family: the owner of each
+    /// resource records them on its own queue, ahead of the semaphore. [`Self::barriers`] gives the
+    /// acquiring halves afterwards. Empty if ownership does not change.
     pub fn releases(&self, phase: Phase, frame: &FrameContext, queue_family: u32) -> Vec<Barrier> {
         let mut ahead = self.clone();
         ahead.queue_family = queue_family;

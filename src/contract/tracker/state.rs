@@ -1,4 +1,4 @@
-//! States of images and buffers: what was done to one last, or what is wanted next.
+//! States of images and buffers: the last use of one, or its next.
 
 use crate::contract::Access;
 use ash::vk;
@@ -10,17 +10,18 @@ pub struct ResourceState {
     pub stage: vk::PipelineStageFlags2,
     /// Accesses of those stages.
     pub access: vk::AccessFlags2,
-    /// Layout of an image; `UNDEFINED` for a buffer, and for content that nobody needs.
+    /// Layout of an image; `UNDEFINED` for a buffer, and for content that no one needs.
     pub layout: vk::ImageLayout,
-    /// Queue family that owns it. `QUEUE_FAMILY_IGNORED` where ownership never changes: one family, or concurrent sharing.
+    /// Queue family that owns it. `QUEUE_FAMILY_IGNORED` if ownership never changes: one family, or
+    /// concurrent sharing.
     pub queue_family: u32,
 }
 
 impl ResourceState {
-    /// The state of what was never touched: no access, undefined content.
+    /// The state of an unused resource: no access, undefined content.
     pub const UNDEFINED: Self = Self::new(vk::PipelineStageFlags2::NONE, vk::AccessFlags2::NONE, vk::ImageLayout::UNDEFINED);
 
-    /// The state of what something unknown was done to: its content is lost, and every access is waited for.
+    /// The state after an unknown use: the content is lost, and every access is waited for.
     pub const UNKNOWN: Self =
         Self::new(vk::PipelineStageFlags2::ALL_COMMANDS, vk::AccessFlags2::MEMORY_WRITE, vk::ImageLayout::UNDEFINED);
 
@@ -28,7 +29,8 @@ impl ResourceState {
     pub const COPY_SOURCE: Self =
         Self::new(vk::PipelineStageFlags2::ALL_TRANSFER, vk::AccessFlags2::TRANSFER_READ, vk::ImageLayout::TRANSFER_SRC_OPTIMAL);
 
-    /// The state behind a use by a pass: that of its [`Access`]. `Clear` is the state of the target of a copy as well.
+    /// The state after a use by a pass, by its [`Access`]. `Clear` is also the state of the target
+    /// of a copy.
     pub const fn of(access: Access) -> Self {
         let image = access.image();
         Self::new(image.stage, image.access, image.layout)
@@ -44,8 +46,9 @@ impl ResourceState {
         Self { queue_family, ..self }
     }
 
-    /// Stage and access mask for `vkCmdPipelineBarrier`, on devices without synchronization2. Stages that it does not know become
-    /// `ALL_COMMANDS`; no stage at all is neither `TOP_OF_PIPE` nor `BOTTOM_OF_PIPE` here, since that depends on the side.
+    /// Stage and access mask for `vkCmdPipelineBarrier`, on devices without synchronization2.
+    /// Stages that it does not know become `ALL_COMMANDS`. No stage at all stays empty here:
+    /// whether it means `TOP_OF_PIPE` or `BOTTOM_OF_PIPE` depends on the side.
     pub fn legacy_scope(self) -> (vk::PipelineStageFlags, vk::AccessFlags) {
         (legacy_stage(self.stage), legacy_access(self.access))
     }

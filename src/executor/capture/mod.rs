@@ -253,13 +253,14 @@ impl Executor {
         Ok(())
     }
 
-    /// Frames of the capture that are not written yet; 0 where there is none in progress, and after it failed.
+    /// Frames of the capture that are not written yet; 0 if none is in progress, and after it
+    /// failed.
     pub fn frames_to_capture(&self) -> u32 {
         self.capture.outstanding()
     }
 
-    /// Writes what was recorded and not yet written, and ends the capture, even where frames are lacking. How many were written; 0
-    /// without a capture.
+    /// Writes the recorded frames that are not yet written, and ends the capture, even if frames
+    /// are missing. Returns the number of written frames; 0 without a capture.
     ///
     /// # Errors
     /// [`Error::Capture`], [`Error::Format`] and others that ended the capture early. Frames that were written before stay, and can

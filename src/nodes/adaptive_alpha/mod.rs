@@ -12,9 +12,9 @@ use crate::shaders;
 /// Confidence from gradients in two kinds of history.
 #[derive(Clone, Copy, Debug)]
 pub struct Confidences {
-    /// In a history that the ratio of light scales: [`crate::nodes::Accumulation::light_ratio`].
+    /// For a history that the ratio of light scales: [`crate::nodes::Accumulation::light_ratio`].
     pub scaled: Confidence,
-    /// In a history that nothing scales, as that of specular light.
+    /// For an unscaled history, such as that of specular light.
     pub unscaled: Confidence,
 }
 
@@ -26,15 +26,17 @@ impl Confidences {
 }
 
 impl Graph {
-    /// Confidence in the history, from the reconstructed gradient. With a ratio of light it is confidence in the history that
-    /// [`crate::nodes::Accumulation::light_ratio`] scales. The confidence of pixels that no gradient is known for is that of `tested`: of
-    /// all pixels in frames that the host did not shade again. Where the test is sure that nothing changed, a gradient does not count.
+    /// Confidence in the history, from the reconstructed gradient. With a ratio of light it is
+    /// confidence in the history that [`crate::nodes::Accumulation::light_ratio`] scales. Pixels
+    /// without a known gradient take the confidence of `tested`: all pixels, in frames without
+    /// re-shaded samples. Where the test is sure that nothing changed, a gradient does not count.
     pub fn adaptive_alpha(&mut self, gradient: &Gradient, tested: Option<&Tested>) -> Confidence {
         self.add_adaptive_alpha(gradient, tested, None)
     }
 
-    /// [`Self::adaptive_alpha`], and in the same pass the confidence in a history that the ratio of light does not scale.
-    /// In that one gradients always count: the test saw the other history.
+    /// [`Self::adaptive_alpha`], and in the same pass the confidence in a history that the ratio of
+    /// light does not scale. There gradients always count, since the test compared the other
+    /// history.
     pub fn adaptive_alphas(&mut self, gradient: &Gradient, tested: Option<&Tested>) -> Confidences {
         let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
         // Without the ratio one confidence is for both, so that gradients count.
@@ -58,7 +60,7 @@ impl Graph {
         Port::of(self.refreshed(confidence))
     }
 
-    /// Confidence in the history, from the host's own estimate: its input `confidence`.
+    /// Confidence in the history, from your own estimate: the input `confidence`.
     pub fn host_confidence(&mut self) -> Confidence {
         let node = self.node("adaptive_alpha", "");
         let confidence = self.confidence_image("history_confidence");

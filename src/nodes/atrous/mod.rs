@@ -20,12 +20,14 @@ pub struct Atrous {
     /// Whether the deviation by which luminance is compared is that of 3×3 pixels (`g3x3` of \[SVGF\] eq. 5), which is steadier,
     /// rather than the pixel's own. Default: true.
     pub smooth_deviation: bool,
-    /// Whether a quarter of the tolerated difference of luminance is by the deviation of the tap instead of the centre's. Where light is
-    /// rare, pixels that it never hit then take some of what it did hit, instead of refusing it as outliers. Default: false, as \[SVGF\].
+    /// Whether a quarter of the tolerated difference of luminance comes from the deviation of the
+    /// tap instead of the centre. Where light is rare, pixels that it never hit then accept some of
+    /// their lit neighbours instead of refusing them as outliers. Default: false, as in \[SVGF\].
     pub shared_deviation: bool,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
-    /// Reflections seen in the surfaces: of specular light, one signal, which is filtered no wider than their lobes are. Default: none.
+    /// Reflections of the surfaces, for one signal of specular light. It is filtered no wider than
+    /// their lobes. Default: none.
     pub reflection: Option<Reflection>,
     /// Tolerated difference of luminance. Default: [`crate::Tuning::sigma_l`].
     pub sigma_l: Value,

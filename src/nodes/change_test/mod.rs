@@ -9,12 +9,12 @@ use crate::contract::{Grid, Lifetime};
 use crate::graph::{Confidence, Difference, Graph, Image, Pass, Port, Steadiness, CONFIDENCE};
 use crate::shaders;
 
-/// What the change test knows of a history, for [`Graph::adaptive_alpha`].
+/// Result of the change test of a history, for [`Graph::adaptive_alpha`].
 #[derive(Clone, Copy, Debug)]
 pub struct Tested {
     /// Confidence in the history.
     pub confidence: Confidence,
-    /// Where no change is seen, block by block: there a gradient is noise.
+    /// Certainty of no change, block by block: there a gradient is noise.
     pub steadiness: Option<Steadiness>,
 }
 
@@ -30,8 +30,8 @@ impl Graph {
         self.add_change_test(difference, None)
     }
 
-    /// [`Self::change_test`], and in the same pass how sure it is that nothing changed: neither that mean nor one of its nine blocks
-    /// departs by what could be more than noise.
+    /// [`Self::change_test`], and in the same pass the certainty that nothing changed: neither that
+    /// mean nor one of its nine blocks departs by more than noise.
     pub fn change_and_steadiness(&mut self, difference: &Difference) -> Tested {
         let label = self.label_of(difference);
         let steadiness = self.named_image("steadiness", &label, CONFIDENCE, BLOCK_SIZE, Lifetime::Transient);

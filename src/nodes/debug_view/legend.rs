@@ -1,4 +1,4 @@
-//! Colours of the views, and what each of them means as plain data: for a legend beside the picture.
+//! Colours of the views and their meaning as plain data: for a legend beside the picture.
 
 use crate::DebugView;
 
@@ -33,11 +33,11 @@ const VIRIDIS: [[u8; 3]; 9] = [
 /// The meaning of the colours of a view.
 #[derive(Clone, Copy, Debug)]
 pub struct ViewLegend {
-    /// Colours of numbers. Where there are several they are mixed in a pixel: one a channel or a direction.
+    /// Colours of numbers. Several are mixed in a pixel: one per channel or direction.
     pub ramps: &'static [Ramp],
     /// Colours of cases in 8-bit sRGB.
     pub cases: &'static [(&'static str, [u8; 3])],
-    /// What neither of them says; may be empty.
+    /// A note beyond ramps and cases; may be empty.
     pub note: &'static str,
 }
 

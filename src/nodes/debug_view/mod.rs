@@ -1,4 +1,4 @@
-//! Shows the denoiser's knowledge of each pixel as a picture. Not a stage of a filter: nothing reads it.
+//! Shows the state of each pixel as a picture. It is no stage of a filter, since nothing reads it.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -13,10 +13,10 @@ use crate::graph::{
 use crate::shaders;
 pub use legend::{Ramp, ViewLegend};
 
-/// Images of a graph beside the guides; views of what is `None` are a dark chequer.
+/// Images of a graph beside the guides. The views of a missing image are a dark chequer.
 #[derive(Clone, Copy, Debug)]
 pub struct Known {
-    /// Noisy radiance of the host, one or two signals.
+    /// Your noisy radiance, one or two signals.
     pub noisy: Radiance,
     /// Whether it is divided by the optional input `albedo`. Default: true.
     pub albedo: bool,
@@ -28,7 +28,7 @@ pub struct Known {
     pub confidence: Option<Confidence>,
     /// Reconstructed temporal gradients.
     pub gradient: Option<Gradient>,
-    /// What is seen in the surfaces.
+    /// Reflections in the surfaces.
     pub reflection: Option<Reflection>,
     /// Visibility of a light, blended with its past.
     pub visibility: Option<VisibilityAccumulated>,
@@ -37,7 +37,7 @@ pub struct Known {
 }
 
 impl Known {
-    /// A filter that knows its input alone.
+    /// A filter with nothing but its input.
     pub fn new(noisy: &Radiance) -> Self {
         Self {
             noisy: *noisy,
@@ -54,7 +54,8 @@ impl Known {
 }
 
 impl Graph {
-    /// A picture of what is known, one view a frame: [`crate::FrameParams::debug_view`]. What it shows is kept until then.
+    /// A picture of the state of each pixel, one view per frame:
+    /// [`crate::FrameParams::debug_view`]. The shown images are kept until then.
     pub fn debug_view(&mut self, guides: &Guides, known: &Known) -> Display {
         let node = self.node("debug_view", "");
         let shown = self.named_image("view", "", HDR, 1, Lifetime::Transient);

@@ -17,8 +17,8 @@ pub struct Eaw {
     pub levels: u32,
     /// Edge-stopping functions. Default: all three.
     pub weights: EawWeights,
-    /// Share of the pixels that have a sample, as the node `demodulate` got it: the first levels paint in the holes. Default: all
-    /// of them.
+    /// Share of the pixels that have a sample, as for the node `demodulate`: the first levels fill
+    /// the holes. Default: all of them.
     pub sampling: Sampling,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,

@@ -1,4 +1,5 @@
-//! Picks a pixel in every stratum of the previous frame and finds it in this one, for the host to shade again. \[ASVGF\] 3.1, 3.3.
+//! Picks a pixel in every stratum of the previous frame and finds it in this one, for your path
+//! tracer to shade again. \[ASVGF\] 3.1, 3.3.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -14,9 +15,10 @@ use crate::shaders;
 pub struct ForwardProject {
     /// Side of a stratum, 2 to 4 pixels. Default: 3.
     pub stratum_size: u32,
-    /// Whether the host has an image `forward_motion`, for surfaces that deform. Default: false.
+    /// Whether you have an image `forward_motion`, for deforming surfaces. Default: false.
     pub forward_motion: bool,
-    /// Whether the host has an image `surface_id`, by which `instance_transforms` are found. Default: true.
+    /// Whether you have an image `surface_id`, by which `instance_transforms` are found. Default:
+    /// true.
     pub surface_id: bool,
 }
 
@@ -27,10 +29,10 @@ impl Default for ForwardProject {
 }
 
 impl Graph {
-    /// Samples that the host shades again. Three passes: clear the claims, let the candidates of the previous frame claim strata,
-    /// write down who won.
+    /// Samples that your path tracer shades again. Three passes: clear the claims, let the
+    /// candidates of the previous frame claim strata, write down the winners.
     ///
-    /// Give the result to the host: `graph.output_samples("gradient_samples", &samples)`.
+    /// Make the result an output: `graph.output_samples("gradient_samples", &samples)`.
     pub fn forward_project(&mut self, guides: &Guides, project: ForwardProject) -> GradientSamples {
         let node = self.node("forward_project", "");
         let size = check_stratum_size(self, &node, project.stratum_size);

@@ -13,14 +13,14 @@ use crate::shaders;
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Gradients {
-    /// One pixel a stratum is a sample of the previous frame, shaded again by the host.
+    /// One pixel per stratum is a sample of the previous frame, re-shaded by your path tracer.
     ForwardProjected(GradientSamples),
-    /// The host's image `reshaded_radiance`: paths of the previous frame in the scene of this one.
+    /// Your image `reshaded_radiance`: paths of the previous frame in the scene of this one.
     Reshaded {
         /// Side of a stratum, 2 to 4 pixels.
         stratum_size: u32,
     },
-    /// The host's image `sparse_gradient`: δ and Δ, one texel a stratum.
+    /// Your image `sparse_gradient`: δ and Δ, one texel per stratum.
     Sparse {
         /// Side of a stratum, 2 to 4 pixels.
         stratum_size: u32,
@@ -28,7 +28,7 @@ pub enum Gradients {
 }
 
 impl Gradients {
-    /// The pixels of the noisy radiance that the host shades again, for [`crate::nodes::Demodulate::samples`].
+    /// The re-shaded pixels of the noisy radiance, for [`crate::nodes::Demodulate::samples`].
     pub fn samples(&self) -> Option<GradientSamples> {
         match *self {
             Self::ForwardProjected(samples) => Some(samples),
@@ -54,15 +54,17 @@ pub(super) fn check_stratum_size(graph: &mut Graph, node: &str, size: u32) -> u3
 }
 
 impl Graph {
-    /// Gradients of the noisy radiance of one or two signals, and the guide that steers their reconstruction. Unless the host gives
-    /// them, the luminance of this frame has to be kept for the next one: [`crate::nodes::Demodulate::gradient`].
+    /// Gradients of the noisy radiance of one or two signals, and the guide that steers their
+    /// reconstruction. Unless you give the gradients yourself, keep the luminance of this frame for
+    /// the next one: [`crate::nodes::Demodulate::gradient`].
     pub fn gradient(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
         self.add_gradient(guides, noisy, source, false)
     }
 
-    /// [`Self::gradient`], and the light of the samples in this frame and the last, of which [`Self::gradient_atrous`] makes the ratio:
-    /// where all light rises or falls together, the history can follow it instead of being dropped. A host that gives its own
-    /// gradients, [`Gradients::Sparse`], gets no ratio.
+    /// [`Self::gradient`], and the light of the samples in this frame and the previous one, from
+    /// which [`Self::gradient_atrous`] makes the ratio. Where light rises or falls as a whole, the
+    /// history can follow it instead of being dropped. Gradients of your own,
+    /// [`Gradients::Sparse`], give no ratio.
     pub fn gradient_and_ratio(&mut self, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
         self.add_gradient(guides, noisy, source, true)
     }

@@ -1,4 +1,5 @@
-//! Spreads the gradients over strata without a sample, and takes their noise. \[ASVGF\] 3.4, eq. 7 to 12.
+//! Spreads the gradients over strata without a sample, and removes their noise. \[ASVGF\] 3.4, eq.
+//! 7 to 12.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -14,8 +15,8 @@ const ITERATIONS: u32 = 5;
 /// Parameters of the node `gradient_atrous`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct GradientAtrous {
-    /// Whether the deviation by which the means of strata are compared is that of 3×3 strata \[ASVGF eq. 11\] rather than the stratum's
-    /// own. Default: false; `docs/lab/stages.md` has the figures.
+    /// Whether the means of strata are compared by the deviation of 3×3 strata \[ASVGF eq. 11\]
+    /// instead of the stratum's own. Default: false; `docs/lab/stages.md` has the figures.
     pub smooth_deviation: bool,
 }
 

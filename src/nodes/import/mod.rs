@@ -1,4 +1,4 @@
-//! Turns the host's guides into ours. The only stage that knows the host's encodings.
+//! Turns your guides into ours. The only stage that knows your encodings.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -8,13 +8,13 @@ use crate::contract::{Lifetime, Phase};
 use crate::graph::{Graph, Guides, Pass, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
 use crate::shaders;
 
-/// Parameters of the node `import`. How the host encodes its images, [`Graph::conventions`] says.
+/// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Import {
-    /// Whether the host has an image `surface_id`. Default: true.
+    /// Whether you have an image `surface_id`. Default: true.
     pub surface_id: bool,
-    /// Whether the host has an image `object_normal`, by which a turning object keeps its history. Costs 8 bytes a pixel. Default:
-    /// false.
+    /// Whether you have an image `object_normal`, by which a turning object keeps its history.
+    /// Costs 8 bytes per pixel. Default: false.
     pub object_normal: bool,
 }
 
@@ -25,7 +25,7 @@ impl Default for Import {
 }
 
 impl Graph {
-    /// Packs depth, normal, roughness, id and motion of the host.
+    /// Packs your depth, normal, roughness, id and motion.
     ///
     /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`,
     /// `object_normal`.

@@ -11,12 +11,13 @@ use crate::shaders;
 /// Parameters of the node `modulate`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Modulate {
-    /// Whether the optional input `albedo` of the host multiplies the irradiance. As for the node `demodulate`. Default: true.
+    /// Whether your optional input `albedo` multiplies the irradiance, as for the node
+    /// `demodulate`. Default: true.
     pub albedo: bool,
-    /// Whether the second signal is specular light: it has the optional inputs `specular_albedo` or `specular_f0` in the place of
-    /// `albedo`, as [`crate::nodes::Albedo::Specular`] says. Default: false.
+    /// Whether the second signal is specular light, with the optional inputs `specular_albedo` or
+    /// `specular_f0` instead of `albedo`: see [`crate::nodes::Albedo::Specular`]. Default: false.
     pub specular: bool,
-    /// Whether the optional input `emission` of the host is added. Default: true.
+    /// Whether your optional input `emission` is added. Default: true.
     pub emission: bool,
 }
 

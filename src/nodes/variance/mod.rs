@@ -1,5 +1,5 @@
-//! Estimates the standard deviation of luminance: from the pixel's own past where it is long enough, else from its surroundings.
-//! \[SVGF\] 4.2.
+//! Estimates the standard deviation of luminance: from the pixel's own past if it is long enough,
+//! else from its surroundings. \[SVGF\] 4.2.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -18,8 +18,8 @@ pub enum Estimator {
     Switched,
     /// Estimate over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
     Fading,
-    /// The past of the pixel alone, without a look at its surroundings: for a graph that keeps the history, and does not filter by
-    /// the deviation. That of a pixel without a past is 0.
+    /// The past of the pixel alone, for a graph that accumulates and does not filter. The deviation
+    /// of a pixel without a past is 0.
     Temporal,
 }
 
@@ -28,8 +28,9 @@ pub enum Estimator {
 pub struct Variance {
     /// Default: [`Estimator::Switched`].
     pub estimator: Estimator,
-    /// Whether the deviation is that of a sample, as \[SVGF\] compares luminances by (false), or half-way, in factors, to that of the
-    /// mean of N samples with the smallest weight α: times max(1/N, α/(2 − α))^¼. Default: false.
+    /// Whether the deviation is moved half-way, in factors, from that of a sample to that of the
+    /// mean of N samples with the smallest weight α: times max(1/N, α/(2 − α))^¼. Default: false,
+    /// the deviation of a sample, as in \[SVGF\].
     pub averaged: bool,
     /// Pixels with a shorter history look at their surroundings. Default: [`crate::Tuning::spatial_variance_frames`].
     pub spatial_variance_frames: Value,

@@ -1,4 +1,4 @@
-//! Takes in the visibility of one light, and how far away its occluder is.
+//! Takes in the visibility of one light, and the distance of its occluder.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -9,8 +9,8 @@ use crate::graph::{Graph, Guides, Pass, Port, VisibilitySamples, HOST_SCALAR, PA
 use crate::shaders;
 
 impl Graph {
-    /// Samples of the visibility of a light, without what is none. Inputs: `noisy_visibility`, 0 (occluded) to 1 (lit), and
-    /// `occluder_distance`.
+    /// Valid samples of the visibility of a light. Inputs: `noisy_visibility`, 0 (occluded) to 1
+    /// (lit), and `occluder_distance`.
     pub fn visibility_samples(&mut self, guides: &Guides) -> VisibilitySamples {
         let node = self.node("visibility_samples", "");
         let samples = self.named_image("visibility_samples", "", PACKED_32, 1, Lifetime::Transient);

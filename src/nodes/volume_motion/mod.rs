@@ -1,4 +1,5 @@
-//! Carries the points of a volume forward from the previous frame, for motion vectors of its own. [PSVGF], volumes.
+//! Carries the points of a volume forward from the previous frame, for its own motion vectors.
+//! [PSVGF], volumes.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -10,13 +11,14 @@ use crate::graph::{Graph, Guides, Pass, Port, VolumeMotion, PACKED_32};
 use crate::shaders;
 
 impl Graph {
-    /// Motion of a volume. Three passes: clear the claims, let the points claim pixels, write down the motion of those that won.
+    /// Motion of a volume. Three passes: clear the claims, let the points claim pixels, write down
+    /// the motion of the winners.
     pub fn volume_motion(&mut self, guides: &Guides, volume: &Volume) -> VolumeMotion {
         let node = self.node("volume_motion", "");
         let claims = self.named_image("volume_claims", "", PACKED_32, 1, Lifetime::Transient);
         let motion = self.named_image("volume_motion", "", PACKED_32, 1, Lifetime::Transient);
         self.clear(&node, format!("{node}_clear"), Phase::AfterLighting, claims);
-        // Points of the previous frame may lie outside of this one.
+        // Points of the previous frame may lie outside this one.
         let claim = Pass::new(&node, &shaders::VOLUME_MOTION_RESOLVE_0)
             .named(format!("{node}_claim"))
             .grid(Grid::Strata(1))

@@ -1,4 +1,4 @@
-//! Takes in the light that a volume scatters towards the camera, and where. [PSVGF], volumes.
+//! Takes in the light that a volume scatters towards the camera, and its places. [PSVGF], volumes.
 //!
 #![doc = include_str!("specification.md")]
 
@@ -8,7 +8,7 @@ use crate::contract::Lifetime;
 use crate::graph::{Graph, Image, Pass, Port, Radiance, VolumeRadiance, HDR, HOST_SCALAR, PACKED_64};
 use crate::shaders;
 
-/// A volume of the host: fog, smoke, light shafts.
+/// A volume of yours: fog, smoke, light shafts.
 #[derive(Clone, Copy, Debug)]
 pub struct Volume {
     pub(super) noisy: Radiance,
@@ -17,14 +17,15 @@ pub struct Volume {
 }
 
 impl Volume {
-    /// The noisy radiance of the host.
+    /// Your noisy radiance.
     pub fn noisy(&self) -> Radiance {
         self.noisy
     }
 }
 
 impl Graph {
-    /// A volume of the host: its input `noisy_volume`, and the points of the previous frame that give it motion.
+    /// A volume of yours: its input `noisy_volume`, and the points of the previous frame that give
+    /// it motion.
     pub fn volume(&mut self) -> Volume {
         let noisy = self.radiance("noisy_volume");
         Volume { noisy, points: self.named_image("volume_points", "", PACKED_64, 1, Lifetime::HistoryInPlace) }

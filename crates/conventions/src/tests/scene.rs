@@ -188,7 +188,7 @@ impl Scene {
             let raster = if self.encoding.motion_jittered { Vec2::from(self.jitter[i]) / extent } else { Vec2::ZERO };
             ndc * 0.5 + 0.5 - raster
         };
-        // The camera of the frame before the first one does not matter.
+        // The camera of the previous frame the first one does not matter.
         let motion = if index == 0 { Vec2::ZERO } else { position(0, before) - position(1, world) };
         let previous_depth = (self.view_from_world(0) * before.extend(1.0)).z.abs();
         let z = match self.encoding.motion_depth {

@@ -34,7 +34,7 @@ pub struct World {
     scene: Arc<Scene>,
     /// What was asked for last, which may have failed.
     asked: String,
-    /// What the scene was asked for by.
+    /// The source of the scene.
     loaded: String,
     // Before the tracer, whose images they read.
     filters: Vec<Filter>,
@@ -250,7 +250,7 @@ impl World {
         self.clock.view()
     }
 
-    /// What the scene was asked for by: a name, or a file.
+    /// The source of the scene: a name, or a file.
     pub fn loaded(&self) -> &str {
         &self.loaded
     }
