@@ -12,7 +12,7 @@ pub struct OwnGraph {
 
 pub const GRAPHS: &[OwnGraph] = &[OwnGraph { name: "custom", declare: custom }];
 
-/// The graph that README.md composes: SVGF with three levels.
+/// The graph of docs/graphs.md: SVGF with three levels.
 fn custom(size: [u32; 2]) -> Result<Declaration, Error> {
     let mut g = Graph::new(size);
     let guides = g.import(Import::default());
