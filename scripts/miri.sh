@@ -21,13 +21,12 @@ if [ $# -gt 0 ]; then
     step --package "$package" --lib -- "$@"
     exit
 fi
-step --package atrous-texel --lib
 # Files are renamed, and pipes made, by calls that Miri lacks.
 step --package atrous-files --lib -- files_are_read
 # What declares every preset, or filters more than a few pixels, takes minutes a test.
 step --package atrous-capi --no-default-features --lib -- --skip names_and_uses_fit
 step --package atrous --no-default-features --features host-stages --lib -- \
-    choice:: contract::access contract::alias contract::format contract::history_watch contract::tuning reference::binary16 \
+    choice:: contract::access contract::alias contract::format contract::history_watch contract::texel contract::tuning reference::binary16 \
     graph::tests::matching graph::tests::whole::a_cycle
 # The twins that look at few pixels at once.
 step --package atrous --no-default-features --features host-stages --lib -- \

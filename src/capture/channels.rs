@@ -1,7 +1,7 @@
 //! Channels of the inputs in a file: the names of this project's data sets, which `atrous-denoise` knows.
 
 use crate::config::MotionDepth;
-use atrous_texel::Plane;
+use crate::contract::texel::Plane;
 use exr::image::FlatSamples;
 
 /// A layer of a file: its name, and planes with theirs.

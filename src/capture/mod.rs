@@ -33,7 +33,7 @@ use crate::error::Error;
 use crate::reference::InstanceTransform;
 use ash::vk;
 use atrous_files::Existing;
-use atrous_texel::Texel;
+use crate::contract::texel::Texel;
 use channels::Layer;
 use sequence_json::Head;
 use std::collections::BTreeMap;
@@ -219,7 +219,7 @@ impl SequenceWriter {
 }
 
 fn refused_format(name: &str, given: vk::Format) -> Error {
-    Error::Format { resource: name.to_owned(), given, allowed: format!("for a capture {}", atrous_texel::ACCEPTED) }
+    Error::Format { resource: name.to_owned(), given, allowed: format!("for a capture {}", crate::contract::texel::ACCEPTED) }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::shaders::Component;
 use ash::vk;
-use atrous_texel::{Class, Texel};
+use super::texel::{Class, Texel};
 
 /// The formats that an image may have.
 ///

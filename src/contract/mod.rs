@@ -16,6 +16,9 @@ mod pipeline_decl;
 mod resource;
 mod setup;
 mod statistics;
+// Texels are decoded for copies and captures alone.
+#[cfg_attr(not(any(feature = "executor", feature = "capture")), allow(dead_code))]
+pub(crate) mod texel;
 mod tracker;
 mod tuning;
 

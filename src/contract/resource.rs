@@ -2,7 +2,7 @@
 
 use super::ImageFormat;
 use ash::vk;
-use atrous_texel::Texel;
+use super::texel::Texel;
 
 /// The owner of a resource and the life of its content.
 ///

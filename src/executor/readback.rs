@@ -7,7 +7,7 @@ use super::Executor;
 use crate::contract::{Access, FrameContext, Lifetime, ResourceId, ResourceState, UseFrame};
 use crate::error::Error;
 use ash::vk;
-use atrous_texel::Texel;
+use crate::contract::texel::Texel;
 
 /// Format and size of a copy of a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,7 +7,7 @@ use crate::contract::{
 };
 use crate::error::Error;
 use ash::vk;
-use atrous_texel::Texel;
+use crate::contract::texel::Texel;
 
 /// A physical image with its view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl StoredImage {
     /// Bytes of a texel in a copy of the image of this resource.
     pub fn texel_bytes(&self, resource: &str) -> Result<u64, Error> {
         let texel = Texel::of(self.format).ok_or_else(|| {
-            let allowed = format!("for a copy {}", atrous_texel::ACCEPTED);
+            let allowed = format!("for a copy {}", crate::contract::texel::ACCEPTED);
             Error::Format { resource: resource.to_owned(), given: self.format, allowed }
         })?;
         Ok(texel.bytes() as u64)

@@ -3,7 +3,7 @@
 use crate::contract::{Access, ResourceState};
 use crate::error::Error;
 use ash::vk;
-use atrous_texel::Texel;
+use crate::contract::texel::Texel;
 
 /// A host-visible buffer, mapped for its whole life.
 pub(crate) struct Staging {

@@ -48,7 +48,7 @@ impl Graph {
     pub fn transient(&mut self, name: &str, format: vk::Format, divisor: u32) -> Image {
         let name = self.scoped(name, "");
         if component_of(format).is_none() {
-            self.fail("transient", &name, format!("its format is {format:?}; give {}", atrous_texel::ACCEPTED));
+            self.fail("transient", &name, format!("its format is {format:?}; give {}", crate::contract::texel::ACCEPTED));
         }
         if divisor == 0 {
             self.fail("transient", &name, "its divisor is 0; give 1 for a texel a pixel, or the side of a stratum".to_owned());

@@ -1,11 +1,11 @@
 //! Samples of texels. Floats and integers keep their bits; what is normalised or packed becomes 32-bit float.
 
-use crate::table::{Class, Layout, Sample, Texel};
+use super::table::{Class, Layout, Sample, Texel};
 use half::f16;
 
 /// One component of every texel.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Plane {
+pub(crate) enum Plane {
     /// Halves as they were.
     Half(Vec<f16>),
     /// Floats as they were, and what becomes float.
@@ -16,7 +16,7 @@ pub enum Plane {
 
 impl Texel {
     /// One plane for each of red, green, blue and alpha that the format has. Bytes behind the last whole texel are left out.
-    pub fn planes(&self, bytes: &[u8]) -> Vec<Plane> {
+    pub(crate) fn planes(&self, bytes: &[u8]) -> Vec<Plane> {
         match self.layout {
             Layout::Plain(sample, order) => {
                 let plane = |component: usize| {
@@ -38,7 +38,7 @@ impl Texel {
     }
 
     /// Texels as floats; components that the format lacks are 0. Bytes behind the last whole texel are left out.
-    pub fn to_floats(&self, bytes: &[u8]) -> Vec<[f32; 4]> {
+    pub(crate) fn to_floats(self, bytes: &[u8]) -> Vec<[f32; 4]> {
         fn put<T: Copy>(texels: &mut [[f32; 4]], component: usize, samples: &[T], float: fn(T) -> f32) {
             texels.iter_mut().zip(samples).for_each(|(texel, &sample)| texel[component] = float(sample));
         }

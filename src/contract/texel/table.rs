@@ -1,11 +1,11 @@
 //! The table of formats.
 
-use crate::decode::{depth24, float11, shared_exponent, snorm10, uint10, unorm10, unorm10_bgr};
+use super::decode::{depth24, float11, shared_exponent, snorm10, uint10, unorm10, unorm10_bgr};
 use ash::vk;
 
 /// The numeric class of an image as a shader sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Class {
+pub(crate) enum Class {
     /// Floating point or normalised, depth included.
     Float,
     /// Unsigned integer.
@@ -13,7 +13,7 @@ pub enum Class {
 }
 
 /// The formats of the table in words, for errors.
-pub const ACCEPTED: &str = "one of R, RG, RGB, RGBA or BGRA with components of 8 or 16 bit (UNORM, SNORM, UINT, 8 bit also SRGB), SFLOAT of \
+pub(crate) const ACCEPTED: &str = "one of R, RG, RGB, RGBA or BGRA with components of 8 or 16 bit (UNORM, SNORM, UINT, 8 bit also SRGB), SFLOAT of \
      16 or 32 bit or 32-bit UINT, A2B10G10R10 (UNORM, SNORM, UINT), A2R10G10B10_UNORM, B10G11R11_UFLOAT, E5B9G9R9_UFLOAT, D16, D24 or \
      D32_SFLOAT; copy the image into one of these and bind the copy";
 
@@ -33,7 +33,7 @@ pub(crate) enum Sample {
 }
 
 impl Sample {
-    pub const fn bytes(self) -> usize {
+    pub(super) const fn bytes(self) -> usize {
         match self {
             Self::Unorm8 | Self::Snorm8 | Self::Srgb8 | Self::Uint8 => 1,
             Self::Unorm16 | Self::Snorm16 | Self::Uint16 | Self::Half => 2,
@@ -116,29 +116,30 @@ const TABLE: &[(vk::Format, Layout)] = {
 
 /// A texel of a format.
 #[derive(Clone, Copy, Debug)]
-pub struct Texel {
+pub(crate) struct Texel {
     format: vk::Format,
     pub(crate) layout: Layout,
 }
 
 impl Texel {
     /// The texel of a format; `None` for one that no image of ours can have (signed integers, multi-planar, compressed, unknown).
-    pub fn of(format: vk::Format) -> Option<Self> {
+    pub(crate) fn of(format: vk::Format) -> Option<Self> {
         Self::all().find(|texel| texel.format == format)
     }
 
     /// The texel of every format that an image may have.
-    pub fn all() -> impl Iterator<Item = Self> {
+    pub(crate) fn all() -> impl Iterator<Item = Self> {
         TABLE.iter().map(|&(format, layout)| Self { format, layout })
     }
 
     /// The format.
-    pub fn format(&self) -> vk::Format {
+    #[cfg(test)]
+    pub(crate) fn format(&self) -> vk::Format {
         self.format
     }
 
     /// The numeric class.
-    pub fn class(&self) -> Class {
+    pub(crate) fn class(&self) -> Class {
         match self.layout {
             Layout::Plain(sample, _) => sample.class(),
             Layout::Packed(class, ..) => class,
@@ -146,7 +147,7 @@ impl Texel {
     }
 
     /// Bytes, as a copy of [`Self::copied_aspect`] into a buffer has them.
-    pub fn bytes(&self) -> usize {
+    pub(crate) fn bytes(&self) -> usize {
         match self.layout {
             Layout::Plain(sample, order) => sample.bytes() * order.len(),
             Layout::Packed(..) => 4,
@@ -154,7 +155,7 @@ impl Texel {
     }
 
     /// Every aspect, for barriers: they name all of them.
-    pub fn aspects(&self) -> vk::ImageAspectFlags {
+    pub(crate) fn aspects(&self) -> vk::ImageAspectFlags {
         match self.format {
             vk::Format::D24_UNORM_S8_UINT | vk::Format::D32_SFLOAT_S8_UINT => {
                 vk::ImageAspectFlags::DEPTH | vk::ImageAspectFlags::STENCIL
@@ -165,7 +166,7 @@ impl Texel {
     }
 
     /// The one aspect that is sampled and copied: of a depth-stencil image the depth.
-    pub fn copied_aspect(&self) -> vk::ImageAspectFlags {
+    pub(crate) fn copied_aspect(&self) -> vk::ImageAspectFlags {
         self.aspects() & !vk::ImageAspectFlags::STENCIL
     }
 }
