@@ -1,7 +1,7 @@
 //! Comparison with an earlier run.
 
 use super::report::{Case, Report};
-use atrous_picture::{Column, PictureError, TextTable};
+use atrous_lab::pictures::{Column, PictureError, TextTable};
 
 /// Reasons for which the two runs are hard to compare.
 pub fn warnings(before: &Report, now: &Report) -> Vec<String> {

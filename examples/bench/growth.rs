@@ -2,7 +2,7 @@
 
 use super::content::Content;
 use super::report::{Case, Report};
-use atrous_picture::{Column, PictureError, TextTable};
+use atrous_lab::pictures::{Column, PictureError, TextTable};
 
 /// Times that every size is visited, in turn, with images of its own: a slow minute hits all sizes alike, and so does where in memory
 /// images come to lie.

@@ -2,7 +2,7 @@
 
 use super::report::{Case, Report};
 use super::statistics::Spread;
-use atrous_picture::{Column, PictureError, StackedBars, TextTable};
+use atrous_lab::pictures::{Column, PictureError, StackedBars, TextTable};
 
 /// Table of the passes of one graph.
 pub fn passes(case: &Case) -> Result<TextTable, PictureError> {

@@ -5,7 +5,7 @@ use crate::frame::FrameInputs;
 use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions};
 use atrous::reference::Engine;
 use atrous::{Config, DebugView, Declaration, Error, FrameParams, HistoryLoss, HistoryWatch, Lifetime, Shape, Statistics, Tuning};
-use atrous_picture::Picture;
+use atrous_lab::pictures::Picture;
 use std::sync::Arc;
 
 /// Result of a frame.

@@ -59,7 +59,7 @@ pub enum ToolError {
     Usage(String),
     /// Pictures and figures that make no page.
     #[error("the report cannot be made: {0}")]
-    Page(#[from] atrous_page::PageError),
+    Page(#[from] atrous_lab::pages::PageError),
     /// The library refused.
     #[error(transparent)]
     Denoise(#[from] atrous::Error),

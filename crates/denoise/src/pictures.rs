@@ -4,8 +4,8 @@ use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::score::{FrameScore, ScoreBook};
 use atrous_files::Existing;
-use atrous_page::HeatMap;
-use atrous_picture::{LinePlot, Picture, PictureError, Region, Strip};
+use atrous_lab::pages::HeatMap;
+use atrous_lab::pictures::{LinePlot, Picture, PictureError, Region, Strip};
 use std::path::Path;
 
 /// Size of a plot.

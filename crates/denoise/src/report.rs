@@ -4,9 +4,9 @@ use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::score::{FrameScore, Metrics, ScoreBook};
 use atrous_files::Existing;
-use atrous_page::{Comparison, Curves, HeatMap, Page, PageError};
-use atrous_picture::Picture;
-use atrous_quality::{flip_map, Rgb};
+use atrous_lab::pages::{Comparison, Curves, HeatMap, Page, PageError};
+use atrous_lab::pictures::Picture;
+use atrous_lab::scores::{flip_map, Rgb};
 use std::path::Path;
 
 /// FLIP of the denoised picture of a frame, where it has a reference.

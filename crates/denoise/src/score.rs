@@ -6,8 +6,8 @@ use crate::motion::{self, SurfaceMotion};
 use atrous::config::Conventions;
 use atrous::FrameParams;
 use atrous_files::Existing;
-use atrous_picture::{Column, PictureError, TextTable};
-use atrous_quality::{flip, psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous_lab::pictures::{Column, PictureError, TextTable};
+use atrous_lab::scores::{flip, psnr, rel_mse, rmse, ssim, temporal_error, QualityError, Rgb, TemporalGuides};
 use serde::Serialize;
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! Statistics of all shaders: as a file, and as a table of Markdown that can be read back.
 
-use atrous_picture::{Column, PictureError, TextTable};
+use atrous_lab::pictures::{Column, PictureError, TextTable};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

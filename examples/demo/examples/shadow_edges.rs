@@ -11,7 +11,7 @@ use atrous::Tuning;
 use atrous_demo::measure::Frame;
 use atrous_demo::shadows::{ShadowEdges, ShadowGuides};
 use atrous_demo::{DenoiserOptions, FrameDenoiser, Gpu, GpuOptions, PathTracer, Result, Scene, SceneOptions, TracerOptions};
-use atrous_picture::{Column, Picture, Strip, TextTable};
+use atrous_lab::pictures::{Column, Picture, Strip, TextTable};
 use clap::Parser;
 
 /// Measures the edges of the sun's shadows.

@@ -129,13 +129,13 @@ pub enum Error {
     Denoiser(#[from] atrous::Error),
     /// Two pictures could not be compared.
     #[error("comparing pictures: {0}")]
-    Quality(#[from] atrous_quality::QualityError),
+    Quality(#[from] atrous_lab::scores::QualityError),
     /// A picture could not be composed or written.
     #[error("{0}")]
-    Composition(#[from] atrous_picture::PictureError),
+    Composition(#[from] atrous_lab::pictures::PictureError),
     /// A page could not be composed or written.
     #[error("{0}")]
-    Page(#[from] atrous_page::PageError),
+    Page(#[from] atrous_lab::pages::PageError),
     /// A frame for which no reference can be rendered.
     #[error("reference frame {given} does not exist: with --frames {frames} they are 0 to {}", frames - 1)]
     ReferenceFrame {

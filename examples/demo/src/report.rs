@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use atrous::DebugView;
-use atrous_picture::{Column, Picture, PictureError, Strip, TextTable};
+use atrous_lab::pictures::{Column, Picture, PictureError, Strip, TextTable};
 
 use crate::measure::{Frame, Scores};
 use crate::{FrameDenoiser, Result};

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use atrous_picture::{Column, Picture, PictureError, Strip, TextTable};
-use atrous_quality::{rmse, Rgb};
+use atrous_lab::pictures::{Column, Picture, PictureError, Strip, TextTable};
+use atrous_lab::scores::{rmse, Rgb};
 
 use crate::measure::rgb;
 use crate::{FrameDenoiser, Gpu, PathTracer, Result};

@@ -5,7 +5,7 @@ use ash::vk::Extent2D;
 use atrous::config::{Preset, Signals};
 use atrous_demo::measure::Frame;
 use atrous_demo::{DenoiserOptions, FrameDenoiser, Gpu, PathTracer, SceneOptions, TracerOptions};
-use atrous_quality::{rmse, Rgb};
+use atrous_lab::scores::{rmse, Rgb};
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
 const PATHS: u32 = 64;

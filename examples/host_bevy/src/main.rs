@@ -11,7 +11,7 @@ mod scene;
 use atrous::config::{Conventions, MotionDirection, NormalEncoding};
 use atrous::reference::Image;
 use atrous_conventions::{check, OwnedGuides};
-use atrous_picture::{Picture, Strip};
+use atrous_lab::pictures::{Picture, Strip};
 use bevy::log::LogPlugin;
 use bevy::prelude::*;
 use bevy::render::render_asset::RenderAssets;

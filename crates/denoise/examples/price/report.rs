@@ -2,7 +2,7 @@
 
 use super::front;
 use super::measure::{Point, Sequence, COLUMNS, UNIT};
-use atrous_picture::{Picture, PictureError, Scatter};
+use atrous_lab::pictures::{Picture, PictureError, Scatter};
 use std::fmt::Write;
 
 /// What the price is.

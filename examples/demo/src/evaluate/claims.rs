@@ -1,7 +1,7 @@
 //! What the papers claim, and what we do, against the figures.
 
 use atrous_demo::measure::Scores;
-use atrous_picture::{Column, PictureError, TextTable};
+use atrous_lab::pictures::{Column, PictureError, TextTable};
 use serde::{Deserialize, Serialize};
 
 use super::contenders::{ASVGF, BEST, EAW_ACCUMULATED, NOISY, SVGF};

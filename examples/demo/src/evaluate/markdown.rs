@@ -5,8 +5,8 @@ use std::path::Path;
 
 use atrous_demo::measure::Scores;
 use atrous_demo::{Error, Result};
-use atrous_page::Best;
-use atrous_picture::{Column, Picture, Region, Strip, TextTable};
+use atrous_lab::pages::Best;
+use atrous_lab::pictures::{Column, Picture, Region, Strip, TextTable};
 
 use super::claims::{self, Claim};
 use super::contenders::{ASVGF, BEST, NOISY, SVGF};

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use atrous_demo::Result;
-use atrous_page::{Cell, Comparison, Curves, HeatMap, Page, Section, Table};
-use atrous_picture::Picture;
+use atrous_lab::pages::{Cell, Comparison, Curves, HeatMap, Page, Section, Table};
+use atrous_lab::pictures::Picture;
 
 use super::claims::Claim;
 use super::contenders::{BEST, NOISY};

@@ -6,8 +6,8 @@ use std::sync::Arc;
 use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous_demo::measure::{Frame, Scores};
 use atrous_demo::{FrameDenoiser, Gpu, PathTracer, Result, Scene, TracerOptions};
-use atrous_picture::{Picture, PictureError};
-use atrous_quality::{flip_map, Rgb};
+use atrous_lab::pictures::{Picture, PictureError};
+use atrous_lab::scores::{flip_map, Rgb};
 use indicatif::ProgressBar;
 
 use super::contenders::{Contender, NOISY};

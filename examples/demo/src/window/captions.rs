@@ -1,6 +1,6 @@
 //! What stands on the picture: what each half shows, with its numbers, and what its colours stand for.
 
-use atrous_picture::{ColourBar, Legend};
+use atrous_lab::pictures::{ColourBar, Legend};
 use egui::{Align2, Color32, FontId, Galley, Painter, Pos2, Rect, Vec2};
 use std::sync::Arc;
 

@@ -6,9 +6,9 @@ use std::thread::JoinHandle;
 
 use ash::vk;
 use atrous::config::Preset;
-use atrous_page::HeatMap;
-use atrous_picture::from_srgb_8bit;
-use atrous_quality::{flip_map, rmse, Rgb};
+use atrous_lab::pages::HeatMap;
+use atrous_lab::pictures::from_srgb_8bit;
+use atrous_lab::scores::{flip_map, rmse, Rgb};
 
 use super::panes::{PaneWriter, Panes, Source};
 use super::shared::ErrorReport;

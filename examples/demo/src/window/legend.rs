@@ -2,8 +2,8 @@
 
 use atrous::nodes::Ramp;
 use atrous::DebugView;
-use atrous_page::HeatMap;
-use atrous_picture::{srgb_8bit, ColourBar, Legend};
+use atrous_lab::pages::HeatMap;
+use atrous_lab::pictures::{srgb_8bit, ColourBar, Legend};
 
 use super::content::Content;
 use super::shared::ErrorReport;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use atrous::ToneCurve;
-use atrous_picture::{srgb_8bit, Legend, Picture};
+use atrous_lab::pictures::{srgb_8bit, Legend, Picture};
 
 use super::content::Content;
 use super::legend;

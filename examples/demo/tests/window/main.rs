@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use atrous_picture::Picture;
+use atrous_lab::pictures::Picture;
 use session::{panel_width_of, Demo, Display};
 
 fn folder(name: &str) -> PathBuf {

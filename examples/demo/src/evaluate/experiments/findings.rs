@@ -1,8 +1,8 @@
 //! What an experiment found, as it is kept in a file.
 
 use atrous_demo::Result;
-use atrous_page::{Curves, Section};
-use atrous_picture::{Column, TextTable};
+use atrous_lab::pages::{Curves, Section};
+use atrous_lab::pictures::{Column, TextTable};
 use serde::{Deserialize, Serialize};
 
 use crate::evaluate::claims::Claim;

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use atrous_demo::measure::luminance_around;
 use atrous_demo::{FrameDenoiser, Result, Scene, SceneOptions, TracerOptions};
-use atrous_picture::Picture;
-use atrous_quality::{rmse, Rgb};
+use atrous_lab::pictures::Picture;
+use atrous_lab::scores::{rmse, Rgb};
 
 use super::{Figures, Findings};
 use crate::evaluate::claims::Claim;

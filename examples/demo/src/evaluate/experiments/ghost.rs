@@ -6,7 +6,7 @@ use std::sync::Arc;
 use atrous::ResetReason;
 use atrous_demo::measure::{luminance_around, Frame};
 use atrous_demo::{Result, Scene, SceneOptions, TracerOptions};
-use atrous_picture::Picture;
+use atrous_lab::pictures::Picture;
 
 use super::{Figures, Findings, Lines};
 use crate::evaluate::claims::Claim;

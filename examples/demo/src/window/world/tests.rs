@@ -233,8 +233,8 @@ fn an_error_is_that_of_the_picture_against_the_reference() {
         world.measure_errors(&mut writer, [Content::Noisy, content], &wake).expect("a submit");
     }
     let [picture, reference] = shown(&mut world, &gpu, [Content::Filtered(Preset::Svgf), Content::Reference]);
-    let of = |pixels| atrous_quality::Rgb::new(SMALL.width, SMALL.height, pixels).expect("finite");
-    let (rmse, flip) = (atrous_quality::rmse(of(&picture), of(&reference)), atrous_quality::flip(of(&picture), of(&reference)));
+    let of = |pixels| atrous_lab::scores::Rgb::new(SMALL.width, SMALL.height, pixels).expect("finite");
+    let (rmse, flip) = (atrous_lab::scores::rmse(of(&picture), of(&reference)), atrous_lab::scores::flip(of(&picture), of(&reference)));
     let report = world.errors()[0];
     assert_eq!((report.rmse, report.flip), (rmse.expect("an error"), flip.expect("an error")));
     assert_eq!((report.preset, report.paths), (Preset::Svgf, world.reference_samples()));
