@@ -28,7 +28,7 @@ if [ "${1:-}" != report ]; then
         history_loss host_header hosts hot_reload input_sets one_call pipelines readback resize schedules sync_validation; do
         cargo test --quiet --package atrous --features capture,hot-reload --test suite -- "$group"
     done
-    cargo test --quiet --package atrous-capi --package atrous-attack
+    cargo test --quiet --package atrous-capi --package atrous-fuzz
 fi
 # Of each file its name, its branches and those that were taken.
 report | awk -F: -v root="$PWD/" -v files="${1:-}" '

@@ -24,5 +24,5 @@ fn peak(work: &mut dyn FnMut()) -> u64 {
 }
 
 fuzz_target!(|bytes: &[u8]| {
-    atrous_attack::exr::attack(FOLDER.path(), bytes, peak);
+    atrous_fuzz::exr::attack(FOLDER.path(), bytes, peak);
 });

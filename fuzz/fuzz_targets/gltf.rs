@@ -7,10 +7,10 @@ use tempfile::TempDir;
 
 static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
-    atrous_attack::gltf::prepare(folder.path());
+    atrous_fuzz::gltf::prepare(folder.path());
     folder
 });
 
 fuzz_target!(|bytes: &[u8]| {
-    atrous_attack::gltf::attack(FOLDER.path(), bytes);
+    atrous_fuzz::gltf::attack(FOLDER.path(), bytes);
 });

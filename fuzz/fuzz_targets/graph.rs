@@ -4,5 +4,5 @@
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    atrous_attack::graph::attack(bytes);
+    atrous_fuzz::graph::attack(bytes);
 });

@@ -7,10 +7,10 @@ use tempfile::TempDir;
 
 static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {
     let folder = tempfile::tempdir().expect("a folder");
-    atrous_attack::sequence::prepare(folder.path());
+    atrous_fuzz::sequence::prepare(folder.path());
     folder
 });
 
 fuzz_target!(|bytes: &[u8]| {
-    atrous_attack::sequence::attack(FOLDER.path(), bytes);
+    atrous_fuzz::sequence::attack(FOLDER.path(), bytes);
 });

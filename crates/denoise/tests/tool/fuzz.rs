@@ -1,4 +1,4 @@
-//! Names of channels that nobody thought of. Whole files are those of `crates/attack`.
+//! Names of channels that nobody thought of. Whole files are those of `fuzz/`.
 
 use crate::samples::frame;
 use atrous_denoise::mapping::Mapping;

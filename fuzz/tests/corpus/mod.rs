@@ -1,6 +1,6 @@
 //! The corpus of the fuzzers, and what became of each input.
 
-use atrous_attack::Outcome;
+use atrous_fuzz::Outcome;
 use std::panic::{catch_unwind, AssertUnwindSafe};
 use std::path::Path;
 
@@ -12,7 +12,7 @@ pub fn rounds(usual: u64) -> u64 {
 
 /// The files of a target by name.
 pub fn of(target: &str) -> Vec<(String, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/corpus").join(target);
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus").join(target);
     let entries = std::fs::read_dir(&folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut files: Vec<_> = entries
         .map(|entry| {

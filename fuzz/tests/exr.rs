@@ -3,7 +3,7 @@
 mod corpus;
 mod edits;
 
-use atrous_attack::{exr, Outcome};
+use atrous_fuzz::{exr, Outcome};
 use corpus::{rounds, Tally};
 use fastrand::Rng;
 use peak_alloc::PeakAlloc;

@@ -3,7 +3,7 @@
 mod corpus;
 mod edits;
 
-use atrous_attack::{gltf, graph, sequence, structs, Outcome};
+use atrous_fuzz::{gltf, graph, sequence, structs, Outcome};
 use corpus::{rounds, Tally};
 use fastrand::Rng;
 

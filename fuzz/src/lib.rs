@@ -1,5 +1,5 @@
 //! Attacks on what takes files, graphs and structs of others. Each body takes bytes: a test makes them from a seed or reads them from
-//! `fuzz/corpus`, a fuzzer (`fuzz/`) makes them from what it saw. A body panics where something is wrong, and says what became of
+//! `corpus`, a fuzzer (`fuzz_targets`) makes them from what it saw. A body panics where something is wrong, and says what became of
 //! the input.
 
 mod choices;
