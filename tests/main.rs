@@ -6,7 +6,6 @@ mod allocation;
 mod antialiasing;
 mod attack;
 mod bad_input;
-mod bench;
 mod binding;
 #[cfg(feature = "capture")]
 mod capture;
@@ -64,9 +63,7 @@ fn main() {
         Group { name: "allocation", tests: allocation::TESTS, needs_device: true },
         Group { name: "antialiasing", tests: antialiasing::TESTS, needs_device: true },
         Group { name: "attack", tests: attack::TESTS, needs_device: true },
-        Group { name: "bench", tests: bench::TESTS, needs_device: false },
         Group { name: "binding", tests: binding::TESTS, needs_device: true },
-        Group { name: "bench", tests: bench::DEVICE_TESTS, needs_device: true },
         Group { name: "contract", tests: contract::TESTS, needs_device: false },
         Group { name: "declarations", tests: declarations::TESTS, needs_device: false },
         Group { name: "defaults", tests: defaults::TESTS, needs_device: true },

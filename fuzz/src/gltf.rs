@@ -2,7 +2,7 @@
 
 use crate::sequence::replace;
 use crate::{Choices, Outcome};
-use atrous_demo::{Scene, SceneOptions};
+use atrous_engine::{Scene, SceneOptions};
 use std::path::Path;
 
 const NAME: &str = "random.gltf";

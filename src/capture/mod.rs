@@ -28,12 +28,12 @@ mod channels;
 mod exr_file;
 mod sequence_json;
 
+use crate::contract::texel::Texel;
 use crate::contract::{Declaration, FrameParams, Lifetime, Shape, Tuning};
 use crate::error::Error;
 use crate::reference::InstanceTransform;
 use ash::vk;
 use atrous_files::Existing;
-use crate::contract::texel::Texel;
 use channels::Layer;
 use sequence_json::Head;
 use std::collections::BTreeMap;

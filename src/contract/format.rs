@@ -1,8 +1,8 @@
 //! Formats that an image may have.
 
+use super::texel::{Class, Texel};
 use crate::shaders::Component;
 use ash::vk;
-use super::texel::{Class, Texel};
 
 /// The formats that an image may have.
 ///

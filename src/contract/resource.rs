@@ -1,8 +1,8 @@
 //! Resources of passes: images and buffers with an owner and a life.
 
+use super::texel::Texel;
 use super::ImageFormat;
 use ash::vk;
-use super::texel::Texel;
 
 /// The owner of a resource and the life of its content.
 ///

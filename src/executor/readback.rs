@@ -4,10 +4,10 @@ use super::barriers::Barriers;
 use super::storage::{Object, StoredImage};
 use super::transfer::region;
 use super::Executor;
+use crate::contract::texel::Texel;
 use crate::contract::{Access, FrameContext, Lifetime, ResourceId, ResourceState, UseFrame};
 use crate::error::Error;
 use ash::vk;
-use crate::contract::texel::Texel;
 
 /// Format and size of a copy of a resource.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

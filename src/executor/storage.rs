@@ -1,13 +1,13 @@
 //! Physical images and buffers of a declaration, with their tracker. Knows no device.
 
 use super::HostImage;
+use crate::contract::texel::Texel;
 use crate::contract::Binding;
 use crate::contract::{
     component_of, Component, Declaration, FrameContext, PhysicalResource, ResourceId, ResourceState, Span, Tracker,
 };
 use crate::error::Error;
 use ash::vk;
-use crate::contract::texel::Texel;
 
 /// A physical image with its view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

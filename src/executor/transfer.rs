@@ -1,9 +1,9 @@
 //! Getting texels in and out through a staging buffer.
 
+use crate::contract::texel::Texel;
 use crate::contract::{Access, ResourceState};
 use crate::error::Error;
 use ash::vk;
-use crate::contract::texel::Texel;
 
 /// A host-visible buffer, mapped for its whole life.
 pub(crate) struct Staging {

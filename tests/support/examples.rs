@@ -22,9 +22,7 @@ fn build() -> PathBuf {
     let mut command = Command::new(cargo);
     command.current_dir(env!("CARGO_MANIFEST_DIR")).args(["build", "--quiet", "--workspace", "--features", FEATURES]);
     command.args(
-        ["host_ash", "host_vk_graph", "host_vulkano", "host_wgpu", "custom_graph", "bench"]
-            .iter()
-            .flat_map(|name| ["--example", *name]),
+        ["host_ash", "host_vk_graph", "host_vulkano", "host_wgpu", "custom_graph"].iter().flat_map(|name| ["--example", *name]),
     );
     command.arg("--profile");
     command.arg(if profile == Path::new("debug") { "dev".as_ref() } else { profile }).arg("--target-dir").arg(target);

@@ -7,14 +7,15 @@ pub use without_feature::{finish, start};
 
 #[cfg(feature = "capture")]
 mod with_feature {
-    use atrous_demo::measure::Frame;
-    use atrous_demo::{Error, FrameDenoiser, Result};
+    use crate::error::Result;
+    use atrous_engine::{Error, FrameDenoiser};
+    use atrous_lab::measure::Frame;
     use exr::prelude::write_rgb_file;
     use std::path::Path;
 
     /// Captures the next `frames` frames.
     pub fn start(denoiser: &mut FrameDenoiser, folder: &Path, frames: u32) -> Result<()> {
-        denoiser.capture(folder, frames)
+        Ok(denoiser.capture(folder, frames)?)
     }
 
     /// Writes what is left, and the references beside the frames that have one.
@@ -33,8 +34,9 @@ mod with_feature {
 
 #[cfg(not(feature = "capture"))]
 mod without_feature {
-    use atrous_demo::measure::Frame;
-    use atrous_demo::{Error, FrameDenoiser, Result};
+    use crate::error::{Error, Result};
+    use atrous_engine::FrameDenoiser;
+    use atrous_lab::measure::Frame;
     use std::path::Path;
 
     pub fn start(_: &mut FrameDenoiser, _: &Path, _: u32) -> Result<()> {

@@ -1,18 +1,16 @@
 //! Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
 
 mod capture;
-mod evaluate;
-mod files;
+mod error;
 mod options;
-mod progress;
 mod run;
-mod running;
-mod times;
 
 use std::process::ExitCode;
 
-use atrous_demo::{Gpu, GpuOptions, Result};
+use atrous_engine::{Gpu, GpuOptions};
+use atrous_lab::evaluate;
 use clap::Parser;
+use error::Result;
 use options::{Command, Options};
 
 fn main() -> ExitCode {
@@ -31,12 +29,12 @@ fn main() -> ExitCode {
 
 #[cfg(feature = "window")]
 fn window(options: &Options) -> Result<usize> {
-    atrous_demo::window::run(options.window())
+    Ok(atrous_window::run(options.window())?)
 }
 
 #[cfg(not(feature = "window"))]
 fn window(_: &Options) -> Result<usize> {
-    Err(atrous_demo::Error::NoWindowBuilt)
+    Err(error::Error::NoWindowBuilt)
 }
 
 /// Gives the number of validation messages.
@@ -46,7 +44,7 @@ fn demo(options: &Options) -> Result<usize> {
         return Ok(0);
     }
     if let Some(Command::Evaluate(options)) = &options.command {
-        return evaluate::run(options);
+        return Ok(evaluate::run(options)?);
     }
     options.check()?;
     if options.window {

@@ -4,11 +4,12 @@ use std::path::PathBuf;
 
 use atrous::config::{EawWeights, Preset, Signals};
 use atrous::{Choice, Tuning};
-use atrous_demo::{DenoiserOptions, Error, Noise, Result, SampleEye, SceneOptions, TracerOptions, FILTERS};
+use atrous_engine::{DenoiserOptions, Noise, SampleEye, SceneOptions, TracerOptions, FILTERS};
+use atrous_lab::evaluate::{parse_size, EvaluateOptions};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 
-use crate::evaluate::EvaluateOptions;
+use crate::error::{Error, Result};
 
 /// Renders animated scenes with one path per pixel, denoises them, and writes pictures and tables.
 ///
@@ -130,8 +131,8 @@ impl Options {
 
     /// What the window is asked for.
     #[cfg(feature = "window")]
-    pub fn window(&self) -> atrous_demo::window::WindowOptions {
-        atrous_demo::window::WindowOptions {
+    pub fn window(&self) -> atrous_window::WindowOptions {
+        atrous_window::WindowOptions {
             device: self.device.clone(),
             validation: self.validate,
             size: self.size,
@@ -193,7 +194,7 @@ impl Options {
     }
 
     /// What the denoiser is asked for.
-    pub fn denoiser(&self, preset: Preset) -> Result<DenoiserOptions> {
+    pub fn denoiser(&self, preset: Preset) -> atrous_engine::Result<DenoiserOptions> {
         let defaults = DenoiserOptions::new(preset);
         let mut tuning = defaults.tuning;
         self.set(&mut tuning)?;
@@ -210,18 +211,12 @@ impl Options {
         })
     }
 
-    fn set(&self, tuning: &mut Tuning) -> Result<()> {
+    fn set(&self, tuning: &mut Tuning) -> atrous_engine::Result<()> {
         for (name, value) in &self.numbers {
             tuning.set(name, *value)?;
         }
         Ok(())
     }
-}
-
-/// Width and height, such as 320x180.
-pub fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
-    let parsed = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
-    parsed.ok_or_else(|| format!("\"{text}\" is not a size: give width and height like 320x180"))
 }
 
 fn parse_setting(text: &str) -> std::result::Result<(String, f32), String> {

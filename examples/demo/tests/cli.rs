@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use crate::support::Validated;
+use atrous_engine::testing::Validated;
 
 fn demo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_atrous-demo"));
@@ -85,7 +85,8 @@ fn no_vulkan_device_is_said_with_the_remedy() {
 
 #[test]
 fn an_unknown_scene_is_told_which_there_are() {
-    let error = atrous_demo::Scene::load("cornel", &atrous_demo::SceneOptions::default()).map(|_| ()).expect_err("no such scene");
+    let error =
+        atrous_engine::Scene::load("cornel", &atrous_engine::SceneOptions::default()).map(|_| ()).expect_err("no such scene");
     let message = error.to_string();
     for name in ["\"cornel\"", "cornell, pillars, glossy, mirror, hall, fog", ".glb"] {
         assert!(message.contains(name), "{message}");

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use crate::support::Validated;
+use atrous_engine::testing::Validated;
 
 fn evaluate(out: &Path, arguments: &[&str]) -> Output {
     measuring(2, out, arguments)

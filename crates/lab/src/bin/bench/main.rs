@@ -1,0 +1,100 @@
+//! Time, traffic and memory of every pass, and what a driver's compiler makes of the shaders: `cargo run --release -p
+//! atrous-lab --bin bench -- --help`. docs/lab/performance.md says how to read it.
+
+mod against;
+mod clock;
+mod content;
+mod graphs;
+mod growth;
+mod host_cost;
+mod inputs;
+mod isa;
+mod measure;
+mod options;
+mod report;
+mod runner;
+mod statistics;
+mod subject;
+mod tables;
+mod yardsticks;
+
+use atrous::executor::{HeadlessDevice, HeadlessOptions};
+use clap::Parser;
+use clock::Clock;
+use measure::{Graph, Measurement};
+use options::Options;
+use report::{Case, Report};
+use std::error::Error;
+use std::process::ExitCode;
+use std::sync::Arc;
+
+fn main() -> ExitCode {
+    let options = Options::parse();
+    let done = if options.isa { isa::run(&options) } else { bench(&options).map(|()| ExitCode::SUCCESS) };
+    done.unwrap_or_else(|error| {
+        eprintln!("error: {error}");
+        ExitCode::FAILURE
+    })
+}
+
+fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
+    let before = options.against.as_deref().map(Report::read).transpose()?;
+    let gpu = Arc::new(HeadlessDevice::new(&HeadlessOptions { device: options.device.clone(), ..Default::default() })?);
+    let cpu_device = clock::is_cpu(&gpu);
+    let clock = if cpu_device && !options.timestamps { Clock::ProcessCpuTime } else { Clock::timestamps(&gpu)? };
+    let sizes = options.sizes(cpu_device);
+    println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
+    let mut report = Report::new(gpu.name(), clock);
+    let measured = |size| -> Result<Vec<Case>, Box<dyn Error>> {
+        let (contents, frames, rounds) = (&options.contents(), options.frames, options.rounds);
+        Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)
+    };
+    for &size in &sizes {
+        let cases = measured(size)?;
+        for case in &cases {
+            println!("{}", tables::passes(case)?);
+        }
+        if let Some(case) = cases.first() {
+            print_floor(&case.floor, clock);
+        }
+        report.cases.extend(cases);
+    }
+    println!("{}", tables::summary(&report)?);
+    if options.growth {
+        for _ in 1..growth::VISITS {
+            for &size in &sizes {
+                measured(size)?.iter().for_each(|case| report.lower_least(case));
+            }
+        }
+        println!("{}\n{}", growth::with_size(&report, &sizes)?, growth::with_content(&report, &sizes)?);
+    }
+    if let Some(before) = &before {
+        against::warnings(before, &report).iter().for_each(|warning| println!("note: {warning}"));
+        println!("{}", against::table(before, &report)?);
+    }
+    if let Some(path) = &options.json {
+        report.write(path)?;
+    }
+    if let Some(path) = &options.picture {
+        tables::bars(&report).render()?.write_png(path)?;
+    }
+    Ok(())
+}
+
+fn graphs(options: &Options, size: [u32; 2]) -> Result<Vec<Graph>, atrous::Error> {
+    let choices = options.choices();
+    let graph = |subject: &subject::Subject| {
+        Ok(Graph { label: subject.label(&choices), declaration: subject.declare(size, &choices)?, tuning: subject.tuning() })
+    };
+    options.subjects().iter().map(graph).collect()
+}
+
+fn print_floor(floor: &report::Floor, clock: Clock) {
+    let copy = floor.copy_gb_per_s.map_or("too short to measure".to_owned(), |gb_per_s| format!("{gb_per_s:.2} GB/s"));
+    print!("copy: {copy}; {} multiply-adds a pixel: {:.4} ms", yardsticks::MULTIPLY_ADDS, floor.arithmetic_ms);
+    if clock == Clock::ProcessCpuTime {
+        let empty = floor.empty_submission_ms;
+        print!("; a submission without work: {:.4} ms (95 %: {:.4}), taken off every pass", empty.median, empty.p95);
+    }
+    println!("\n");
+}

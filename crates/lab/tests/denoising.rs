@@ -1,0 +1,100 @@
+//! What the denoiser reaches on real path-traced input, inside the engine, under validation.
+
+use ash::vk::Extent2D;
+use atrous::config::{EawWeights, Preset, Signals};
+use atrous_engine::testing::{built_in, Validated, SMALL};
+use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
+use atrous_lab::measure::{Frame, Scores};
+
+const EXTENT: Extent2D = Extent2D { width: 256, height: 144 };
+
+/// Scores of the noisy picture of the last of `frames` frames, and of each denoised one, lights and nothing else held still. The noise of the
+/// reference is left out.
+fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptions]) -> Vec<Scores> {
+    let scene = built_in(name, SceneOptions { static_light: true, ..SceneOptions::default() });
+    let tracer_options = TracerOptions { jitter: options.iter().any(|options| options.taa), ..TracerOptions::default() };
+    let mut tracer = PathTracer::new(&gpu.0, &scene, EXTENT, tracer_options).expect("a path tracer");
+    let mut denoisers: Vec<_> =
+        options.iter().map(|options| FrameDenoiser::new(&gpu.0, &tracer, options).expect("a denoiser")).collect();
+    for index in 0..frames {
+        tracer.begin_frame(index).expect("a frame");
+        denoisers.iter_mut().for_each(|denoiser| denoiser.render(&mut tracer).expect("a submit"));
+    }
+    let mut frame = Frame::read(&gpu.0, &tracer, &mut denoisers).expect("pictures");
+    let moment = scene.moment(frame.index);
+    frame.set_halves([frames, frames + 1].map(|seed| {
+        tracer.begin_moment(seed, &moment, &moment).expect("a frame");
+        tracer.render_reference(32, |_, _| {}).expect("a reference").radiance()
+    }));
+    let scores = frame.scores(None).expect("finite pictures").expect("a reference");
+    println!("{name}, frame {}: noisy {:?}, denoised {:?}", frame.index, scores[0], &scores[1..]);
+    scores
+}
+
+fn with(signals: Signals) -> DenoiserOptions {
+    DenoiserOptions { signals, ..DenoiserOptions::new(Preset::Svgf) }
+}
+
+fn assert_cleaner(noisy: Scores, denoised: Scores) {
+    assert!(denoised.rmse <= noisy.rmse / 3.0, "{} of {}", denoised.rmse, noisy.rmse);
+}
+
+#[test]
+fn cornell_is_clean() {
+    let Some(gpu) = Validated::new() else { return };
+    let scores = last_frame(&gpu, "cornell", 8, &[with(Signals::Apart), with(Signals::Together)]);
+    assert_cleaner(scores[0], scores[1]);
+    assert_cleaner(scores[0], scores[2]);
+    assert!(scores[1].ssim >= 0.93, "SSIM {}", scores[1].ssim);
+}
+
+#[test]
+fn pillars_are_clean() {
+    let Some(gpu) = Validated::new() else { return };
+    let scores = last_frame(&gpu, "pillars", 12, &[with(Signals::Apart)]);
+    assert_cleaner(scores[0], scores[1]);
+    assert!(scores[1].ssim >= 0.93, "SSIM {}", scores[1].ssim);
+}
+
+/// [EAW] Figure 4: without weights it is a blur, and each weight that is added keeps more of what should not be blurred.
+#[test]
+fn each_weight_of_eaw_improves_a_single_frame() {
+    let Some(gpu) = Validated::new() else { return };
+    let small = Extent2D { width: 160, height: 90 };
+    let mut tracer = PathTracer::new(&gpu.0, &built_in("cornell", SceneOptions::default()), small, TracerOptions::default())
+        .expect("a path tracer");
+    let reference = tracer.render_reference(64, |_, _| {}).expect("a reference").radiance();
+    let errors = [0, 1, 2, 3].map(|count| {
+        let options = DenoiserOptions { eaw_weights: EawWeights::first(count), ..DenoiserOptions::new(Preset::Eaw) };
+        let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
+        denoiser.render(&mut tracer).expect("a submit");
+        let mut frame = Frame::read(&gpu.0, &tracer, [&mut denoiser]).expect("pictures");
+        frame.reference = Some(reference.clone());
+        let scores = frame.scores(None).expect("finite pictures").expect("a reference");
+        [scores[0].rmse, scores[1].rmse]
+    });
+    println!("noisy, and with 0 to 3 weights: {errors:.4?}");
+    assert!(errors.windows(2).all(|pair| pair[1][1] < pair[0][1]), "{errors:?}");
+    let [noisy, filtered] = errors[3];
+    assert!(filtered * filtered <= noisy * noisy / 10.0, "{errors:?}");
+}
+
+#[test]
+fn two_runs_are_bit_identical() {
+    let Some(gpu) = Validated::new() else { return };
+    let run = || {
+        let scene = built_in("pillars", SceneOptions::default());
+        let tracer_options = TracerOptions { jitter: true, ..TracerOptions::default() };
+        let mut tracer = PathTracer::new(&gpu.0, &scene, SMALL, tracer_options).expect("a path tracer");
+        let options = DenoiserOptions { taa: true, ..DenoiserOptions::new(Preset::Svgf) };
+        let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
+        for index in 0..5 {
+            tracer.begin_frame(index).expect("a frame");
+            denoiser.render(&mut tracer).expect("a submit");
+        }
+        denoiser.read("display").expect("display")
+    };
+    let first = run();
+    assert!(first.iter().flatten().all(|v| v.is_finite()));
+    assert_eq!(first, run());
+}

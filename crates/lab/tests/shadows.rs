@@ -1,0 +1,61 @@
+//! The sun apart from the path: its estimator against the one of all light, and what the filter of its visibility reaches at the edges of shadows.
+
+use ash::vk::Extent2D;
+use atrous::config::Preset;
+use atrous_engine::testing::{built_in, mean, render, rgb, tracer, Validated};
+use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
+use atrous_lab::shadows::{ShadowEdges, ShadowGuides};
+
+/// The light of the sun times its visibility, with the light that has none of it, is all light.
+#[test]
+fn the_parts_add_up_to_all_light() {
+    let Some(gpu) = Validated::new() else { return };
+    for name in ["hall", "leaves"] {
+        let scene = built_in(name, SceneOptions { static_camera: true, ..SceneOptions::default() });
+        let mut tracer = tracer(&gpu, &scene, TracerOptions { sun_apart: true, ..TracerOptions::default() });
+        let (mut parts, frames) = (0.0, 64);
+        for frame in 0..frames {
+            render(&gpu, &mut tracer, frame);
+            let read = |image| gpu.0.read_image(image).expect("pixels");
+            let sun = tracer.sun().expect("a sun");
+            let light = read(&sun.unshadowed_direct).into_iter().zip(read(&sun.noisy_visibility));
+            let light: Vec<_> = light.map(|(l, v)| [l[0] * v[0], l[1] * v[0], l[2] * v[0]]).collect();
+            let others = [&tracer.outputs().scattered, &tracer.outputs().emission].map(|image| mean(&rgb(read(image))));
+            parts += (mean(&light) + others[0] + others[1]) / f64::from(frames);
+            let distances = read(&sun.occluder_distance);
+            assert!(distances.iter().zip(read(&sun.noisy_visibility)).all(|(d, v)| (d[0] > 0.0) == (v[0] == 0.0)));
+        }
+        let whole = mean(&tracer.render_reference(256, |_, _| ()).expect("a reference").radiance());
+        println!("{name}: {parts:.4} of {whole:.4}");
+        assert!((parts / whole - 1.0).abs() < 0.02, "{name}: {parts} {whole}");
+    }
+}
+
+/// Frames of a small `hall`, whose camera walks, with all light in one and with the sun apart.
+#[test]
+fn edges_of_shadows_are_sharp_and_nearly_right() {
+    let Some(gpu) = Validated::new() else { return };
+    let scene = built_in("hall", SceneOptions::default());
+    let extent = Extent2D { width: 160, height: 90 };
+    let mut radiance = Vec::new();
+    for sun_apart in [false, true] {
+        let options = TracerOptions { sun_apart, ..TracerOptions::default() };
+        let mut tracer = PathTracer::new(&gpu.0, &scene, extent, options).expect("a tracer");
+        let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &DenoiserOptions::new(Preset::Asvgf)).expect("a denoiser");
+        for frame in 0..10 {
+            tracer.begin_frame(frame).expect("a frame");
+            denoiser.render(&mut tracer).expect("a frame");
+        }
+        radiance.push(rgb(denoiser.read("denoised_radiance").expect("an output")));
+        if sun_apart {
+            let guides = ShadowGuides::read(&gpu.0, &tracer, 64).expect("rays").expect("a sun");
+            let reference = tracer.render_reference(64, |_, _| ()).expect("a reference").radiance();
+            let edges = ShadowEdges::new(guides);
+            let errors: Vec<f64> = radiance.iter().map(|image| edges.error(image, &reference).expect("finite")).collect();
+            let widths: Vec<_> = radiance.iter().chain([&reference]).map(|image| edges.width(image, &reference)).collect();
+            println!("error {errors:.4?}, width {widths:.2?} of {} edges", edges.profiles());
+            assert!(errors[1] < 0.6 * errors[0], "{errors:?}");
+            assert!(widths[1].expect("edges") < widths[2].expect("edges") + 1.5, "{widths:?}");
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! The engine: pictures without a denoiser, and what a denoiser is given.
+
+mod conventions;
+mod energy;
+mod frames;
+mod gltf;
+mod gltf_hostile;
+#[cfg(feature = "hot-reload")]
+mod hot_reload;
+mod motion;
