@@ -143,19 +143,19 @@ struct Lobe {
 };
 
 // Narrows the tolerance of normals as well.
-Lobe lobe_of(ivec2 p, uvec4 packed, inout EdgeCentre surface) {
+Lobe lobe_of(ivec2 p, GuideBits packed, inout EdgeCentre surface) {
     Reflection r = unpack_reflection(packed_at(reflection, p).x);
     float share = mirror_share(r.roughness), width = lobe_width(r.roughness);
-    float radius = max(push.specular_blur * lobe_radius(unpack_depth(packed), r), 0.01);
+    float radius = max(push.specular_blur * lobe_radius(guide_depth(packed), r), 0.01);
     float sigma_n = share / (width * width + 1e-3);
     surface.normal_sharpness += LOG2_E * sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     float distance_sharpness = r.hit_distance > 0.0 ? LOG2_E * 4.0 * share / (width * width + 0.02) : 0.0;
-    return Lobe(nearness_of(unpack_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
+    return Lobe(nearness_of(guide_depth(packed), r.hit_distance), LOG2_E * 0.5 * share / (radius * radius), distance_sharpness);
 }
 
-float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, uvec4 packed_tap) {
+float log2_lobe_weight(Lobe lobe, ivec2 offset, ivec2 tap, GuideBits packed_tap) {
     float distance = unpack_reflection(packed_at(reflection, tap).x).hit_distance;
-    float difference = nearness_of(unpack_depth(packed_tap), distance) - lobe.nearness;
+    float difference = nearness_of(guide_depth(packed_tap), distance) - lobe.nearness;
     return -(float(offset.x * offset.x + offset.y * offset.y) * lobe.spatial_sharpness + difference * difference * lobe.distance_sharpness);
 }
 #endif
@@ -167,7 +167,7 @@ void main() {
 #if SIGNALS == 2
     vec4 value_1 = imageLoad(input_1, p);
 #endif
-    uvec4 packed = packed_at(guide, p);
+    GuideBits packed = GuideBits(packed_at(guide, p));
     if (!is_filtered(packed)) {
         imageStore(output_0, p, value_0);
 #if SIGNALS == 2
@@ -195,7 +195,7 @@ void main() {
             // The tap on the other side has the same kernel and the same tolerance of depth.
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
                 ivec2 q = p + side * offset, tap = nearest_inside(q);
-                uvec4 packed_q = packed_at(guide, tap);
+                GuideBits packed_q = GuideBits(packed_at(guide, tap));
                 float kernel = q == tap && is_filtered(packed_q) ? kernel_at(ivec2(x, y)) : 0.0;
                 float weight = log2_weight(geometry, packed_q, sharpness);
 #ifdef SPECULAR

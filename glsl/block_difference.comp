@@ -1,6 +1,6 @@
 #version 450
 // How far the light of this frame departs from its own history, block by block: mean and deviation of the paired differences.
-// Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (docs/stages.md).
+// Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (src/nodes/block_difference/specification.md).
 // In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance (filter_ping), irradiance_history, moments (previous).
 //      Pixels without a sample (alpha -1) do not count.
 // Out: block_difference, four half floats a block: mean, deviation, pixels, mean luminance of the brighter side.
@@ -42,7 +42,7 @@ shared Sums sums[ROW_PIXELS];
 // Without branches: software Vulkan masks them, and then reads images a lane at a time.
 Sums sums_of(ivec2 pixel) {
     ivec2 p = nearest_inside(pixel), tap;
-    bool counts = nearest_history(p, imageLoad(guide, p), surface_motion, depth_gradient, previous_guide, tap);
+    bool counts = nearest_history(p, GuideBits(imageLoad(guide, p)), surface_motion, depth_gradient, previous_guide, tap);
     vec4 texel = imageLoad(irradiance, p);
     float now = luminance(texel.rgb);
     float before = min(luminance(imageLoad(history, tap).rgb) * frame.exposure_ratio, 65504.0);

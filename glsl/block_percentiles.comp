@@ -26,7 +26,7 @@ layout(set = 0, binding = 1) uniform utexture2D guide;
 layout(set = 0, binding = 2) uniform texture2D irradiance;
 layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles;
 
-bool takes_part(ivec2 p) { return is_inside(p) && (VOLUME || unpack_depth(texelFetch(guide, p, 0)) != 0.0); }
+bool takes_part(ivec2 p) { return is_inside(p) && (VOLUME || guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0); }
 
 // Behind every luminance that a half float holds.
 const float NO_PIXEL = 1e30;

@@ -1,7 +1,7 @@
 #version 450
 // How far the history of a pixel is still true: unless the frame departs from it by more than noise explains. No re-shaded samples are needed.
 // Source: ours, in the place of the rule of [PSVGF]: a test of the mean difference against its standard error, over 24x24 pixels, which works
-// in both directions (docs/stages.md).
+// in both directions (src/nodes/change_test/specification.md).
 // In:  per signal block_difference. Out: history_confidence, 1 (keep) to 0 (drop), and steadiness, one texel a block: 1 where neither the mean
 //      nor one of its blocks departs by what could be more than noise, to 0; the least of the signals.
 // optional: block_difference_1, steadiness

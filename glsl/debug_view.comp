@@ -147,8 +147,8 @@ float filter_deviation(ivec2 p) {
 }
 
 vec4 percentiles_at(ivec2 p) {
-    vec2 low_up = unpackHalf2x16(texelFetch(block_percentiles_0, p / BLOCK_SIZE, 0).x);
-    float other = is_present(BLOCK_PERCENTILES_1) ? unpackHalf2x16(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).y : 0.0;
+    vec2 low_up = unpack_block_percentiles(texelFetch(block_percentiles_0, p / BLOCK_SIZE, 0).x);
+    float other = is_present(BLOCK_PERCENTILES_1) ? unpack_block_percentiles(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).y : 0.0;
     return vec4(compressed(low_up.x), compressed(low_up.y), compressed(other), low_up.y);
 }
 
@@ -196,9 +196,9 @@ vec4 bad_values_at(ivec2 p) {
     return vec4(lit ? from_srgb(REASON_COLOURS[5]) : ground, count);
 }
 
-vec4 hit_distance_at(ivec2 p, uvec4 packed) {
+vec4 hit_distance_at(ivec2 p, GuideBits packed) {
     float distance = unpack_reflection(texelFetch(reflection, p, 0).x).hit_distance;
-    return distance > 0.0 ? vec4(false_colour(nearness_of(unpack_depth(packed), distance)), distance) : vec4(0.0);
+    return distance > 0.0 ? vec4(false_colour(nearness_of(guide_depth(packed), distance)), distance) : vec4(0.0);
 }
 
 vec4 lobe_angle_at(ivec2 p) {
@@ -207,7 +207,7 @@ vec4 lobe_angle_at(ivec2 p) {
 }
 
 // Of the image behind the surface; of the surface, where nothing is known of it.
-vec4 virtual_motion_at(ivec2 p, uvec4 packed) {
+vec4 virtual_motion_at(ivec2 p, GuideBits packed) {
     Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
     vec2 motion = is_present(SURFACE_MOTION) ? motion_at(p) : vec2(0.0), position;
     Mirror mirror = mirror_at(p, packed, motion);
@@ -221,14 +221,14 @@ vec4 reflection_history_at(ivec2 p) {
 }
 
 // Of a surface that faces the camera: radii of the filter are measured in such pixels.
-vec4 penumbra_at(ivec2 p, uvec4 packed) {
-    float distance = unpack_visibility(texelFetch(visibility_history, p, 0).x).occluder_distance;
-    vec2 size = pixel_size(unpack_depth(packed));
+vec4 penumbra_at(ivec2 p, GuideBits packed) {
+    float distance = unpack_visibility_history(texelFetch(visibility_history, p, 0).x).occluder_distance;
+    vec2 size = pixel_size(guide_depth(packed));
     float pixels = push.light_radius * distance / max(size.x, size.y);
     return distance > 0.0 ? vec4(false_colour(pixels / WIDE_PENUMBRA), pixels) : vec4(0.0);
 }
 
-vec4 shown(ivec2 p, uvec4 packed, uint view) {
+vec4 shown(ivec2 p, GuideBits packed, uint view) {
     float value = 0.0;
     switch (view) {
     case VIEW_HISTORY_LENGTH: value = history_length_at(p); return vec4(false_colour(value / LONG_HISTORY), value);
@@ -252,13 +252,13 @@ vec4 shown(ivec2 p, uvec4 packed, uint view) {
     case VIEW_MOTION: return coloured_motion(motion_at(p));
     case VIEW_VIRTUAL_MOTION: return virtual_motion_at(p, packed);
     case VIEW_REFLECTION_HISTORY: return reflection_history_at(p);
-    case VIEW_VISIBILITY: value = unpack_visibility(texelFetch(visibility_history, p, 0).x).mean; return vec4(false_colour(value), value);
+    case VIEW_VISIBILITY: value = unpack_visibility_history(texelFetch(visibility_history, p, 0).x).mean; return vec4(false_colour(value), value);
     case VIEW_PENUMBRA: return penumbra_at(p, packed);
     case VIEW_HIT_DISTANCE: return hit_distance_at(p, packed);
     case VIEW_LOBE_ANGLE: return lobe_angle_at(p);
-    case VIEW_NORMAL: return vec4(unpack_normal(packed) * 0.5 + 0.5, 0.0);
-    case VIEW_DEPTH: value = unpack_depth(packed); return vec4(false_colour(compressed(value)), value);
-    default: return id_at(unpack_id(packed));
+    case VIEW_NORMAL: return vec4(guide_normal(packed) * 0.5 + 0.5, 0.0);
+    case VIEW_DEPTH: value = guide_depth(packed); return vec4(false_colour(compressed(value)), value);
+    default: return id_at(guide_id(packed));
     }
 }
 
@@ -266,10 +266,10 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     uint view = min(push.level, VIEW_PENUMBRA);
-    uvec4 packed = packed_at(guide, p);
+    GuideBits packed = GuideBits(packed_at(guide, p));
     vec4 value = vec4(0.0);
     if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);
     else if (view == VIEW_BAD_VALUES) value = bad_values_at(p);
-    else if (unpack_depth(packed) > 0.0) value = shown(p, packed, view);
+    else if (guide_depth(packed) > 0.0) value = shown(p, packed, view);
     imageStore(debug_view, p, vec4(clamp(value.rgb, 0.0, 1.0), clamp(value.a, -65504.0, 65504.0)));
 }

@@ -54,9 +54,9 @@ layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D nois
 #endif
 
 vec3 divisor_at(ivec2 p) {
-    uvec4 packed = texelFetch(guide, p, 0);
+    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     bool from_f0 = !is_present(ALBEDO) && is_present(SPECULAR_F0);
-    if ((!is_present(ALBEDO) && !from_f0) || unpack_depth(packed) == 0.0) return vec3(1.0);
+    if ((!is_present(ALBEDO) && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
     vec3 a = from_f0 ? texelFetch(specular_f0, p, 0).rgb : texelFetch(albedo, p, 0).rgb;
     if (!is_finite(a)) count_bad(BAD_ALBEDO);
     return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
@@ -64,7 +64,7 @@ vec3 divisor_at(ivec2 p) {
 
 // How far away is what is seen in a surface, so that a half float holds it.
 float hit_distance_at(ivec2 p) {
-    if (!is_present(SPECULAR_HIT_DISTANCE) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return 0.0;
+    if (!is_present(SPECULAR_HIT_DISTANCE) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return 0.0;
     float distance = texelFetch(specular_hit_distance, p, 0).x;
     if (is_nan(distance) || distance < 0.0) {
         count_bad(BAD_HIT_DISTANCE);

@@ -93,8 +93,8 @@ void main() {
     vec4 centre_1 = imageLoad(input_1, p);
     hole = hole || centre_1.a < 0.0;
 #endif
-    uvec4 packed = packed_at(guide, p);
-    float z = unpack_depth(packed);
+    GuideBits packed = GuideBits(packed_at(guide, p));
+    float z = guide_depth(packed);
     bool background = z == 0.0;
     if (background && !hole) {
         imageStore(output_0, p, centre_0);
@@ -103,16 +103,16 @@ void main() {
 #endif
         return;
     }
-    vec3 n = normal_steps(packed), x = view_position(p, z);
+    vec3 n = guide_normal_steps(packed), x = view_position(p, z);
     Level level = level_of(z);
     Sum sum_0 = Sum(vec3(0.0), 0.0, vec3(0.0), 0.0), sum_1 = sum_0;
     int step_size = 1 << push.level;
     [[unroll]] for (int j = -2; j <= 2; ++j)
         [[unroll]] for (int i = -2; i <= 2; ++i) {
             ivec2 q = p + ivec2(i, j) * step_size, tap = nearest_inside(q);
-            uvec4 packed_q = packed_at(guide, tap);
-            float z_q = unpack_depth(packed_q);
-            float exponent = squared(n - normal_steps(packed_q)) * level.inverse_sigma_n;
+            GuideBits packed_q = GuideBits(packed_at(guide, tap));
+            float z_q = guide_depth(packed_q);
+            float exponent = squared(n - guide_normal_steps(packed_q)) * level.inverse_sigma_n;
             exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_x);
             exponent = background ? 0.0 : exponent;
             float kernel = q == tap && (z_q == 0.0) == background ? KERNEL[abs(i)] * KERNEL[abs(j)] : 0.0;

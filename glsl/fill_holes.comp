@@ -39,9 +39,9 @@ void add_tap(inout Sum sum, ivec2 p, ivec2 offset, EdgeCentre centre) {
     ivec2 q = p + offset;
     if (offset == ivec2(0) || !is_inside(q)) return;
     vec4 tap = texelFetch(holed, q, 0);
-    uvec4 packed = texelFetch(guide, q, 0);
+    GuideBits packed = GuideBits(texelFetch(guide, q, 0));
     bool background = centre.depth == 0.0;
-    if (tap.a < 0.0 || (unpack_depth(packed) == 0.0) != background) return;
+    if (tap.a < 0.0 || (guide_depth(packed) == 0.0) != background) return;
     vec2 way = vec2(offset);
     float weight = 1.0 / dot(way, way);
     sum.plain += weight * vec4(tap.rgb, 1.0);
@@ -54,7 +54,7 @@ void main() {
     if (!is_inside(p)) return;
     vec4 texel = texelFetch(holed, p, 0);
     if (texel.a < 0.0) {
-        EdgeCentre centre = edge_centre(texelFetch(guide, p, 0), unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
+        EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)), unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
         Sum sum = Sum(vec4(0.0), vec4(0.0));
         [[dont_unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
             [[dont_unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) add_tap(sum, p, ivec2(x, y), centre);

@@ -33,7 +33,7 @@ shared vec4 columns[ROW_PIXELS];
 
 // A hole has no sample yet.
 bool takes_part(ivec2 p, vec4 value) {
-    return is_inside(p) && value.a >= 0.0 && (VOLUME || unpack_depth(texelFetch(guide, p, 0)) != 0.0);
+    return is_inside(p) && value.a >= 0.0 && (VOLUME || guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0);
 }
 
 // The share of a luminance that is kept.

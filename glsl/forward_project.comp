@@ -119,8 +119,8 @@ bool project_candidate(uint index, out ivec2 previous_pixel, out ivec2 pixel) {
     previous_pixel = ivec2(candidate.xy);
     pixel = ivec2(0);
     if (candidate.x == NO_PIXEL) return false;
-    uvec4 packed = texelFetch(previous_guide, previous_pixel, 0);
-    float z = unpack_depth(packed);
+    GuideBits packed = GuideBits(texelFetch(previous_guide, previous_pixel, 0));
+    float z = guide_depth(packed);
     if (z == 0.0) return false;
     ForwardPosition position;
     uint host = host_position(previous_pixel, position);
@@ -130,10 +130,10 @@ bool project_candidate(uint index, out ivec2 previous_pixel, out ivec2 pixel) {
     if (host == 2u) return false;
     if (host == 0u && !carried_position(previous_pixel, z, candidate.z | candidate.w << 16, position)) return false;
     if (!covering_pixel(position, pixel)) return false;
-    uvec4 now = texelFetch(guide, pixel, 0);
-    float z_now = unpack_depth(now);
-    if (z_now == 0.0 || unpack_id(now) != unpack_id(packed)) return false;
-    return is_visible(position, z_now, unpackHalf2x16(texelFetch(depth_gradient, pixel, 0).x), push.depth_tolerance);
+    GuideBits now = GuideBits(texelFetch(guide, pixel, 0));
+    float z_now = guide_depth(now);
+    if (z_now == 0.0 || guide_id(now) != guide_id(packed)) return false;
+    return is_visible(position, z_now, unpack_depth_gradient(texelFetch(depth_gradient, pixel, 0).x), push.depth_tolerance);
 }
 
 #if RESOLVE

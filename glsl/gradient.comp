@@ -69,6 +69,7 @@ struct Sum {
     float change;     // δ
     float brightest;  // Δ
     float samples;
+    float origin;   // luminance that mean and squares are taken about: that of the first surface, since a difference of squares cancels
     float mean;
     float squares;
     float surfaces;
@@ -89,7 +90,7 @@ float albedo_at(ivec2 p, bool background) {
 }
 
 // Luminance, negative without a sample, and that of the albedo.
-vec2 light_of(ivec2 previous_pixel) { return unpackHalf2x16(texelFetch(previous_luminance, previous_pixel, 0).x); }
+vec2 light_of(ivec2 previous_pixel) { return unpack_noisy_luminance(texelFetch(previous_luminance, previous_pixel, 0).x); }
 
 bool has_ratio() { return is_present(PREVIOUS_RED_BLUE) && is_present(LIGHT_BEFORE) && is_present(LIGHT_NOW); }
 
@@ -107,25 +108,25 @@ void add_change(inout Sum sum, vec3 radiance, vec2 before, ivec2 previous_pixel)
     sum.brightest += max(now, l) / before.y;
     sum.samples += 1.0;
     if (has_ratio()) {
-        vec2 red_blue = min(unpackHalf2x16(texelFetch(previous_red_blue, previous_pixel, 0).x) * frame.exposure_ratio, 65504.0);
+        vec2 red_blue = min(unpack_noisy_red_blue(texelFetch(previous_red_blue, previous_pixel, 0).x) * frame.exposure_ratio, 65504.0);
         add_light(sum, radiance_of(l, red_blue) / before.y, radiance_of(now, kept_red_blue(radiance)) / before.y);
     }
 }
 
 // The pixel of the previous frame that showed this surface.
-bool previous_pixel_of(ivec2 p, uvec4 packed, out ivec2 j) {
+bool previous_pixel_of(ivec2 p, GuideBits packed, out ivec2 j) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     j = ivec2(floor(previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent)));
     if (!is_inside_previous(j)) return false;
-    uvec4 before = texelFetch(previous_guide, j, 0);
-    float z = unpack_depth(before);
-    if (z == 0.0 || unpack_id(before) != unpack_id(packed)) return false;
-    float expected = unpack_depth(packed) * (1.0 + m.depth_ratio);
-    vec2 slope = abs(unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
+    GuideBits before = GuideBits(texelFetch(previous_guide, j, 0));
+    float z = guide_depth(before);
+    if (z == 0.0 || guide_id(before) != guide_id(packed)) return false;
+    float expected = guide_depth(packed) * (1.0 + m.depth_ratio);
+    vec2 slope = abs(unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
     return abs(z - expected) <= push.depth_tolerance * expected + slope.x + slope.y;
 }
 
-void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
+void add_reshaded(inout Sum sum, ivec2 p, GuideBits packed) {
     ivec2 j;
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
@@ -134,8 +135,8 @@ void add_reshaded(inout Sum sum, ivec2 p, uvec4 packed) {
 }
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
-uvec4 guide_of(uvec4 packed, uint place) {
-    return uvec4(packed.x & 0xfff0u | place, packed.yzw);
+GuideBits guide_of(GuideBits packed, uint place) {
+    return GuideBits(uvec4(packed.bits.x & 0xfff0u | place, packed.bits.yzw));
 }
 
 vec4 result(Sum sum) {
@@ -143,41 +144,42 @@ vec4 result(Sum sum) {
     float brightest = sum.samples > 0.0 ? sum.brightest / sum.samples : 0.0;
     float mean = sum.surfaces > 0.0 ? sum.mean / sum.surfaces : 0.0;
     float variance = sum.surfaces > 0.0 ? max(0.0, sum.squares / sum.surfaces - mean * mean) : 0.0;
-    return clamp(vec4(change, brightest, mean, sqrt(variance)), -65504.0, 65504.0);
+    return clamp(vec4(change, brightest, sum.origin + mean, sqrt(variance)), -65504.0, 65504.0);
 }
 
 void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
     uvec2 extent = stratum_extent(s);
-    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0));
+    Sum sum = Sum(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, vec4(0.0), vec4(0.0));
     // The sample's own pixel stands for the stratum; else its middle, else its first surface.
     uint wanted = (extent.x - 1u) / 2u + (extent.y - 1u) / 2u * STRATUM_SIZE;
     GradientSample gradient_sample = GradientSample(ivec2(0), 0u, false);
     if (SOURCE == FORWARD_PROJECTED && is_present(GRADIENT_SAMPLES)) {
-        gradient_sample = unpack_gradient_sample(texelFetch(gradient_samples, s, 0));
+        gradient_sample = unpack_gradient_samples(texelFetch(gradient_samples, s, 0));
     }
     bool sampled = gradient_sample.valid && has_flag(FLAG_RESHADED) && !has_flag(FLAG_RESET);
     if (sampled) wanted = gradient_sample.place;
     vec2 before = sampled ? light_of(gradient_sample.previous_pixel) : vec2(0.0);
-    uvec4 stands = uvec4(0u);
+    GuideBits stands = GuideBits(uvec4(0u));
     for (uint y = 0u; y < extent.y; ++y)
         for (uint x = 0u; x < extent.x; ++x) {
             uint place = x + y * STRATUM_SIZE;
             ivec2 p = pixel_at(s, place);
-            uvec4 packed = texelFetch(guide, p, 0);
-            bool background = unpack_depth(packed) == 0.0;
+            GuideBits packed = GuideBits(texelFetch(guide, p, 0));
+            bool background = guide_depth(packed) == 0.0;
             KeptRadiance noisy = noisy_at(p);
             bool is_sample = sampled && place == wanted;
             // The light of a sample comes from its own point, not from the middle of the pixel.
             float a = is_sample ? before.y : albedo_at(p, background);
             if (background) continue;
-            if (stands == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
+            if (stands.bits == uvec4(0u) || place == wanted) stands = guide_of(packed, place);
             if (SOURCE == RESHADED) add_reshaded(sum, p, packed);
             if (!noisy.known) continue;
             float l = min(luminance(noisy.radiance), 65504.0) / a;
-            sum.mean += l;
-            sum.squares += l * l;
+            if (sum.surfaces == 0.0) sum.origin = l;
+            sum.mean += l - sum.origin;
+            sum.squares += (l - sum.origin) * (l - sum.origin);
             sum.surfaces += 1.0;
             if (is_sample) add_change(sum, noisy.radiance, before, gradient_sample.previous_pixel);
         }
@@ -187,7 +189,7 @@ void main() {
         value.xy = is_finite(host) ? clamp(host, vec2(-65504.0, 0.0), vec2(65504.0)) : vec2(0.0);
     }
     imageStore(gradient, s, value);
-    imageStore(gradient_guide, s, stands);
+    imageStore(gradient_guide, s, stands.bits);
     if (!has_ratio()) return;
     float samples = max(sum.samples, 1.0);
     imageStore(light_before, s, min(sum.before / samples, 65504.0));

@@ -3,7 +3,7 @@
 // Source: [ASVGF] 3.4, eq. 7 to 12. Deviation: a standard deviation is stored, not the variance.
 // In:  gradient_guide, depth_gradient; δ, Δ, mean and deviation of luminance per stratum. Out: the same after this iteration. With RATIO
 //      light_before and light_now as well, and out of the LAST iteration, instead of light_before, light_ratio: by which the light of each
-//      component changed, in alpha its coherence, -1 in the background (ours; docs/stages.md). Both are filtered no wider than the ratio
+//      component changed, in alpha its coherence, -1 in the background (ours; src/nodes/gradient_atrous/specification.md). Both are filtered no wider than the ratio
 //      needs to be known.
 // Constants: STRATUM_SIZE, LAST. SMOOTH: eq. 11, means are compared by the deviation of 3x3 strata.
 // variants: RATIO=0 RATIO=1
@@ -51,7 +51,7 @@ const float LUMINANCE_EPSILON = 1e-4;
 // here, whatever it did farther away (ours).
 const uint FIRST_KEPT_LEVEL = 2u;
 
-ivec2 pixel_of(ivec2 s, uvec4 packed) { return pixel_at(s, packed.x & 0xfu); }
+ivec2 pixel_of(ivec2 s, GuideBits packed) { return pixel_at(s, packed.bits.x & 0xfu); }
 
 #if RATIO
 const float LARGEST_RATIO = 64.0;
@@ -106,7 +106,7 @@ float deviation_around(ivec2 s, float own) {
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 t = s + ivec2(x, y), tap = clamp(t, ivec2(0), last);
-            bool counts = t == tap && unpack_depth(texel_at(gradient_guide, tap)) != 0.0;
+            bool counts = t == tap && guide_depth(GuideBits(texel_at(gradient_guide, tap))) != 0.0;
             float deviation = texel_at(gradient_in, tap).w, weight = counts ? 0.25 / float((1 + abs(x)) * (1 + abs(y))) : 0.0;
             variance += weight * deviation * deviation;
             weight_sum += weight;
@@ -118,8 +118,8 @@ void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
     vec4 centre = texel_at(gradient_in, s);
-    uvec4 packed = texel_at(gradient_guide, s);
-    if (unpack_depth(packed) == 0.0) {
+    GuideBits packed = GuideBits(texel_at(gradient_guide, s));
+    if (guide_depth(packed) == 0.0) {
         imageStore(gradient_out, s, centre);
 #if RATIO
         imageStore(before_out, s, LAST ? vec4(1.0, 1.0, 1.0, -1.0) : vec4(0.0));
@@ -141,7 +141,7 @@ void main() {
         return;
     }
     ivec2 p = pixel_of(s, packed);
-    EdgeCentre surface = edge_centre(packed, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
+    EdgeCentre surface = edge_centre(packed, unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
     float sharpness = LOG2_E / (push.sigma_l * deviation_around(s, centre.w) + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
@@ -155,11 +155,11 @@ void main() {
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             if (x == 0 && y == 0) continue;
             ivec2 t = s + ivec2(x, y) * step_size, tap = clamp(t, ivec2(0), last);
-            uvec4 packed_t = texel_at(gradient_guide, tap);
+            GuideBits packed_t = GuideBits(texel_at(gradient_guide, tap));
             vec4 value = texel_at(gradient_in, tap);
             vec2 offset = vec2(pixel_of(tap, packed_t) - p);
             float geometry = log2_edge_weight(surface, packed_t, depth_sharpness(surface, offset));
-            bool counts = t == tap && unpack_depth(packed_t) != 0.0;
+            bool counts = t == tap && guide_depth(packed_t) != 0.0;
             float weight = counts ? exp2(geometry - abs(value.z - centre.z) * sharpness) : 0.0;
             sum += weight * value.xyz;
             variance += weight * weight * value.w * value.w;

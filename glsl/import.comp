@@ -3,7 +3,7 @@
 // Source: the encodings are the host's (Conventions); the depth gradient is that of [SVGF] eq. 3.
 // In:  depth, normal, motion, roughness, surface_id, object_normal as the host encodes them;
 //      instance_transforms: previous from current world space by surface_id, three rows of four.
-// Out: guide, surface_motion, depth_gradient, object_normal_guide (docs/stages.md).
+// Out: guide, surface_motion, depth_gradient, object_normal_guide (docs/specification/packed_images.md).
 // SURFACE_ID is a set of bindings of its own, since no other image could stand in for surface_id.
 // optional: motion, roughness, instance_transforms, object_normal, object_normal_guide
 // variants: SURFACE_ID=0 SURFACE_ID=1
@@ -81,19 +81,18 @@ float depth_of(float d, uint id, ivec2 p) {
 vec3 decode_normal(vec3 v) {
     uint encoding = convention(NORMAL_SHIFT);
     if (encoding == NORMAL_XYZ_UNORM || encoding == NORMAL_OCTAHEDRAL_UNORM) v = v * 2.0 - 1.0;
-    if (encoding >= NORMAL_OCTAHEDRAL) v = from_octahedral(v.xy);
-    return v;
+    return encoding >= NORMAL_OCTAHEDRAL ? octahedral_direction(v.xy) : v;
 }
 
 vec3 world_normal(ivec2 p, bool background) {
     vec3 towards_camera = normalize(mat3(frame.world_from_view) * vec3(0.0, 0.0, -forward_sign()));
-    vec3 v = texelFetch(normal, p, 0).xyz;
-    bool bad = !is_finite(v);
-    if (bad && !background) count_bad(BAD_NORMAL);
-    vec3 n = decode_normal(v);
+    vec3 n = decode_normal(texelFetch(normal, p, 0).xyz);
     if (has_convention(NORMAL_VIEW)) n = mat3(frame.world_from_view) * n;
+    // Not finite either where a component is not, or is too large to be squared.
     float squared = dot(n, n);
-    return !bad && is_finite(squared) && squared >= 1e-8 ? n * inversesqrt(squared) : towards_camera;
+    bool bad = !is_finite(squared);
+    if (bad && !background) count_bad(BAD_NORMAL);
+    return !bad && squared >= 1e-8 ? n * inversesqrt(squared) : towards_camera;
 }
 
 // The surface point of a pixel in world space, homogeneous. The background lies at infinity; orthographic lines of sight show the same
@@ -102,6 +101,9 @@ vec4 world_point(ivec2 p, float z) {
     bool at_infinity = z == 0.0 && !is_orthographic();
     return frame.world_from_view * vec4(view_position(p, z == 0.0 ? 1.0 : z), at_infinity ? 0.0 : 1.0);
 }
+
+// A coordinate that is carried farther is of a transform that is none. NaN is not below it either.
+const float FARTHEST = 1e15;
 
 vec4 carry(vec4 world, uint id, inout vec3 n) {
 #if SURFACE_ID
@@ -113,7 +115,7 @@ vec4 carry(vec4 world, uint id, inout vec3 n) {
     float squared = dot(turned, turned);
     if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
     vec4 carried = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
-    return is_finite(carried.xyz) ? carried : world;
+    return all(lessThan(abs(carried.xyz), vec3(FARTHEST))) ? carried : world;
 #else
     return world;
 #endif
@@ -190,7 +192,7 @@ void main() {
     vec3 n = world_normal(p, background);
     float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
     if (!background && !is_roughness(rough)) count_bad(BAD_ROUGHNESS);
-    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, roughness_of(rough), fold_id(id))));
+    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, roughness_of(rough), fold_id(id))).bits);
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
     imageStore(surface_motion, p, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
     vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id));

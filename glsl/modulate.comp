@@ -40,12 +40,12 @@ layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
 layout(set = 0, binding = SPECULAR_F0) uniform texture2D specular_f0;
 
 vec3 factor_at(ivec2 p) {
-    if (!is_present(ALBEDO) || unpack_depth(texelFetch(guide, p, 0)) == 0.0) return vec3(1.0);
+    if (!is_present(ALBEDO) || guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) return vec3(1.0);
     return divisor_of(texelFetch(albedo, p, 0).rgb);
 }
 
 vec3 specular_factor_at(ivec2 p) {
-    uvec4 packed = texelFetch(guide, p, 0);
+    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     return divisor_from(p, packed, is_present(SPECULAR_ALBEDO), specular_albedo, is_present(SPECULAR_F0), specular_f0);
 }
 

@@ -48,7 +48,7 @@ vec2 percentiles_at(ivec2 p, utexture2D blocks) {
         bvec2 is_second = bvec2((i & 1) == 1, i >> 1 == 1);
         ivec2 block = mix(around.first, around.second, is_second);
         vec2 weights = mix(1.0 - around.fraction, around.fraction, is_second);
-        sum += weights.x * weights.y * unpackHalf2x16(texelFetch(blocks, block, 0).x);
+        sum += weights.x * weights.y * unpack_block_percentiles(texelFetch(blocks, block, 0).x);
     }
     return sum;
 }
@@ -65,7 +65,7 @@ float kept(ivec2 p, ivec2 tap, utexture2D blocks, texture2D history) {
 
 float confidence_at(ivec2 p) {
     ivec2 tap;
-    if (!nearest_history(p, texelFetch(guide, p, 0), surface_motion, depth_gradient, previous_guide, tap)) return 1.0;
+    if (!nearest_history(p, GuideBits(texelFetch(guide, p, 0)), surface_motion, depth_gradient, previous_guide, tap)) return 1.0;
     float confidence = kept(p, tap, block_percentiles_0, history_0);
     if (is_present(BLOCK_PERCENTILES_1) && is_present(HISTORY_1)) confidence = min(confidence, kept(p, tap, block_percentiles_1, history_1));
     return confidence;

@@ -42,7 +42,7 @@ vec3 as_halves(vec3 v) {
 }
 
 vec3 divisor_at(ivec2 p) {
-    uvec4 packed = texelFetch(guide, p, 0);
+    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     return as_halves(divisor_from(p, packed, is_present(ALBEDO), albedo, is_present(SPECULAR_F0), specular_f0));
 }
 
@@ -52,7 +52,7 @@ void main() {
     // 65535 is a stratum without a candidate, which no frame asks for.
     ivec2 candidate = min(ivec2(texelFetch(candidates, s, 0).xy), ivec2(frame.render_extent) - 1);
     imageStore(candidate_albedo, s, vec4(divisor_at(candidate), 0.0));
-    GradientSample taken = unpack_gradient_sample(texelFetch(gradient_samples, s, 0));
+    GradientSample taken = unpack_gradient_samples(texelFetch(gradient_samples, s, 0));
     if (!taken.valid || !has_flag(FLAG_RESHADED) || has_flag(FLAG_RESET)) return;
     ivec2 p = pixel_at(s, taken.place);
     vec3 factor = divisor_at(p) / texelFetch(previous_candidate_albedo, taken.previous_pixel / int(STRATUM_SIZE), 0).rgb;

@@ -67,6 +67,7 @@ struct Centre {
     Mirror mirror;
     float depth;
     Expected expected;  // of the surface in the previous frame, at its position
+    float origin;       // of moments: moments_origin
 };
 
 // Pixels: a picture that moves by as much from frame to frame does not stand still.
@@ -92,10 +93,10 @@ struct Past {
     History light;
 };
 
-Centre centre_of(ivec2 p, uvec4 packed) {
+Centre centre_of(ivec2 p, GuideBits packed, float origin) {
     SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
-    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x);
-    return Centre(mirror_at(p, packed, m.motion), unpack_depth(packed), expected_surface(packed, m, gradient, m.previous_normal));
+    vec2 gradient = unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x);
+    return Centre(mirror_at(p, packed, m.motion), guide_depth(packed), expected_surface(packed, m, gradient, m.previous_normal), origin);
 }
 
 // Hit distance of this frame, over as many of 3x3 pixels as the lobe blurs.
@@ -109,10 +110,10 @@ float hit_distance_now(Centre c, float own, float roughness) {
         [[dont_unroll]] for (int x = -1; x <= 1; ++x) {
             ivec2 q = c.mirror.p + ivec2(x, y), tap = nearest_inside(q);
             float distance = texelFetch(noisy, tap, 0).a;
-            uvec4 packed = packed_at(guide, tap);
-            bool same = q == tap && distance > 0.0 && unpack_depth(packed) != 0.0 && unpack_id(packed) == unpack_id(c.mirror.packed);
+            GuideBits packed = GuideBits(packed_at(guide, tap));
+            bool same = q == tap && distance > 0.0 && guide_depth(packed) != 0.0 && guide_id(packed) == guide_id(c.mirror.packed);
             float weight = same ? (x == 0 ? 1.0 : weight_aside) * (y == 0 ? 1.0 : weight_aside) : 0.0;
-            sum += weight * vec2(nearness_of(unpack_depth(packed), distance), 1.0);
+            sum += weight * vec2(nearness_of(guide_depth(packed), distance), 1.0);
         }
     return sum.y > 0.0 ? hit_distance_of(c.depth, sum.x / sum.y) : 0.0;
 }
@@ -120,12 +121,12 @@ float hit_distance_now(Centre c, float own, float roughness) {
 // Of a pixel that may lie far from where the surface was: on its plane.
 bool is_same_surface(Centre c, ivec2 tap) {
     if (!is_inside_previous(tap)) return false;
-    uvec4 packed = texelFetch(previous_guide, tap, 0);
+    GuideBits packed = GuideBits(texelFetch(previous_guide, tap, 0));
     vec2 aside = vec2(tap) - c.mirror.surface_position;
     Expected there = c.expected;
     there.depth += dot(there.gradient, aside);
     float slack = 0.1 * length(aside) * (abs(there.gradient.x) + abs(there.gradient.y));
-    return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(unpack_normal(packed), there) == REASON_NONE;
+    return surface_refusal(packed, there, slack) == REASON_NONE && normal_refusal(guide_normal(packed), there) == REASON_NONE;
 }
 
 Past nothing() { return Past(false, 0.0, 0.0, 0.0, History(vec3(0.0), 0.0, 0.0)); }
@@ -145,7 +146,7 @@ Past past_at(Centre c, vec2 position) {
         sum.frames += weight * m.history_length;
         sum.nearness += weight * nearness_of(c.depth, r.hit_distance);
         sum.roughness += weight * r.roughness;
-        add_history(sum.light, texelFetch(history, tap, 0).rgb, m, weight);
+        add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
     }
     if (weights < MIN_TAP_WEIGHT) return nothing();
     float scale = 1.0 / weights;
@@ -173,11 +174,11 @@ bool sharp_irradiance(Centre c, vec2 position, out vec3 irradiance) {
 bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
     ivec2 q = ivec2(floor(position + 0.5));
     if (!is_inside_previous(q)) return false;
-    uvec4 packed = texelFetch(previous_guide, q, 0);
-    float z = unpack_depth(packed);
+    GuideBits packed = GuideBits(texelFetch(previous_guide, q, 0));
+    float z = guide_depth(packed);
     if (z == 0.0) return false;
     vec3 at = previous_world_position(q, z).xyz, beyond = previous_world_position(q, 2.0 * z).xyz;
-    vec3 mirrored = reflect(normalize(beyond - at), unpack_normal(packed));
+    vec3 mirrored = reflect(normalize(beyond - at), guide_normal(packed));
     vec3 thing = c.mirror.position + reflect(c.mirror.sight, c.mirror.normal) * min(distance, 1e4 * c.depth);
     vec3 difference = mirrored - normalize(thing - at);
     // Normals of the guide are rounded to half a degree, and a mirror doubles that.
@@ -260,16 +261,16 @@ float length_with(float frames, float worth, float least) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = packed_at(guide, p);
+    GuideBits packed = GuideBits(packed_at(guide, p));
     vec4 value = texelFetch(noisy, p, 0);
     float rough = roughness_of(is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0);
-    bool background = unpack_depth(packed) == 0.0;
+    bool background = guide_depth(packed) == 0.0;
     Moments moments = Moments(luminance(value.rgb), 0.0, 1.0, background ? REASON_NONE : REASON_RESET);
     Reflection seen = Reflection(0.0, rough);
     vec3 irradiance = value.rgb;
     float image_share = NO_PAST;
     if (!background) {
-        Centre c = centre_of(p, packed);
+        Centre c = centre_of(p, packed, moments_origin(value.rgb));
         seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
@@ -280,7 +281,7 @@ void main() {
                 float change = change_at(p), worth = HOLES ? sample_worth(value.a) : 1.0;
                 vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));
                 float history_length = length_with(past.frames, worth, adapted(floors.x, change));
-                History light = in_light(past.light, vec3(1.0), frame.exposure_ratio);
+                History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
                 irradiance = blend(irradiance, light, history_length, worth, adapted(floors * worth, change), moments);
             }
         }

@@ -27,15 +27,15 @@ layout(set = 0, binding = 6, rgba16f) uniform writeonly image2D display;
 vec3 ycocg(vec3 c) { return vec3(dot(c, vec3(0.25, 0.5, 0.25)), dot(c, vec3(0.5, 0.0, -0.5)), dot(c, vec3(-0.25, 0.5, -0.25))); }
 vec3 rgb(vec3 c) { return vec3(c.x + c.y - c.z, c.x + c.z, c.x - c.y - c.z); }
 
-// The nearest surface decides, so that silhouettes move with the object in front.
+// The nearest surface decides, so that silhouettes move with the object in front; of background alone the pixel's own.
 vec2 nearest_motion(ivec2 p) {
     ivec2 nearest = p;
-    float nearest_depth = 3.4e38;
+    float nearest_depth = uintBitsToFloat(0x7f800000u);  // infinity
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {
             // Beyond the border the pixel on it counts once more, which changes nothing.
             ivec2 q = nearest_inside(p + ivec2(x, y));
-            float z = unpack_depth(imageLoad(guide, q));
+            float z = guide_depth(GuideBits(imageLoad(guide, q)));
             bool nearer = z > 0.0 && z < nearest_depth;
             nearest = nearer ? q : nearest;
             nearest_depth = nearer ? z : nearest_depth;

@@ -72,6 +72,9 @@ layout(set = 0, binding = 16, rgba16f) uniform image2D irradiance_1;
 layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_moments_1;
 #endif
 
+// What moments are taken about, of each signal: moments_origin of the pixel.
+float origins[SIGNALS];
+
 struct Gathered {
     float weight;
     float history_lengths[SIGNALS];
@@ -80,19 +83,19 @@ struct Gathered {
 
 bool has_object_normals() { return is_present(OBJECT_NORMAL) && is_present(PREVIOUS_OBJECT_NORMAL); }
 
-vec3 unpack_object_normal(uvec4 packed) { return unpack_octahedral(packed.x, 511.0, 10u); }
+vec3 unpack_object_normal(uint packed) { return unpack_octahedral(packed, 511.0, 10u); }
 
 // `slack`: depth that the surface may have gained on the way to a tap that lies aside.
 uint refusal(ivec2 tap, Expected expected, float slack) {
     if (!is_inside_previous(tap)) return REASON_OFF_SCREEN;
-    uvec4 packed = packed_at(previous_guide, tap);
+    GuideBits packed = GuideBits(packed_at(previous_guide, tap));
     if (VOLUME) {
         float difference = relative_difference(volume_depth(packed), expected.depth);
         return difference <= expected.depth_tolerance ? REASON_NONE : REASON_DEPTH;
     }
     uint reason = surface_refusal(packed, expected, slack);
     if (reason != REASON_NONE) return reason;
-    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(previous_object_normal, tap, 0)) : unpack_normal(packed);
+    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(previous_object_normal, tap, 0).x) : guide_normal(packed);
     return normal_refusal(n, expected);
 }
 
@@ -100,11 +103,11 @@ void add_tap(inout Gathered sum, ivec2 tap, float weight) {
     Moments m = unpack_moments(packed_at(previous_moments_0, tap));
     sum.weight += weight;
     sum.history_lengths[0] += weight * m.history_length;
-    add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, weight);
+    add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, origins[0], weight);
 #if SIGNALS == 2
     Moments m_1 = unpack_moments(packed_at(previous_moments_1, tap));
     sum.history_lengths[1] += weight * m_1.history_length;
-    add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, weight);
+    add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, origins[1], weight);
 #endif
 }
 
@@ -191,24 +194,24 @@ Gathered gather(vec2 position, Expected expected) {
     return sum;
 }
 
-bool is_filtered(uvec4 packed) { return VOLUME || unpack_depth(packed) != 0.0; }
+bool is_filtered(GuideBits packed) { return VOLUME || guide_depth(packed) != 0.0; }
 
-Expected volume_expectation(ivec2 p, uvec4 packed, out vec2 motion) {
-    motion = is_present(VOLUME_MOTION) ? unpackHalf2x16(texelFetch(volume_motion, p, 0).x) : vec2(0.0);
+Expected volume_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
+    motion = is_present(VOLUME_MOTION) ? unpack_volume_motion(texelFetch(volume_motion, p, 0).x) : vec2(0.0);
     return Expected(volume_depth(packed), push.depth_tolerance, vec2(0.0), vec3(0.0), 0u);
 }
 
-Expected surface_expectation(ivec2 p, uvec4 packed, out vec2 motion) {
-    SurfaceMotion m = SurfaceMotion(vec2(0.0), 0.0, unpack_normal(packed));
+Expected surface_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
+    SurfaceMotion m = SurfaceMotion(vec2(0.0), 0.0, guide_normal(packed));
     if (is_present(SURFACE_MOTION)) m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
     motion = m.motion;
-    vec2 gradient = is_present(DEPTH_GRADIENT) ? unpackHalf2x16(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
-    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0)) : m.previous_normal;
+    vec2 gradient = is_present(DEPTH_GRADIENT) ? unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x) : vec2(0.0);
+    vec3 n = has_object_normals() ? unpack_object_normal(texelFetch(object_normal, p, 0).x) : m.previous_normal;
     return expected_surface(packed, m, gradient, n);
 }
 
 // What the previous frame must show, and where.
-Expected expectation(ivec2 p, uvec4 packed, out vec2 motion) {
+Expected expectation(ivec2 p, GuideBits packed, out vec2 motion) {
     if (VOLUME) return volume_expectation(p, packed, motion);
     return surface_expectation(p, packed, motion);
 }
@@ -248,9 +251,15 @@ float longest_history(float change) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = texelFetch(guide, p, 0);
+    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
     bool background = !is_filtered(packed);
     bool reset = has_flag(FLAG_RESET);
+    vec4 texels[SIGNALS];
+    texels[0] = imageLoad(irradiance_0, p);
+#if SIGNALS == 2
+    texels[1] = imageLoad(irradiance_1, p);
+#endif
+    for (int i = 0; i < SIGNALS; ++i) origins[i] = moments_origin(texels[i].rgb);
     Gathered sum = nothing();
     uint reason = background ? REASON_NONE : REASON_RESET;
     if (!background && !reset) {
@@ -269,11 +278,6 @@ void main() {
     }
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float change = change_at(p), longest = longest_history(change);
-    vec4 texels[SIGNALS];
-    texels[0] = imageLoad(irradiance_0, p);
-#if SIGNALS == 2
-    texels[1] = imageLoad(irradiance_1, p);
-#endif
     vec3 irradiance[SIGNALS];
     Moments moments[SIGNALS];
     vec3 ratio = light_ratio_at(p);
@@ -286,7 +290,7 @@ void main() {
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
             vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);
-            irradiance[i] = blend(irradiance[i], in_light(h, ratio, light_scale(ratio)), history_length, worth, least, moments[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, origins[i], ratio, light_scale(ratio)), history_length, worth, least, moments[i]);
         }
     }
     imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));

@@ -50,32 +50,35 @@ const float BACKGROUND_DEVIATION = -1.0 / 16384.0;
 
 const int RADIUS = FADE ? 2 : 3;
 
-void add_moments(inout vec2 sum, uint packed, float weight) {
-    vec2 m = unpackHalf2x16(packed);  // mean, deviation
-    sum += weight * vec2(m.x, m.y * m.y + m.x * m.x);
-}
-
+// Moments are taken about the mean of the centre: the difference of squares would cancel otherwise.
 struct Window {
+    vec2 origins;
     vec2 sums[2];
     float weight;
 };
 
+void add_moments(inout vec2 sum, uint packed, float origin, float weight) {
+    vec2 m = unpack_new_moments(packed);
+    float difference = m.x - origin;
+    sum += weight * vec2(difference, m.y * m.y + difference * difference);
+}
+
 void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
     ivec2 q = p + offset, tap = nearest_inside(q);
-    uvec4 packed_q = packed_at(guide, tap);
+    GuideBits packed_q = GuideBits(packed_at(guide, tap));
     float weight = offset == ivec2(0) ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
     weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
     window.weight += weight;
-    add_moments(window.sums[0], packed_at(new_moments_0, tap).x, weight);
+    add_moments(window.sums[0], packed_at(new_moments_0, tap).x, window.origins.x, weight);
 #if SIGNALS == 2
-    add_moments(window.sums[1], packed_at(new_moments_1, tap).x, weight);
+    add_moments(window.sums[1], packed_at(new_moments_1, tap).x, window.origins.y, weight);
 #endif
 }
 
-// Mean and second moment of each signal over the neighbourhood.
-void spatial_moments(ivec2 p, uvec4 packed, out vec2 sums[2]) {
+// First and second moment of each signal over the neighbourhood, about the means of the centre.
+void spatial_moments(ivec2 p, GuideBits packed, vec2 means, out vec2 sums[2]) {
     Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
-    Window window = Window(vec2[](vec2(0.0), vec2(0.0)), 0.0);
+    Window window = Window(means, vec2[](vec2(0.0), vec2(0.0)), 0.0);
     if (FADE) {
         [[unroll]] for (int y = -RADIUS; y <= RADIUS; ++y)
             [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) add_tap(window, p, geometry, ivec2(x, y));
@@ -111,16 +114,17 @@ bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || histo
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = packed_at(guide, p);
+    GuideBits packed = GuideBits(packed_at(guide, p));
     bool background = !is_filtered(packed);
     vec4 value_0 = imageLoad(irradiance_0, p);
     Moments m = moments_of(packed_at(new_moments_0, p).x, value_0.a);
     imageStore(moments_0, p, pack_moments(m));
-    vec2 deviations = vec2(m.deviation), lengths = vec2(m.history_length);
+    vec2 means = vec2(m.mean), deviations = vec2(m.deviation), lengths = vec2(m.history_length);
 #if SIGNALS == 2
     vec4 value_1 = imageLoad(irradiance_1, p);
     Moments m_1 = moments_of(packed_at(new_moments_1, p).x, value_1.a);
     imageStore(moments_1, p, pack_moments(m_1));
+    means.y = m_1.mean;
     deviations.y = m_1.deviation;
     lengths.y = m_1.history_length;
 #endif
@@ -128,7 +132,7 @@ void main() {
         deviations = vec2(BACKGROUND_DEVIATION);
     } else if (needs_neighbours(min(lengths.x, lengths.y))) {
         vec2 sums[2];
-        spatial_moments(p, packed, sums);
+        spatial_moments(p, packed, means, sums);
         if (needs_neighbours(lengths.x)) deviations.x = combined(deviations.x, sums[0], lengths.x);
         if (needs_neighbours(lengths.y)) deviations.y = combined(deviations.y, sums[1], lengths.y);
     }

@@ -86,14 +86,14 @@ struct Gathered {
 // 1 at the pixel itself, falling to 0 at a distance.
 float reach(float squared, float radius) { return max(0.0, 1.0 - squared / (radius * radius)); }
 
-vec2 sample_at(ivec2 p) { return unpackHalf2x16(packed_at(visibility_samples, p).x); }
+vec2 sample_at(ivec2 p) { return unpack_visibility_samples(packed_at(visibility_samples, p).x); }
 
 // Weight by geometry of a tap; 0 where there is none, or no sample.
 float tap_weight(Centre centre, ivec2 p, ivec2 offset, out vec2 taken) {
     ivec2 q = p + offset, tap = nearest_inside(q);
-    uvec4 packed = packed_at(guide, tap);
+    GuideBits packed = GuideBits(packed_at(guide, tap));
     taken = sample_at(tap);
-    bool counts = q == tap && unpack_depth(packed) != 0.0 && taken.x >= 0.0;
+    bool counts = q == tap && guide_depth(packed) != 0.0 && taken.x >= 0.0;
     return counts ? exp2(log2_edge_weight(centre.edges, packed, depth_sharpness(centre.edges, vec2(offset)))) : 0.0;
 }
 
@@ -147,13 +147,13 @@ vec2 bounds(Search found, Window around, float pixels) {
 
 bool is_refused(ivec2 tap, Expected expected, float slack) {
     if (!is_inside_previous(tap)) return true;
-    uvec4 packed = packed_at(previous_guide, tap);
-    return surface_refusal(packed, expected, slack) != REASON_NONE || normal_refusal(unpack_normal(packed), expected) != REASON_NONE;
+    GuideBits packed = GuideBits(packed_at(previous_guide, tap));
+    return surface_refusal(packed, expected, slack) != REASON_NONE || normal_refusal(guide_normal(packed), expected) != REASON_NONE;
 }
 
 void add_tap(inout Gathered sum, ivec2 tap, float weight, Expected expected) {
     if (is_refused(tap, expected, 0.0)) return;
-    VisibilityHistory h = unpack_visibility(texelFetch(previous_visibility_history, tap, 0).x);
+    VisibilityHistory h = unpack_visibility_history(texelFetch(previous_visibility_history, tap, 0).x);
     sum.weight += weight;
     sum.mean += weight * h.mean;
     sum.plain_mean += weight * h.mean;
@@ -170,7 +170,7 @@ void sharpen(inout Gathered sum, ivec2 corner, vec2 f, Expected expected) {
     [[dont_unroll]] for (int i = 0; i < 16; ++i) {
         ivec2 tap = corner + ivec2(i % 4, i / 4) - 1;
         whole = whole && !is_refused(tap, expected, slack);
-        VisibilityHistory h = unpack_visibility(texelFetch(previous_visibility_history, nearest_inside_previous(tap), 0).x);
+        VisibilityHistory h = unpack_visibility_history(texelFetch(previous_visibility_history, nearest_inside_previous(tap), 0).x);
         mean += x_weights[i % 4] * y_weights[i / 4] * h.mean;
     }
     if (!whole) return;
@@ -223,12 +223,12 @@ VisibilityHistory accumulate(float v, VisibilityHistory before, vec2 allowed, fl
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = packed_at(guide, p);
-    if (unpack_depth(packed) == 0.0) {
+    GuideBits packed = GuideBits(packed_at(guide, p));
+    if (guide_depth(packed) == 0.0) {
         imageStore(visibility_history, p, uvec4(pack_visibility(VisibilityHistory(1.0, 0.0, 1.0, 0.0))));
         return;
     }
-    vec2 gradient = unpackHalf2x16(texelFetch(depth_gradient, p, 0).x), size = pixel_size(unpack_depth(packed));
+    vec2 gradient = unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x), size = pixel_size(guide_depth(packed));
     Centre centre = Centre(edge_centre(packed, gradient), size, max(size.x, size.y));
     vec2 own = sample_at(p);
     Search found = search(centre, p, own);

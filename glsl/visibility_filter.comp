@@ -54,7 +54,7 @@ const uint ALONG_LEVELS = 2u;
 vec2 estimate_at(ivec2 p) {
     uint packed = packed_at(filter_in, p).x;
     if (!FIRST) return unpackHalf2x16(packed);
-    VisibilityHistory h = unpack_visibility(packed);
+    VisibilityHistory h = unpack_visibility_history(packed);
     // Of a mean with the smallest weight 1/N.
     return vec2(h.mean, h.deviation * inversesqrt(2.0 * h.history_length - 1.0));
 }
@@ -76,9 +76,9 @@ float share_of_level(float wanted) {
 // Exponent of 2 by geometry of a tap that exists, else what makes its weight 0.
 float geometry_at(EdgeCentre centre, ivec2 p, ivec2 offset) {
     ivec2 q = p + offset, tap = nearest_inside(q);
-    uvec4 packed = packed_at(guide, tap);
+    GuideBits packed = GuideBits(packed_at(guide, tap));
     float weight = log2_edge_weight(centre, packed, depth_sharpness(centre, vec2(offset)));
-    return q == tap && unpack_depth(packed) != 0.0 ? weight : -1e30;
+    return q == tap && guide_depth(packed) != 0.0 ? weight : -1e30;
 }
 
 // The way into the light, of unit length; 0 where there is none.
@@ -93,8 +93,8 @@ vec2 towards_light(EdgeCentre centre, ivec2 p, float visibility) {
     return squared > 1e-6 ? slope * inversesqrt(squared) : vec2(0.0);
 }
 
-vec2 filtered(ivec2 p, uvec4 packed, vec2 estimate, vec2 size, float variance) {
-    EdgeCentre centre = edge_centre(packed, unpackHalf2x16(texelFetch(depth_gradient, p, 0).x));
+vec2 filtered(ivec2 p, GuideBits packed, vec2 estimate, vec2 size, float variance) {
+    EdgeCentre centre = edge_centre(packed, unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
     float longer = max(size.x, size.y), full = float(1 << (2 * push.level));
     vec2 light = push.level < ALONG_LEVELS ? towards_light(centre, p, estimate.x) : vec2(0.0);
     float sharpness = LOG2_E / (2.0 * max(variance, 1e-6) * longer * longer);
@@ -121,13 +121,13 @@ vec2 filtered(ivec2 p, uvec4 packed, vec2 estimate, vec2 size, float variance) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uvec4 packed = packed_at(guide, p);
+    GuideBits packed = GuideBits(packed_at(guide, p));
     vec2 estimate = estimate_at(p);
-    vec2 size = pixel_size(unpack_depth(packed));
-    float distance = unpack_visibility(packed_at(visibility_history, p).x).occluder_distance;
+    vec2 size = pixel_size(guide_depth(packed));
+    float distance = unpack_visibility_history(packed_at(visibility_history, p).x).occluder_distance;
     float deviation = push.penumbra_blur * push.light_radius * distance / max(size.x, size.y);
     float variance = share_of_level(min(deviation * deviation, 1e6));
     bool is_edge = push.level < ALONG_LEVELS && distance > 0.0;
-    if (unpack_depth(packed) != 0.0 && (variance > NARROW || is_edge)) estimate = filtered(p, packed, estimate, size, variance);
+    if (guide_depth(packed) != 0.0 && (variance > NARROW || is_edge)) estimate = filtered(p, packed, estimate, size, variance);
     store(p, estimate);
 }

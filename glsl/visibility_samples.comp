@@ -37,6 +37,6 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec2 taken = vec2(1.0, 0.0);
-    if (unpack_depth(texelFetch(guide, p, 0)) != 0.0) taken = vec2(visibility_at(p), distance_at(p));
+    if (guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0) taken = vec2(visibility_at(p), distance_at(p));
     imageStore(visibility_samples, p, uvec4(packHalf2x16(taken)));
 }

@@ -9,6 +9,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "frame.glsl"
 #include "guide.glsl"
+#include "volume_point.glsl"
 #include "forward_projection.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -54,7 +55,7 @@ uint key_of(ivec2 q, uint contribution) {
     return max(rank, 1u) << number_bits() | mixed(uint(q.x) + uint(q.y) * frame.previous_render_extent.x);
 }
 
-ForwardPosition carried(ivec2 q, uvec4 point) { return project_world(previous_world_position(q, unpack_depth(point))); }
+ForwardPosition carried(ivec2 q, PointBits point) { return project_world(previous_world_position(q, point_depth(point))); }
 
 #if RESOLVE
 // Steps of a pixel in which a motion is found. By comparison of products as all of the projection, so that no device rounds it otherwise.
@@ -93,9 +94,9 @@ const float LARGEST_DEPTH = 1.0e6;
 void add_point(uint key, inout vec2 sum, inout float weight_sum) {
     uint index = unmixed(key & ((1u << number_bits()) - 1u));
     ivec2 q = ivec2(index % frame.previous_render_extent.x, index / frame.previous_render_extent.x);
-    uvec4 point = texelFetch(previous_points, q, 0);
+    PointBits point = PointBits(texelFetch(previous_points, q, 0));
     ForwardPosition position = carried(q, point);
-    precise float weight = max(uintBitsToFloat(point.z << 16), SMALLEST_LUMINANCE) * min(unpack_depth(point), LARGEST_DEPTH);
+    precise float weight = max(uintBitsToFloat(point_contribution(point) << 16), SMALLEST_LUMINANCE) * min(point_depth(point), LARGEST_DEPTH);
     precise vec2 part = vec2(motion_steps(q, position, 0), motion_steps(q, position, 1)) * weight;
     precise vec2 total = sum + part;
     precise float weight_total = weight_sum + weight;
@@ -133,11 +134,11 @@ bool is_hidden(ForwardPosition position, float z) {
 void main() {
     ivec2 q = ivec2(gl_GlobalInvocationID.xy);
     if (has_flag(FLAG_RESET) || !is_inside_previous(q)) return;
-    uvec4 point = texelFetch(previous_points, q, 0);
-    if (unpack_depth(point) == 0.0) return;
+    PointBits point = PointBits(texelFetch(previous_points, q, 0));
+    if (point_depth(point) == 0.0) return;
     ForwardPosition position = carried(q, point);
     ivec2 p;
     if (!covering_pixel(position, p)) return;
-    if (!is_hidden(position, unpack_depth(texelFetch(guide, p, 0)))) imageAtomicMax(claims, p, key_of(q, point.z));
+    if (!is_hidden(position, guide_depth(GuideBits(texelFetch(guide, p, 0))))) imageAtomicMax(claims, p, key_of(q, point_contribution(point)));
 }
 #endif

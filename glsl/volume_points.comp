@@ -15,6 +15,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "luminance.glsl"
+#include "volume_point.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -52,7 +53,6 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
     vec3 c = radiance_at(p);
-    uint depth = floatBitsToUint(depth_at(p));
     imageStore(radiance, p, vec4(storable(c), 0.0));
-    imageStore(volume_points, p, uvec4(depth & 0xffffu, depth >> 16, contribution(c), 0u));
+    imageStore(volume_points, p, pack_point(depth_at(p), contribution(c)).bits);
 }

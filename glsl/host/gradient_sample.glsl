@@ -39,7 +39,7 @@
 // For the change to be exactly 0 where nothing changed, `shade` must depend on surface, seed, scene and eye alone. The eye is that of this frame
 // [ASVGF, Figure 1]: a highlight that moves with the camera is a change, and the sample is one of this frame's picture. With Signals::Specular
 // reflections are followed by themselves: keep the eye that saw the sample in the record there, and shade for that, so that nothing is seen but
-// changes of the scene. docs/stages.md, forward_project, has what either is worth.
+// changes of the scene. docs/lab/stages.md, forward_project, has what either is worth.
 #ifndef ATROUS_GRADIENT_SAMPLE_GLSL
 #define ATROUS_GRADIENT_SAMPLE_GLSL
 

@@ -17,6 +17,8 @@ bool is_block(ivec2 block) { return all(greaterThanEqual(block, ivec2(0))) && al
 // Position among the centres of the blocks.
 vec2 block_position(ivec2 p) { return (vec2(p) + 0.5) / float(BLOCK_SIZE) - 0.5; }
 
+vec2 unpack_block_percentiles(uint packed) { return unpackHalf2x16(packed); }  // low, up
+
 struct BlocksAround {
     ivec2 first;
     ivec2 second;

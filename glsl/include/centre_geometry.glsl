@@ -12,10 +12,10 @@ struct Geometry {
 };
 
 // Fog lies before the background as well.
-bool is_filtered(uvec4 packed) { return VOLUME || unpack_depth(packed) != 0.0; }
+bool is_filtered(GuideBits packed) { return VOLUME || guide_depth(packed) != 0.0; }
 
-Geometry geometry_of(uvec4 packed, uint gradient) {
-    return Geometry(edge_centre(packed, unpackHalf2x16(gradient)), VOLUME ? volume_depth(packed) : 0.0);
+Geometry geometry_of(GuideBits packed, uint gradient) {
+    return Geometry(edge_centre(packed, unpack_depth_gradient(gradient)), VOLUME ? volume_depth(packed) : 0.0);
 }
 
 float depth_sharpness(Geometry centre, vec2 offset) {
@@ -23,7 +23,7 @@ float depth_sharpness(Geometry centre, vec2 offset) {
 }
 
 // log2 of the weight of a tap. Of a volume by depth alone, and less strictly: [PSVGF], volumes.
-float log2_weight(Geometry centre, uvec4 packed_q, float depth_sharpness) {
+float log2_weight(Geometry centre, GuideBits packed_q, float depth_sharpness) {
     if (VOLUME) return -relative_difference(centre.volume_depth, volume_depth(packed_q)) * depth_sharpness;
     return log2_edge_weight(centre.surface, packed_q, depth_sharpness);
 }

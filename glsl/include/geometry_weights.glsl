@@ -20,10 +20,10 @@ struct EdgeCentre {
     float normal_sharpness; // per squared step
 };
 
-EdgeCentre edge_centre(uvec4 packed, vec2 gradient) {
+EdgeCentre edge_centre(GuideBits packed, vec2 gradient) {
     EdgeCentre centre;
-    centre.depth = unpack_depth(packed);
-    centre.normal = normal_steps(packed);
+    centre.depth = guide_depth(packed);
+    centre.normal = guide_normal_steps(packed);
     centre.gradient = gradient;
     centre.influence = LOG2_E / (1.0 + push.edge_falloff * centre.depth);
     centre.normal_sharpness = centre.influence * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
@@ -37,9 +37,9 @@ float depth_sharpness(EdgeCentre centre, vec2 offset) {
 
 // log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together, and
 // normals are compared by their distance, which needs neither a root nor a logarithm.
-float log2_edge_weight(EdgeCentre centre, uvec4 packed_tap, float depth_sharpness) {
-    vec3 chord = centre.normal - normal_steps(packed_tap);
-    return -(dot(chord, chord) * centre.normal_sharpness + abs(centre.depth - unpack_depth(packed_tap)) * depth_sharpness);
+float log2_edge_weight(EdgeCentre centre, GuideBits packed_tap, float depth_sharpness) {
+    vec3 chord = centre.normal - guide_normal_steps(packed_tap);
+    return -(dot(chord, chord) * centre.normal_sharpness + abs(centre.depth - guide_depth(packed_tap)) * depth_sharpness);
 }
 
 #endif

@@ -1,6 +1,11 @@
-// Packing of the per-pixel features that steer the filters. Bits: docs/stages.md. Twin: src/reference/guide.rs.
+// Packing of the per-pixel features that steer the filters. Bits: docs/specification/packed_images.md. Twin: src/reference/guide.rs.
 #ifndef GUIDE_GLSL
 #define GUIDE_GLSL
+
+// A texel of an image of guides, as it is stored. A type of its own, so that no unpacker takes another image for one.
+struct GuideBits {
+    uvec4 bits;
+};
 
 struct Guide {
     float linear_depth;  // scene units; 0: background
@@ -12,6 +17,9 @@ struct Guide {
 uint half_bits(float x) { return packHalf2x16(vec2(x, 0.0)) & 0xffffu; }
 float half_value(uint bits) { return unpackHalf2x16(bits).x; }
 
+// Scene units per pixel.
+vec2 unpack_depth_gradient(uint packed) { return unpackHalf2x16(packed); }
+
 vec2 sign_not_zero(vec2 v) { return vec2(v.x >= 0.0 ? 1.0 : -1.0, v.y >= 0.0 ? 1.0 : -1.0); }
 
 vec2 octahedral(vec3 n) {
@@ -19,12 +27,14 @@ vec2 octahedral(vec3 n) {
     return n.z < 0.0 ? (1.0 - abs(e.yx)) * sign_not_zero(e) : e;
 }
 
-// Where z is negative, x and y move towards 0 by as much.
-vec3 from_octahedral(vec2 e) {
+// Of any length but 0. Where z is negative, x and y move towards 0 by as much.
+vec3 octahedral_direction(vec2 e) {
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
     float folded = max(-n.z, 0.0);
-    return normalize(vec3(n.x + (n.x >= 0.0 ? -folded : folded), n.y + (n.y >= 0.0 ? -folded : folded), n.z));
+    return vec3(n.x + (n.x >= 0.0 ? -folded : folded), n.y + (n.y >= 0.0 ? -folded : folded), n.z);
 }
+
+vec3 from_octahedral(vec2 e) { return normalize(octahedral_direction(e)); }
 
 // An even number of steps, so that 0 and thereby the axes are exact.
 uint pack_octahedral(vec3 n, float half_steps, uint bits) {
@@ -50,19 +60,21 @@ uint fold_id(uint id) { return id <= 255u ? id : 1u + pcg(id) % 255u; }
 const float NORMAL_STEPS = 127.0;
 
 // The lowest 4 bits of the depth's mantissa make room for the roughness, or for another number below 16.
-uvec4 pack_guide(Guide g) {
+GuideBits pack_guide(Guide g) {
     uint depth = floatBitsToUint(g.linear_depth) & ~0xfu | uint(floor(g.roughness * 15.0 + 0.5));
     uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
-    return uvec4(depth & 0xffffu, depth >> 16, n.x | n.y << 8, n.z | g.id8 << 8);
+    return GuideBits(uvec4(depth & 0xffffu, depth >> 16, n.x | n.y << 8, n.z | g.id8 << 8));
 }
 
-float unpack_depth(uvec4 packed) { return uintBitsToFloat(packed.x & 0xfff0u | packed.y << 16); }
-float unpack_roughness(uvec4 packed) { return float(packed.x & 0xfu) / 15.0; }
-uint unpack_id(uvec4 packed) { return packed.w >> 8; }
+float guide_depth(GuideBits packed) { return uintBitsToFloat(packed.bits.x & 0xfff0u | packed.bits.y << 16); }
+float guide_roughness(GuideBits packed) { return float(packed.bits.x & 0xfu) / 15.0; }
+uint guide_id(GuideBits packed) { return packed.bits.w >> 8; }
 
 // The normal in steps, from 0 to twice NORMAL_STEPS: what differences of normals are made of.
-vec3 normal_steps(uvec4 packed) { return vec3(packed.z & 0xffu, packed.z >> 8, packed.w & 0xffu); }
+vec3 guide_normal_steps(GuideBits packed) {
+    return vec3(packed.bits.z & 0xffu, packed.bits.z >> 8, packed.bits.w & 0xffu);
+}
 
-vec3 unpack_normal(uvec4 packed) { return normalize(normal_steps(packed) - NORMAL_STEPS); }
+vec3 guide_normal(GuideBits packed) { return normalize(guide_normal_steps(packed) - NORMAL_STEPS); }
 
 #endif

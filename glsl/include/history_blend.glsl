@@ -5,28 +5,33 @@
 #include "luminance.glsl"
 #include "moments.glsl"
 
+// Moments about a luminance that is the same for all that is added: a difference of squares would cancel otherwise.
 struct History {
     vec3 irradiance;
     float mean;
     float second_moment;
 };
 
-void add_history(inout History sum, vec3 irradiance, Moments m, float weight) {
+// The luminance of this frame's sample in the light of the previous one: what cancels by it is little beside the difference of the two.
+float moments_origin(vec3 irradiance) { return min(luminance(irradiance) / max(frame.exposure_ratio, 1e-20), 65504.0); }
+
+void add_history(inout History sum, vec3 irradiance, Moments m, float origin, float weight) {
+    float difference = m.mean - origin;
     sum.irradiance += weight * irradiance;
-    sum.mean += weight * m.mean;
-    sum.second_moment += weight * (m.deviation * m.deviation + m.mean * m.mean);
+    sum.mean += weight * difference;
+    sum.second_moment += weight * (m.deviation * m.deviation + difference * difference);
 }
 
 // How far light changed, 0 to 1, raises the weight of the new sample.
 float adapted(float alpha, float change) { return alpha + change * (1.0 - alpha); }
 vec2 adapted(vec2 alpha, float change) { return alpha + change * (1.0 - alpha); }
 
-// The history in the light of this frame, with its variance in the place of the second moment. A ratio of exposures may be as large as a
+// The history in the light of this frame, with its mean as it is and its variance in the place of the second moment. A ratio of exposures may be as large as a
 // float: the clamps keep infinity minus infinity away.
-History in_light(History history, vec3 ratio, float scale) {
+History in_light(History history, float origin, vec3 ratio, float scale) {
     float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
     vec3 irradiance = half_range(history.irradiance * ratio * frame.exposure_ratio);
-    return History(irradiance, min(history.mean * scale, 65504.0), min(variance, 65504.0 * 65504.0));
+    return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0));
 }
 
 // Frames that the light of a pixel is worth: what was filled in for a sample is that of neighbours.

@@ -24,6 +24,9 @@ float luminance_or_hole(KeptRadiance kept) { return kept.known ? luminance(kept.
 
 uint pack_halves(vec2 v) { return packHalf2x16(min(v, 65504.0)); }
 
+vec2 unpack_noisy_luminance(uint packed) { return unpackHalf2x16(packed); }  // luminance of the radiance, and of the albedo
+vec2 unpack_noisy_red_blue(uint packed) { return unpackHalf2x16(packed); }
+
 // As a texel of either image has it: what did not change differs by 0.
 float kept_luminance(vec3 radiance) { return unpackHalf2x16(pack_halves(vec2(luminance(radiance), 0.0))).x; }
 vec2 kept_red_blue(vec3 radiance) { return unpackHalf2x16(pack_halves(radiance.rb)); }

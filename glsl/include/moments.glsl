@@ -1,4 +1,4 @@
-// Mean and standard deviation of luminance with the history length. Bits: docs/stages.md. Twin: src/reference/moments.rs.
+// Mean and standard deviation of luminance with the history length. Bits: docs/specification/packed_images.md. Twin: src/reference/moments.rs.
 // Mean and deviation instead of E[l] and E[l^2]: their difference would cancel in half precision and overflow above 255.
 #ifndef MOMENTS_GLSL
 #define MOMENTS_GLSL
@@ -22,10 +22,12 @@ const uint REASON_RESET = 5u;
 // whose length is 1.
 uint pack_luminance_moments(Moments m) { return packHalf2x16(min(vec2(m.mean, m.deviation), 65504.0)); }
 
+vec2 unpack_new_moments(uint packed) { return unpackHalf2x16(packed); }  // mean, deviation
+
 float length_or_reason(Moments m) { return m.reason == REASON_NONE ? half_value(half_bits(m.history_length)) : -float(m.reason); }
 
 Moments moments_of(uint packed, float length_or_reason) {
-    vec2 luminance = unpackHalf2x16(packed);
+    vec2 luminance = unpack_new_moments(packed);
     bool lost = length_or_reason < 0.0;
     return Moments(luminance.x, luminance.y, lost ? 1.0 : length_or_reason, lost ? uint(-length_or_reason) : REASON_NONE);
 }

@@ -16,19 +16,19 @@ vec3 environment_reflectance(vec3 f0, float roughness, float view_cosine) {
 }
 
 // Cosine between the normal of a pixel and its line of sight.
-float view_cosine(ivec2 p, uvec4 packed) {
-    return clamp(-dot(line_of_sight(p), unpack_normal(packed)), 0.0, 1.0);
+float view_cosine(ivec2 p, GuideBits packed) {
+    return clamp(-dot(line_of_sight(p), guide_normal(packed)), 0.0, 1.0);
 }
 
 // 1 where the reflectance is not finite.
-vec3 specular_albedo_from(vec3 f0, ivec2 p, uvec4 packed) {
+vec3 specular_albedo_from(vec3 f0, ivec2 p, GuideBits packed) {
     if (!is_finite(f0)) return vec3(1.0);
-    return environment_reflectance(f0, unpack_roughness(packed), view_cosine(p, packed));
+    return environment_reflectance(f0, guide_roughness(packed), view_cosine(p, packed));
 }
 
 // The divisor of a pixel: from an albedo, or else from the reflectance at normal incidence; 1 without either, and in the background.
-vec3 divisor_from(ivec2 p, uvec4 packed, bool has_albedo, texture2D albedo, bool has_f0, texture2D f0) {
-    if (unpack_depth(packed) == 0.0) return vec3(1.0);
+vec3 divisor_from(ivec2 p, GuideBits packed, bool has_albedo, texture2D albedo, bool has_f0, texture2D f0) {
+    if (guide_depth(packed) == 0.0) return vec3(1.0);
     if (has_albedo) return divisor_of(texelFetch(albedo, p, 0).rgb);
     return has_f0 ? divisor_of(specular_albedo_from(texelFetch(f0, p, 0).rgb, p, packed)) : vec3(1.0);
 }

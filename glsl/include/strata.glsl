@@ -26,7 +26,7 @@ struct GradientSample {
     bool valid;
 };
 
-GradientSample unpack_gradient_sample(uvec4 packed) {
+GradientSample unpack_gradient_samples(uvec4 packed) {
     return GradientSample(ivec2(packed.xy), packed.z - 1u, packed.z != 0u);
 }
 

@@ -1,4 +1,4 @@
-// Where a pixel's surface was in the previous frame. Bits: docs/stages.md. Twin: src/reference/surface_motion.rs.
+// Where a pixel's surface was in the previous frame. Bits: docs/specification/packed_images.md. Twin: src/reference/surface_motion.rs.
 #ifndef SURFACE_MOTION_GLSL
 #define SURFACE_MOTION_GLSL
 #include "guide.glsl"

@@ -17,17 +17,17 @@ struct Expected {
     uint id8;
 };
 
-Expected expected_surface(uvec4 packed, SurfaceMotion m, vec2 gradient, vec3 normal) {
-    float previous_z = unpack_depth(packed) * (1.0 + m.depth_ratio);
+Expected expected_surface(GuideBits packed, SurfaceMotion m, vec2 gradient, vec3 normal) {
+    float previous_z = guide_depth(packed) * (1.0 + m.depth_ratio);
     float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
-    return Expected(previous_z, tolerance, gradient, normal, unpack_id(packed));
+    return Expected(previous_z, tolerance, gradient, normal, guide_id(packed));
 }
 
 // Of a pixel of the previous frame without a look at its normal. `slack`: depth that the surface may have gained on the way to a tap that
 // lies aside.
-uint surface_refusal(uvec4 packed, Expected expected, float slack) {
-    float z = unpack_depth(packed);
-    if (z == 0.0 || unpack_id(packed) != expected.id8) return REASON_ID;
+uint surface_refusal(GuideBits packed, Expected expected, float slack) {
+    float z = guide_depth(packed);
+    if (z == 0.0 || guide_id(packed) != expected.id8) return REASON_ID;
     return !(abs(z - expected.depth) <= expected.depth_tolerance + slack) ? REASON_DEPTH : REASON_NONE;
 }
 

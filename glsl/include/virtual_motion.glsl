@@ -11,7 +11,7 @@
 // The surface of a pixel.
 struct Mirror {
     ivec2 p;
-    uvec4 packed;
+    GuideBits packed;
     vec3 position;  // world space
     vec3 sight;     // from the eye, of unit length
     vec3 normal;
@@ -20,9 +20,9 @@ struct Mirror {
 
 vec3 world_position(ivec2 p, float linear_depth) { return (frame.world_from_view * vec4(view_position(p, linear_depth), 1.0)).xyz; }
 
-Mirror mirror_at(ivec2 p, uvec4 packed, vec2 motion) {
+Mirror mirror_at(ivec2 p, GuideBits packed, vec2 motion) {
     vec2 surface_position = previous_position(p, motion, frame.render_extent, frame.previous_render_extent) - 0.5;
-    return Mirror(p, packed, world_position(p, unpack_depth(packed)), line_of_sight(p), unpack_normal(packed), surface_position);
+    return Mirror(p, packed, world_position(p, guide_depth(packed)), line_of_sight(p), guide_normal(packed), surface_position);
 }
 
 // Pixels between normals of which the curvature is made: the guide's are rounded to half a degree.
@@ -33,10 +33,10 @@ bool step_towards(Mirror c, ivec2 offset, out Step to) {
     ivec2 q = c.p + offset;
     to = Step(vec3(0.0), vec3(0.0));
     if (!is_inside(q)) return false;
-    uvec4 packed = packed_at(guide, q);
-    float z = unpack_depth(packed);
-    if (z == 0.0 || unpack_id(packed) != unpack_id(c.packed)) return false;
-    to = Step(world_position(q, z) - c.position, unpack_normal(packed) - c.normal);
+    GuideBits packed = GuideBits(packed_at(guide, q));
+    float z = guide_depth(packed);
+    if (z == 0.0 || guide_id(packed) != guide_id(c.packed)) return false;
+    to = Step(world_position(q, z) - c.position, guide_normal(packed) - c.normal);
     return true;
 }
 

@@ -1,4 +1,4 @@
-// Packing of visibility, and lengths on a surface, by which penumbrae are measured. Bits: docs/stages.md. Twin: src/reference/visibility.rs.
+// Packing of visibility, and lengths on a surface, by which penumbrae are measured. Bits: docs/specification/packed_images.md. Twin: src/reference/visibility.rs.
 #ifndef VISIBILITY_GLSL
 #define VISIBILITY_GLSL
 #include "frame.glsl"
@@ -28,10 +28,12 @@ uint pack_visibility(VisibilityHistory h) {
     return mean | deviation << 12 | frames << 18 | pack_distance(h.occluder_distance) << 24;
 }
 
-VisibilityHistory unpack_visibility(uint packed) {
+VisibilityHistory unpack_visibility_history(uint packed) {
     return VisibilityHistory(float(packed & 0xfffu) / MEAN_STEPS, float(packed >> 12 & 0x3fu) / DEVIATION_STEPS,
                              float(packed >> 18 & 0x3fu), unpack_distance(packed >> 24));
 }
+
+vec2 unpack_visibility_samples(uint packed) { return unpackHalf2x16(packed); }  // visibility, or -1; distance of the occluder
 
 // Between two places on a surface that tilts as `gradient` says: where it recedes, a pixel is a longer way.
 float squared_distance(vec2 size, vec2 gradient, vec2 offset) {

@@ -7,10 +7,13 @@
 // Where nothing is hit: beyond every surface, and finite.
 const float VOLUME_FAR = 1e30;
 
-float volume_depth(uvec4 packed) {
-    float z = unpack_depth(packed);
+float volume_depth(GuideBits packed) {
+    float z = guide_depth(packed);
     return z == 0.0 ? VOLUME_FAR : min(z, VOLUME_FAR);
 }
+
+// Pixels of the previous frame.
+vec2 unpack_volume_motion(uint packed) { return unpackHalf2x16(packed); }
 
 // Difference of two depths as a share of the larger one: 0 to 1.
 float relative_difference(float z, float z_tap) { return abs(z - z_tap) / max(z, z_tap); }

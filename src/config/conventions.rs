@@ -105,7 +105,7 @@ choices! {
 pub struct Conventions {
     /// Encoding of depth. Default: [`DepthEncoding::Linear`].
     pub depth: DepthEncoding,
-    /// Linear depths from here on are background; above 0. Default: infinity, which a file has as `"inf"`.
+    /// Linear depths from here on are background, as are those from 1e15 on; above 0. Default: infinity, which a file has as `"inf"`.
     #[cfg_attr(feature = "serde", serde(with = "super::serde_forms::distance"))]
     pub background_depth: f32,
     /// Encoding of normals. Default: [`NormalEncoding::Xyz`].

@@ -194,6 +194,9 @@ impl FrameState {
     }
 }
 
+/// Beyond it squares of lengths leave the range of a float.
+const FARTHEST_DEPTH: f32 = 1e15;
+
 fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64, reset: bool) -> FrameConstants {
     let mat = |m: &[[f32; 4]; 4]| Mat4::from_cols_array_2d(m);
     let view = mat(&now.view_from_world);
@@ -214,7 +217,7 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         frame_index: index as u32,
         flags: Flags::of(&setup.conventions, reset) | if now.reshaded { Flags::RESHADED } else { 0 },
         exposure_ratio: now.exposure_ratio,
-        background_depth: setup.conventions.background_depth,
+        background_depth: setup.conventions.background_depth.min(FARTHEST_DEPTH),
         previous_clip_w_scale: forward.previous_clip_w[0],
         previous_clip_w_offset: forward.previous_clip_w[1],
     }

@@ -76,10 +76,13 @@ pub fn motion_in_pixels(frame: &FrameConstants, motion: [f32; 2]) -> [f32; 2] {
     (if motion_is_jittered(frame) { v + lacks } else { v }).into()
 }
 
+/// A coordinate that is carried farther is of a transform that is none: its instance counts as one that did not move.
+const FARTHEST: f32 = 1e15;
+
 fn carry(world: [f32; 4], transform: Option<&InstanceTransform>) -> [f32; 4] {
     let point = Vec4::from(world);
     match transform.map(|rows| rows.map(|row| Vec4::from(row).dot(point))) {
-        Some([x, y, z]) if point.w != 0.0 => [x, y, z, point.w],
+        Some([x, y, z]) if point.w != 0.0 && [x, y, z].iter().all(|c| c.abs() < FARTHEST) => [x, y, z, point.w],
         _ => world,
     }
 }

@@ -207,3 +207,50 @@ fn histories_and_transients_live_as_declared() {
         }
     }
 }
+
+/// Shaders that are compiled, and what they include.
+fn glsl_sources() -> Vec<(String, String)> {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("glsl");
+    let paths = [root.clone(), root.join("include")].into_iter().flat_map(|folder| {
+        std::fs::read_dir(&folder).expect("sources").map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file())
+    });
+    paths.map(|path| (path.display().to_string(), std::fs::read_to_string(&path).expect("text"))).collect()
+}
+
+/// The unpacker around each fetch of an image, and the image: `unpack_moments(texelFetch(previous_moments, ...))`.
+fn unpacked_fetches(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    ["texelFetch(", "packed_at(", "texel_at(", "imageLoad("].into_iter().flat_map(move |fetch| {
+        text.match_indices(fetch).filter_map(move |(at, _)| {
+            let around = text[..at].strip_suffix('(')?;
+            let unpacker = &around[around.rfind(|c| !is_name(c)).map_or(0, |end| end + 1)..];
+            let image = &text[at + fetch.len()..];
+            Some((unpacker, &image[..image.find(|c| !is_name(c))?]))
+        })
+    })
+}
+
+/// An unpacker has the name of the image that it is for, so that no image is read as another one.
+#[test]
+fn images_are_unpacked_as_what_they_are() {
+    const OTHERS: [(&str, &str); 7] = [
+        ("GuideBits", "guide"),
+        ("GuideBits", "gradient_guide"),
+        ("PointBits", "points"),
+        ("unpack_image_share", "reflection"),
+        ("unpack_noisy_luminance", "luminance"),
+        ("unpack_noisy_red_blue", "red_blue"),
+        ("unpack_block_percentiles", "blocks"),
+    ];
+    let mut unpackers = BTreeSet::new();
+    for (path, text) in glsl_sources() {
+        for (unpacker, image) in unpacked_fetches(&text) {
+            let image = image.trim_start_matches("previous_").trim_end_matches("_0").trim_end_matches("_1");
+            let is_unpacker = unpacker.starts_with("unpack") || unpacker.ends_with("Bits");
+            let fits = unpacker.strip_prefix("unpack_") == Some(image) || OTHERS.contains(&(unpacker, image));
+            assert!(fits || !is_unpacker, "{path}: {image} is unpacked by {unpacker}");
+            unpackers.extend(fits.then(|| unpacker.to_owned()));
+        }
+    }
+    assert!(unpackers.len() > 12, "{unpackers:?}");
+}

@@ -7,9 +7,9 @@ use atrous::{Declaration, Error, Lifetime, ResourceDecl, Shape};
 
 /// The inputs of one frame by name; those that are `None` are left out.
 pub struct Inputs {
-    images: Vec<(String, Option<Vec<[f32; 4]>>)>,
-    surface_id: Option<Vec<u32>>,
-    transforms: Option<Vec<InstanceTransform>>,
+    pub(super) images: Vec<(String, Option<Vec<[f32; 4]>>)>,
+    pub(super) surface_id: Option<Vec<u32>>,
+    pub(super) transforms: Option<Vec<InstanceTransform>>,
 }
 
 impl Inputs {

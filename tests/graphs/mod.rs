@@ -6,9 +6,11 @@
 pub mod dice;
 pub mod inputs;
 pub mod random;
+mod wild;
 
 use super::parity;
 use super::support::{assert_valid, gpu, scene::Scene};
+use atrous::config::{Conventions, NormalEncoding};
 use atrous::executor::{Session, SessionOptions};
 use atrous::graph::Graph;
 use atrous::reference::{Engine, Texels};
@@ -25,6 +27,8 @@ pub const TESTS: &[DeviceTest] = &[
     // Two tests, so that two threads share the work.
     ("even_seeds", || for_each_seed(0)),
     ("odd_seeds", || for_each_seed(1)),
+    ("wild_inputs_of_even_seeds", || wild_inputs(0)),
+    ("wild_inputs_of_odd_seeds", || wild_inputs(1)),
 ];
 
 /// Not a multiple of a workgroup, a block or a stratum.
@@ -39,10 +43,19 @@ fn seeds() -> Range<u32> {
     first.parse().expect("a number")..end.parse().expect("a number")
 }
 
-/// Checks the graphs of the seeds with this remainder of a half.
+/// Both engines agree on the graphs of the seeds with this remainder of a half.
 fn for_each_seed(remainder: u32) {
+    check_seeds(remainder, both_engines_agree);
+}
+
+/// Every pass agrees with its twin whatever a host gives.
+fn wild_inputs(remainder: u32) {
+    check_seeds(remainder, passes_agree_on_wild_inputs);
+}
+
+fn check_seeds(remainder: u32, check: fn(u32)) {
     for seed in seeds().filter(|seed| seed % 2 == remainder) {
-        if let Err(panic) = catch_unwind(|| both_engines_agree(seed)) {
+        if let Err(panic) = catch_unwind(|| check(seed)) {
             let passes = catch_unwind(|| pass_names(&random::declare(seed, EXTENT))).unwrap_or_default();
             eprintln!("the graph of seed {seed} failed (ATROUS_GRAPH_SEEDS={seed}..{}): {passes}", seed + 1);
             resume_unwind(panic);
@@ -128,6 +141,20 @@ fn both_engines_agree(seed: u32) {
             let cpu = engine.texels(&output.name, UseFrame::Current).expect(&what);
             assert_alike(&texels(output, bytes), cpu, &what);
         }
+    }
+    assert_valid();
+}
+
+/// A few frames of wild inputs, pass by pass against the twins; odd seeds have octahedral normals, of which z is not read.
+fn passes_agree_on_wild_inputs(seed: u32) {
+    let normal = if wild::is_octahedral(seed) { NormalEncoding::Octahedral } else { NormalEncoding::Xyz };
+    let declaration = random::declare_with(seed, EXTENT, Conventions { normal, ..Conventions::default() });
+    let mut s = session(&declaration, true);
+    for i in 0..FRAMES {
+        let mut inputs = Inputs::new(&declaration, seed, &scene(i), i);
+        inputs.make_wild(seed, i, EXTENT[0]);
+        inputs.give_session(&mut s).expect("inputs");
+        parity::run(&mut s, &params(seed, i), &Tuning::default());
     }
     assert_valid();
 }

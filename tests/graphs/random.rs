@@ -1,7 +1,7 @@
 //! Random graphs that make sense: a seed says which nodes there are, and with which parameters.
 
 use super::dice::Dice;
-use atrous::config::{BlockSort, EawWeights, Sampling};
+use atrous::config::{BlockSort, Conventions, EawWeights, Sampling};
 use atrous::graph::{
     Accumulated, Confidence, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Percentiles,
     Radiance, Value,
@@ -12,8 +12,13 @@ use atrous::{Config, Declaration};
 
 /// The declaration of a seed.
 pub fn declare(seed: u32, extent: [u32; 2]) -> Declaration {
+    declare_with(seed, extent, Conventions::default())
+}
+
+/// [`declare`] for a host with these conventions.
+pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> Declaration {
     let mut dice = Dice::new(seed);
-    let mut g = Graph::new(extent).frames_in_flight(1 + dice.below(3));
+    let mut g = Graph::new(extent).frames_in_flight(1 + dice.below(3)).conventions(conventions);
     let guides = g.import(Import { surface_id: dice.coin(), object_normal: dice.coin() });
     let mut surfaces = surfaces(&mut g, &mut dice, &guides, "denoised_radiance");
     if dice.coin() {

@@ -54,19 +54,19 @@ pub fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -> Image
     })
 }
 
-/// Motion of the surface that is nearest to the camera: edges of what is in front move with it.
+/// Motion of the surface that is nearest to the camera: edges of what is in front move with it. Of background alone that of the pixel.
 fn nearest_motion(rect: RenderRect, surfaces: &Image<Surface>, surface_motion: &Image<[u16; 4]>, p: IVec2) -> Vec2 {
     let depth = |q: IVec2| match surfaces.at(q) {
         surface if surface.is_background() => f32::INFINITY,
         surface => surface.linear_depth,
     };
-    let mut nearest = None;
+    let (mut nearest, mut nearest_depth) = (p, f32::INFINITY);
     for (_, q) in rect.window(p, 1, 1) {
-        if nearest.is_none_or(|n| depth(q) < depth(n)) {
-            nearest = Some(q);
+        if depth(q) < nearest_depth {
+            (nearest, nearest_depth) = (q, depth(q));
         }
     }
-    unpack_surface_motion(surface_motion.at(nearest.unwrap_or(p))).motion.into()
+    unpack_surface_motion(surface_motion.at(nearest)).motion.into()
 }
 
 fn rgb(image: &Image<[f32; 4]>, p: IVec2) -> Vec3 {

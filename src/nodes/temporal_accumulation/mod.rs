@@ -14,7 +14,9 @@ use crate::shaders;
 pub struct Accumulation {
     /// Confidence that may shorten the history of a pixel \[ASVGF\]. Default: none \[SVGF\].
     pub confidence: Option<Confidence>,
-    /// Whether disocclusions borrow the history of pixels nearby \[PSVGF\]. Default: false.
+    /// Whether disocclusions borrow the history of pixels nearby \[PSVGF\]. It also sets the cap of the history length where light
+    /// changed: with a confidence of 1 − a the length is at most 1/a, as \[PSVGF\] has it. Without repair it is at most
+    /// 1/(alpha + a·(1 − alpha)). Default: false.
     pub repair: bool,
     /// Whether irradiance of the history is looked up by the cubic of Catmull and Rom, where 4×4 pixels show the surface. Else, and
     /// there, by 2×2 pixels, which blur a little more with every frame that moves. Default: false.
