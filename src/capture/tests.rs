@@ -136,8 +136,8 @@ fn a_folder_that_cannot_be_made_is_named() {
     assert!(message.contains("below") && message.contains("Choose a folder"), "{message}");
 }
 
-/// The capture of a configuration without defaults, as the first version that could wrote it into `old_sequence.json`.
-fn written_before(folder: &Path) -> String {
+/// The description of a capture without a single default, as `golden_sequence.json` has it.
+fn written_now(folder: &Path) -> String {
     use crate::config::*;
     let conventions = Conventions {
         depth: DepthEncoding::RayLength,
@@ -191,9 +191,9 @@ fn a_capture_names_its_preset_and_every_number() {
 }
 
 #[test]
-fn a_sequence_is_described_as_it_always_was() {
+fn a_sequence_is_described_as_in_the_golden_file() {
     let folder = tempfile::tempdir().expect("a folder");
-    let written = written_before(folder.path());
+    let written = written_now(folder.path());
     let json = |text: &str| serde_json::from_str::<serde_json::Value>(text).expect("JSON");
     // Whole numbers may be written with a point: what a reader gets is the same.
     fn as_read(value: &serde_json::Value) -> serde_json::Value {
@@ -205,5 +205,5 @@ fn a_sequence_is_described_as_it_always_was() {
             other => other.clone(),
         }
     }
-    assert_eq!(as_read(&json(&written)), as_read(&json(include_str!("old_sequence.json"))), "{written}");
+    assert_eq!(as_read(&json(&written)), as_read(&json(include_str!("golden_sequence.json"))), "{written}");
 }
