@@ -2,7 +2,7 @@
 
 use ash::vk;
 
-/// Everything that can go wrong. A message names the value that was given, the allowed ones and the remedy.
+/// Every error. A message names the given value, the allowed ones and the remedy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -122,7 +122,7 @@ pub enum Error {
         node: String,
         /// Port of the node: a binding of its shader, a parameter, or a resource.
         port: String,
-        /// The value that was given, the allowed ones, and the remedy.
+        /// The given value, the allowed ones, and the remedy.
         problem: String,
     },
     /// A shader of a host that cannot be a stage.
@@ -130,7 +130,7 @@ pub enum Error {
     Stage {
         /// Name of the stage.
         stage: String,
-        /// The value that was given, the allowed ones, and the remedy.
+        /// The given value, the allowed ones, and the remedy.
         problem: String,
     },
     /// No resource has this name.
@@ -141,7 +141,7 @@ pub enum Error {
         /// Names that exist.
         known: String,
     },
-    /// A CPU twin that was not given what its stage needs.
+    /// A CPU twin without an input that its stage needs.
     #[error("the CPU twin of stage `{stage}` needs {needed} as `{binding}`, but was given {given}; bind it under the name that the shader has")]
     Twin {
         /// Stage.

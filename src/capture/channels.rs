@@ -71,7 +71,8 @@ impl Layer {
     }
 }
 
-/// Adds `noisy`, the light of all layers together: what the picture shows. One layer of light alone is it already.
+/// Adds `noisy`, the light of all layers together, as the picture shows it. A single layer of light
+/// is it already.
 pub(crate) fn add_total(layers: &mut Vec<Layer>) {
     let is_beside = |l: &Layer| matches!(l.name.as_str(), EMISSION | VOLUME | UNSHADOWED);
     let is_alone = !layers.iter().any(is_beside);

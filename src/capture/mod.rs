@@ -1,7 +1,8 @@
 //! Captures: the inputs of some frames as an EXR sequence, which the tool `atrous-denoise` filters again, on a GPU or on the CPU
 //! twin.
 //!
-//! A picture that is wrong in an engine becomes a folder that anyone can look into, replay, bisect and attach to a report.
+//! A wrong picture in your engine becomes a folder that you can inspect, replay, bisect and attach
+//! to a report.
 //!
 //! - **With the built-in executor** it is one call: `Executor::capture(folder, frames)` (features `capture` and `executor`), and
 //!   `Executor::finish_capture` to have the last frames, and any error, at once. `Session::capture` does the same.
@@ -14,13 +15,16 @@
 //!   2. When the frame's fence has signalled, call [`SequenceWriter::write_frame`] with the [`FrameParams`] and [`Tuning`] of that
 //!      frame, and the index that it counted as. Where the denoiser forced a reset, set [`FrameParams::reset`] ([`crate::FrameContext::reset`] has it).
 //!
-//! A capture of a preset with forward-projected gradients can be replayed, too: the noisy radiance has the re-shaded samples in it,
-//! and which pixels they are at is the same in the replay, since every frame counts as it did in the engine.
+//! You can also replay a preset with forward-projected gradients: the noisy radiance contains the
+//! re-shaded samples, and their pixels are the same in the replay, since every frame keeps its
+//! number.
 //!
-//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets, tunables and the [`crate::Config`] of a
-//! preset, so that texels are stored as they were: depth, normals and motion in the host's encoding, half as half, 32-bit float and
-//! ids bit by bit. Normalised formats become 32-bit float. `docs/denoise.md` lists the channels. A replay starts without history:
-//! where its output is to be that of the engine from the first frame on, call `invalidate` before the first captured frame.
+//! The folder gets `frame_0000.exr`, ... and `sequence.json` with matrices, jitter, resets,
+//! tunables and the [`crate::Config`] of a preset, so texels are stored unchanged: depth, normals
+//! and motion in your encoding, half as half, 32-bit float and ids bit by bit. Normalised formats
+//! become 32-bit float. `docs/specification/exr.md` lists the channels. A replay starts without
+//! history. To compare with the engine from the first frame on, call `invalidate` before the first
+//! captured frame.
 //!
 //! The render extent and the set of images must hold for the whole capture; tunables and `instance_transforms` may change.
 
@@ -46,7 +50,8 @@ pub struct InputImage<'a> {
     pub name: &'a str,
     /// Format of the texels.
     pub format: vk::Format,
-    /// The render extent, row by row, tightly packed; of an image with one texel a stratum the strata of the render extent.
+    /// The render extent, row by row, tightly packed; of an image with one texel per stratum the
+    /// strata of the render extent.
     pub texels: &'a [u8],
 }
 
@@ -105,12 +110,13 @@ impl SequenceWriter {
         self.frames.len() as u32
     }
 
-    /// Writes the next frame, and `sequence.json` anew. Nothing is left behind by what is refused.
+    /// Writes the next frame, and `sequence.json` anew. A refused frame leaves nothing behind.
     ///
     /// # Errors
-    /// Errors of [`crate::FrameState::begin`] for parameters and tunables; [`Error::UnknownResource`], [`Error::NotBound`] for a
-    /// required image that is missing, [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written,
-    /// and for a frame with another render extent or other images than the first.
+    /// Errors of [`crate::FrameState::begin`] for parameters and tunables;
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for a required image that is missing,
+    /// [`Error::Format`], [`Error::Size`]; [`Error::Capture`] for a file that cannot be written,
+    /// and for a frame whose render extent or images differ from the first.
     pub fn write_frame(&mut self, frame: &InputFrame<'_>) -> Result<(), Error> {
         let number = self.frames.last_key_value().map_or(0, |(last, _)| last + 1);
         self.write_numbered(number, frame)
@@ -198,7 +204,8 @@ impl SequenceWriter {
             let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");
             return Err(Error::Size { resource: name.to_owned(), given: format!("{} bytes", image.texels.len()), needed });
         }
-        // All channels of a file have one size: what has a texel a stratum stands in the top left corner.
+        // All channels of a file have one size: what has a texel per stratum stands in the top left
+        // corner.
         let row = width as usize * bytes;
         let mut texels = vec![0; extent[0] as usize * extent[1] as usize * bytes];
         for (to, from) in texels.chunks_exact_mut(extent[0] as usize * bytes).zip(image.texels.chunks_exact(row)) {

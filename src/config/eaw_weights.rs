@@ -30,7 +30,7 @@ impl EawWeights {
         self.radiance as u32 | (self.normal as u32) << 1 | (self.position as u32) << 2
     }
 
-    /// The weights of [`Self::bits`]; `None` where another bit is set.
+    /// The weights of [`Self::bits`]; `None` if any other bit is set.
     pub const fn from_bits(bits: u32) -> Option<Self> {
         match bits {
             0..=7 => Some(Self { radiance: bits & 1 != 0, normal: bits & 2 != 0, position: bits & 4 != 0 }),

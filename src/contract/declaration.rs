@@ -129,7 +129,7 @@ impl Declaration {
         self.passes.iter().any(|pass| pass.stage() == Some("forward_project"))
     }
 
-    /// Whether pixels without a gradient take the confidence of another stage.
+    /// Whether pixels without a gradient take the confidence of a different stage.
     pub(crate) fn has_other_confidence(&self) -> bool {
         self.passes.iter().any(|pass| pass.use_of("other_confidence").is_some())
     }
@@ -148,7 +148,8 @@ impl Declaration {
     /// An image by name, with its allocated extent, for as many texels of a format that are given row by row.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Format`], [`Error::Size`] for another number of texels.
+    /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Format`],
+    /// [`Error::Size`] for a wrong number of texels.
     pub(crate) fn image_for(&self, name: &str, given: vk::Format, count: usize) -> Result<(ResourceId, [u32; 2]), Error> {
         let id = self.named(name)?;
         let resource = self.resource(id);

@@ -6,17 +6,17 @@ use ash::vk;
 
 /// The formats that an image may have.
 ///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageFormat {
     /// One format. Images that we write are declared so, and the shader carries the same format qualifier.
     Exactly(vk::Format),
-    /// Any format of this numeric class; the second is the one to take where there is no reason for another.
+    /// Any format of this numeric class. The second is the recommended one.
     Any(Component, vk::Format),
 }
 
 impl ImageFormat {
-    /// The format to create the image with, where the host has no other reason.
+    /// The format to create the image with, unless you have a reason for a different one.
     pub const fn preferred(self) -> vk::Format {
         match self {
             Self::Exactly(format) | Self::Any(_, format) => format,

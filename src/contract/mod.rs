@@ -1,6 +1,8 @@
-//! The contract with a host: plain data that declares every resource, every pass and each access of a pass to a resource.
+//! The contract with your engine: plain data that declares every resource, every pass and each
+//! access of a pass to a resource.
 //!
-//! Nothing in here talks to Vulkan or contains `unsafe`: the types map one to one onto a host's own frame graph.
+//! Nothing in here talks to Vulkan or contains `unsafe`: the types map one to one onto your own
+//! frame graph.
 
 mod access;
 mod binding;

@@ -7,7 +7,7 @@ use ash::vk;
 /// The compute pipeline that a dispatch runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PipelineDecl<'a> {
-    /// Name of the module: the stage, with what distinguishes its variants, such as `atrous_signals_2`.
+    /// Name of the module: the stage and its variant, for example `atrous_signals_2`.
     pub module: &'a str,
     /// The module, in the order of this machine's bytes. Its entry point is `main`.
     pub spirv: &'a [u8],

@@ -6,28 +6,30 @@ use ash::vk;
 
 /// The owner of a resource and the life of its content.
 ///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Lifetime {
-    /// A resource of the host that is only read.
+    /// Your resource, which is only read.
     Input {
         /// Whether it may be bound as [`crate::Binding::Absent`].
         optional: bool,
     },
-    /// A resource of the host; every texel of the render rect is written. Passes of the same phase may use it before that, for what
-    /// they need themselves: its content is undefined from its first use in a frame to its last.
+    /// Your resource. Every texel of the render rect is written. Earlier passes of the same phase
+    /// may use it as scratch memory: its content is undefined from its first use in a frame to its
+    /// last.
     Output,
-    /// Content is undefined before its first use in a frame and dead after its last: the host may alias it.
+    /// Content is undefined before its first use in a frame and dead after its last, so you may
+    /// alias it.
     Transient,
-    /// Two copies. [`super::UseFrame::Previous`] is what [`super::UseFrame::Current`] was one frame ago; two suffice for any number
-    /// of frames in flight.
+    /// Two copies, which exchange their roles in each frame: [`super::UseFrame::Previous`] was
+    /// [`super::UseFrame::Current`] one frame ago. Two suffice for any number of frames in flight.
     History,
     /// One copy that survives the frame: its last read as `Previous` comes before its first write as `Current`.
     HistoryInPlace,
 }
 
 impl Lifetime {
-    /// Copies that a host allocates: none of an input, two of a history.
+    /// Number of copies that you allocate: none of an input, two of a history.
     pub const fn copies(self) -> usize {
         match self {
             Self::Input { .. } => 0,
@@ -44,7 +46,7 @@ impl Lifetime {
 
 /// The shape of a resource: image or buffer.
 ///
-/// Closed by the contract: a host may match every one, and another would be a breaking change.
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// A 2D image with one mip level and one layer, of `div_ceil(allocated_extent, divisor)` texels.
@@ -74,9 +76,9 @@ pub struct ResourceDecl {
     pub shape: Shape,
     /// Owner and life of the content.
     pub lifetime: Lifetime,
-    /// Union over all uses; a host ORs in its own.
+    /// Union over all uses. Add the flags of your own uses.
     pub image_usage: vk::ImageUsageFlags,
-    /// Union over all uses; a host ORs in its own.
+    /// Union over all uses. Add the flags of your own uses.
     pub buffer_usage: vk::BufferUsageFlags,
 }
 
@@ -89,7 +91,8 @@ impl ResourceDecl {
         }
     }
 
-    /// Bytes of one copy, texels alone: what a device adds for alignment is not in it. 0 for a format that no image of ours can have.
+    /// Bytes of the texels of one copy, without the alignment of a device. 0 for a format that none
+    /// of our images can have.
     pub fn bytes(&self, allocated_extent: [u32; 2]) -> u64 {
         match (self.shape, self.extent(allocated_extent)) {
             (Shape::Image { format, .. }, Some([w, h])) => {

@@ -98,7 +98,8 @@ impl Barriers {
         unsafe { self.flush(device, cmd) };
     }
 
-    /// Fills what is undefined with NaN: transients, copies about to be written, and on a reset all previous copies.
+    /// Fills undefined content with NaN: transients, copies about to be written, and on a reset all
+    /// previous copies.
     ///
     /// # Safety
     /// Obligations of `Executor::record`; images have `TRANSFER_DST` usage.

@@ -39,7 +39,7 @@ impl Counters {
         })
     }
 
-    /// Forgets the content of the buffer, which is another one now.
+    /// Forgets the content of the buffer, which is a new one now.
     pub fn resize(&mut self) {
         self.is_filled = false;
     }
@@ -50,7 +50,7 @@ impl Counters {
         self.slots.iter_mut().for_each(|slot| slot.is_recorded = false);
     }
 
-    /// Reads what was copied with this slot before.
+    /// Reads the last copy of this slot.
     fn collect(&mut self, slot: u32) {
         let slot = &mut self.slots[slot as usize];
         if !std::mem::take(&mut slot.is_recorded) {

@@ -59,11 +59,12 @@ impl Memory {
         Ok(this)
     }
 
-    /// Allocates everything in place of what there is, for another extent of the same resources. Both exist for a moment, so that
-    /// the old stays where this fails.
+    /// Allocates everything anew, for a different extent of the same resources. Old and new exist
+    /// for a moment, so that the old stays if this fails.
     ///
     /// # Safety
-    /// Formats, extents and limits were checked against the device; GPU work that uses what there is is complete.
+    /// Formats, extents and limits were checked against the device; GPU work that uses the old
+    /// objects is complete.
     pub unsafe fn reallocate(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
         let objects = std::mem::take(&mut self.objects);
         let storages = std::mem::replace(&mut self.storages, Storages::new(declaration));

@@ -55,7 +55,7 @@ impl Profiler {
         Ok(this)
     }
 
-    /// Reads what the slot's last frame left.
+    /// Reads the results of the slot's last frame.
     pub fn collect(&mut self, slot: u32) -> Result<(), Error> {
         if !std::mem::take(&mut self.recorded[slot as usize]) {
             return Ok(());

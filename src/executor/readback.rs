@@ -19,8 +19,8 @@ pub struct Readback {
 }
 
 impl Readback {
-    /// Texels as floats, whatever the format; missing components are 0. Words of a buffer are whole numbers. What is left behind
-    /// the last whole texel is left out.
+    /// Texels as floats, from any format; missing components are 0. Words of a buffer are whole
+    /// numbers. Bytes after the last whole texel are left out.
     pub fn to_floats(&self, bytes: &[u8]) -> Vec<[f32; 4]> {
         let format = if self.format == vk::Format::UNDEFINED { vk::Format::R32_UINT } else { self.format };
         Texel::of(format).map_or(Vec::new(), |texel| texel.to_floats(bytes))
@@ -31,8 +31,8 @@ impl Executor {
     /// The format and size that a copy of a resource will have.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input that nothing is bound to; [`Error::Format`] for an image whose
-    /// texels have no known size.
+    /// [`Error::UnknownResource`]; [`Error::NotBound`] for an input without an image;
+    /// [`Error::Format`] for an image whose texels have no known size.
     pub fn readback(&self, name: &str, frame: &FrameContext, which: UseFrame) -> Result<Readback, Error> {
         let (id, copy) = self.locate(name, frame, which)?;
         let object = self.memory.storages.object(id, copy).ok_or_else(|| Error::NotBound(name.to_owned()))?;
@@ -44,8 +44,9 @@ impl Executor {
         })
     }
 
-    /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has run. A transient holds what the
-    /// last pass that used its memory left there, unless it has memory of its own: see [`super::ExecutorOptions::no_aliasing`].
+    /// Records a copy of a resource into `buffer`, visible to the host once the command buffer has
+    /// run. A transient holds the content of the last pass that used its memory, unless it has
+    /// memory of its own: see [`super::ExecutorOptions::no_aliasing`].
     ///
     /// # Errors
     /// Errors of [`Self::readback`].
@@ -89,7 +90,7 @@ impl Executor {
     }
 }
 
-/// What copies leave in a buffer, and what the host may then read there.
+/// The state of a buffer after a copy, for reads by the CPU.
 pub(super) const COPIED: ResourceState = ResourceState::of(Access::Clear);
 pub(super) const READ_BY_HOST: ResourceState =
     ResourceState::new(vk::PipelineStageFlags2::HOST, vk::AccessFlags2::HOST_READ, vk::ImageLayout::UNDEFINED);

@@ -86,7 +86,8 @@ impl Objects {
 pub(crate) struct Storages {
     objects: Objects,
     tracker: Tracker,
-    /// The states in which the host lends what it bound, by resource; `None` where nothing of the host is bound.
+    /// The states in which the host lends its bound resources, by resource; `None` for a resource
+    /// of our own.
     lent: Vec<Option<[ResourceState; 2]>>,
     /// Objects of resources in whose place the host bound one, by resource: an output of our own, and its state.
     own: Vec<Option<(Object, ResourceState)>>,
@@ -179,7 +180,7 @@ impl Storages {
         }
     }
 
-    /// Forgets what was recorded and will never run.
+    /// Forgets recorded work that will never run.
     pub fn forget(&mut self) {
         self.tracker.forget();
         self.own.iter_mut().flatten().for_each(|(_, state)| *state = ResourceState::UNKNOWN);

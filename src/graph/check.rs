@@ -1,4 +1,5 @@
-//! Checks of a whole graph for what types cannot see: reads of what nothing wrote, cycles, two writers, histories without an end.
+//! Checks of a whole graph that types cannot do: reads of unwritten content, cycles, two writers,
+//! histories without an end.
 
 use super::Graph;
 use crate::contract::{Access, Lifetime, PassDecl, ResourceId, UseFrame};
@@ -49,7 +50,7 @@ impl Graph {
         self.fail(&reader, &name, problem);
     }
 
-    /// Whether a pass reads, directly or through others, what an earlier one wrote.
+    /// Whether a pass reads the output of an earlier one, directly or through others.
     fn depends(&self, later: usize, earlier: usize) -> bool {
         let mut reached = vec![false; self.passes.len()];
         reached[earlier] = true;

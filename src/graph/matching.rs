@@ -1,4 +1,5 @@
-//! Compares what a node asks for with what the shader has, and finds where everything comes from.
+//! Compares the wires of a node with the interface of its shader, and finds the source of
+//! everything.
 
 use super::pass::{Level, Pass, Value, Wire};
 use super::Image;
@@ -19,7 +20,7 @@ pub(super) struct Automatic {
 pub(super) struct Mismatch {
     /// The binding, constant or parameter.
     pub port: String,
-    /// The value that was given, the allowed ones, and the remedy.
+    /// The given value, the allowed ones, and the remedy.
     pub problem: String,
 }
 
@@ -66,7 +67,7 @@ fn check_wires(pass: &Pass, automatic: &Automatic) -> Result<(), Mismatch> {
     Ok(())
 }
 
-/// Uses in the order of the numbers of bindings, and what stands at each binding.
+/// Uses in the order of the numbers of bindings, and the content of each binding.
 fn match_bindings(pass: &Pass, automatic: &Automatic, resources: &[ResourceDecl]) -> Result<(Vec<Use>, Vec<Slot>), Mismatch> {
     let shader = &*pass.shader;
     let (mut uses, mut wired) = (Vec::new(), Vec::new());

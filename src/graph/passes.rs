@@ -1,4 +1,5 @@
-//! Passes of a graph: the names of its nodes, what each pass touches, and whether the content of an image is still what it was.
+//! Passes of a graph: the names of its nodes, the uses of each pass, and whether the content of an
+//! image is still the same.
 
 use super::matching::{self, Automatic};
 use super::pass::{Pass, Wire};

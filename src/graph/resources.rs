@@ -77,7 +77,7 @@ impl Graph {
         History { colour: both(&colour), moments: both(&moments), new_moments: both(&new_moments), count: of.signals() }
     }
 
-    /// A history with one copy. `writer` says what a graph has to do so that it is written.
+    /// A history with one copy. `writer` names the node that writes it.
     pub(crate) fn history_in_place(&mut self, base: &str, label: &str, format: ImageFormat, writer: &'static str) -> Image {
         let image = self.named_image(base, label, format, 1, Lifetime::HistoryInPlace);
         self.states[image.id.0 as usize].writer = Some(writer);

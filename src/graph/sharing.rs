@@ -6,7 +6,7 @@ use crate::contract::{life, Lifetime, ResourceId, Shape};
 impl Graph {
     /// Gives transients the images of outputs: those of the same format and size whose last use
     /// comes before the output's first, in the same phase, since until then the host may still read
-    /// what the previous frame left there.
+    /// the output of the previous frame.
     pub(super) fn put_transients_into_outputs(&mut self) {
         let ids = (0..self.resources.len() as u32).map(ResourceId);
         let mut given = vec![None; self.resources.len()];
@@ -36,7 +36,7 @@ impl Graph {
         resource.lifetime == lifetime && matches!(resource.shape, Shape::Image { .. })
     }
 
-    /// Takes resources out, each for another that stands for it.
+    /// Takes resources out, each for its replacement.
     fn replace(&mut self, by: &[Option<ResourceId>]) {
         let place = |id: ResourceId| by[..id.0 as usize].iter().filter(|by| by.is_none()).count() as u32;
         for (i, by) in by.iter().enumerate().filter_map(|(i, by)| Some((i, (*by)?))) {

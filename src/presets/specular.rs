@@ -25,10 +25,9 @@ pub struct Specular {
     /// replaces `confidence`, unless there are `gradients`. Default: none.
     pub difference: Option<Difference>,
     /// Source of gradients of specular light alone, from which it then has a confidence of its own
-    /// in place of `confidence`: light that changes only what is seen in a mirror leaves diffuse
-    /// light its history, where that has gradients of its own, too. Samples that the host shades
-    /// again alone are a source: the others are of all light. Costs 8 bytes per pixel. Default:
-    /// none.
+    /// instead of `confidence`: light that changes only reflections leaves diffuse light its
+    /// history, where that has gradients of its own, too. Samples that the host shades again alone
+    /// are a source: the others are of all light. Costs 8 bytes per pixel. Default: none.
     pub gradients: Option<Gradients>,
     /// Re-shaded pixels.
     pub samples: Option<GradientSamples>,
@@ -93,8 +92,8 @@ fn own_gradient(g: &mut Graph, guides: &Guides, noisy: &Radiance, source: Gradie
     })
 }
 
-/// Radiance of what a preset filtered, with specular light beside it where [`Signals::Specular`] asks for it, and what is seen in the
-/// surfaces then.
+/// Radiance of the filtered irradiance of a preset; with [`Signals::Specular`] plus specular light,
+/// and its reflections.
 pub(super) fn modulated(
     g: &mut Graph,
     guides: &Guides,

@@ -40,8 +40,8 @@ fn given(slot: Slot, bindings: &[Binding]) -> Option<Binding> {
     slot.wired.and_then(|i| bindings.get(i)).copied().filter(|binding| *binding != Binding::Absent)
 }
 
-/// The binding that a descriptor points at: for a binding that is absent another one of its kind, which the shader then does not
-/// read.
+/// The binding that a descriptor points at. For an absent binding it is a different one of its
+/// kind, which the shader does not read then.
 pub(crate) fn descriptor(slot: Slot, bindings: &[Binding]) -> Binding {
     given(slot, bindings).or_else(|| bindings.get(slot.stand_in).copied()).unwrap_or(Binding::Absent)
 }

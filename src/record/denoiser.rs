@@ -74,7 +74,7 @@ impl Denoiser {
         Ok(declaration)
     }
 
-    /// Goes on with what [`Self::resized`] gave.
+    /// Continues with the declaration of [`Self::resized`].
     pub(crate) fn adopt(&mut self, declaration: Declaration) {
         self.declaration = declaration;
         self.life.resize();
@@ -107,7 +107,7 @@ impl Denoiser {
         }
     }
 
-    /// The next frame drops all history: after the host re-created images.
+    /// Makes the next frame drop all history. Call it after you re-created images.
     pub fn invalidate(&mut self) {
         self.life.invalidate();
     }
@@ -117,17 +117,17 @@ impl Denoiser {
         self.life.restart_at(index);
     }
 
-    /// Gives the passes that run a shader other code, and keeps the history. Whether there are such passes. The old code stays
-    /// where this fails.
+    /// Replaces the code of a shader in all passes that run it, and keeps the history. Returns
+    /// whether there are such passes. The old code stays if this fails.
     ///
     /// # Errors
     /// Errors of [`hot_reload::check`](crate::hot_reload::check); [`Error::Vulkan`] where the pipeline cannot be made.
     ///
     /// # Safety
     /// - `spirv` is valid for Vulkan 1.1: the output of a compiler, not bytes from a stranger.
-    /// - GPU work that was recorded with this denoiser is complete, in every frame slot, and none is recorded that has yet to be
-    ///   submitted: the old pipeline is destroyed. A host with frames in flight waits for all of them, for example with
-    ///   `vkDeviceWaitIdle`.
+    /// - All GPU work recorded with this denoiser is complete, in every frame slot, and no recorded
+    ///   work is left to submit, since the old pipeline is destroyed. With frames in flight, wait
+    ///   for all of them, for example with `vkDeviceWaitIdle`.
     #[cfg(feature = "hot-reload")]
     pub unsafe fn replace_shader(&mut self, name: &str, spirv: &[u32]) -> Result<bool, Error> {
         crate::hot_reload::check(name, spirv)?;
@@ -256,8 +256,8 @@ impl Denoiser {
         unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[WHOLE]) };
     }
 
-    /// Points the set at the bindings. An absent one is pointed at another binding of its kind, which the shader then does not
-    /// read.
+    /// Points the set at the bindings. An absent one is pointed at a different binding of its kind,
+    /// which the shader then does not read.
     unsafe fn write_set(&self, bindable: &Bindable, dispatch: &Dispatch, bindings: &[Binding]) {
         let mut descriptors = [Descriptor::NULL; MAX_BINDINGS];
         for (to, slot) in descriptors.iter_mut().zip(&dispatch.slots) {

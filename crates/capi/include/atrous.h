@@ -39,7 +39,7 @@ enum AtrousStatus
   ATROUS_STATUS_UNSUPPORTED_DEVICE = 5,
   // Memory ran out.
   ATROUS_STATUS_OUT_OF_MEMORY = 6,
-  // Another Vulkan call failed.
+  // A different Vulkan call failed.
   ATROUS_STATUS_VULKAN_ERROR = 7,
   // A bug in atrous: it panicked. Destroy the denoiser.
   ATROUS_STATUS_PANICKED = 8,
@@ -60,11 +60,11 @@ typedef struct AtrousDenoiser AtrousDenoiser;
 typedef struct AtrousConfig {
   // sizeof(AtrousConfig).
   uint32_t struct_size;
-  // Width that images are allocated with, pixels.
+  // Width of the allocated images, pixels.
   uint32_t width;
-  // Height that images are allocated with, pixels.
+  // Height of the allocated images, pixels.
   uint32_t height;
-  // Frames that the host records before it waits for the oldest, 1 to 8.
+  // Frames that you record before you wait for the oldest, 1 to 8.
   uint32_t frames_in_flight;
   // Filter, 7 by default: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
   uint32_t preset;
@@ -73,15 +73,17 @@ typedef struct AtrousConfig {
   uint32_t signals;
   // À-trous levels, 1 to 10; 0 (default): the preset's, 4 for `best` and `fast`, 5 for the others.
   uint32_t levels;
-  // 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
+  // 1: you have a volume, `noisy_volume`, which is filtered beside the surfaces; the preset
+  // `volume` always has one.
   uint32_t volume;
-  // 1: the host has the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
+  // 1: you have the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
   uint32_t visibility;
   // 1: fireflies are removed before accumulation; the percentile preset always does.
   uint32_t firefly_filter;
-  // The rule by which the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
+  // The rule by which the preset `percentile` detects changes of light: 0 (change_test), 1
+  // (percentiles).
   uint32_t adaptive_rule;
-  // The way in which percentiles are found: 0 (counting), 1 (odd_even).
+  // The method that finds percentiles: 0 (counting), 1 (odd_even).
   uint32_t block_sort;
   // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
   uint32_t eaw_weights;
@@ -91,11 +93,11 @@ typedef struct AtrousConfig {
   uint32_t stratum_size;
   // Source of gradients: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
   uint32_t gradient_source;
-  // 1: the host has an image of forward motion.
+  // 1: you have an image of forward motion.
   uint32_t forward_motion;
-  // 1: the host has an image of surface ids.
+  // 1: you have an image of surface ids.
   uint32_t surface_id;
-  // 1: the host has object-space normals.
+  // 1: you have object-space normals.
   uint32_t object_normal;
   // Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
   uint32_t post_process;
@@ -132,8 +134,8 @@ typedef struct AtrousFrameParams {
   uint32_t struct_size;
   // Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
   uint32_t frame_slot;
-  // The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift),
-  // 6 (exposure_jump). A host need not report that it is created.
+  // The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
+  // (scene_load), 5 (origin_shift), 6 (exposure_jump). You need not report 1.
   uint32_t reset;
   // Width rendered this frame, anchored top left.
   uint32_t render_width;
@@ -147,9 +149,9 @@ typedef struct AtrousFrameParams {
   float jitter[2];
   // Exposure of this frame divided by that of the previous one.
   float exposure_ratio;
-  // 1: the host re-shades this frame's `gradient_samples`.
+  // 1: you re-shade this frame's `gradient_samples`.
   uint32_t reshaded;
-  // The view of the pass `debug_view`; without one the host leaves the pass out.
+  // The view of the pass `debug_view`; without one you leave the pass out.
   //
   // 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
   // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
@@ -157,7 +159,7 @@ typedef struct AtrousFrameParams {
   uint32_t debug_view;
 } AtrousFrameParams;
 
-// The device on which the passes run. Handles stay the host's.
+// The device of the passes. Handles stay yours.
 typedef struct AtrousCreateInfo {
   // sizeof(AtrousCreateInfo).
   uint32_t struct_size;
@@ -171,23 +173,23 @@ typedef struct AtrousCreateInfo {
   PFN_vkGetInstanceProcAddr get_instance_proc_addr;
   // Configuration; read during the call alone.
   const struct AtrousConfig *config;
-  // Cache that pipelines are looked up in and added to, or null. Used during the call alone, on several threads: not one that
-  // is externally synchronised.
+  // Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
+  // be externally synchronised.
   VkPipelineCache pipeline_cache;
 } AtrousCreateInfo;
 
 // A small buffer of bytes that a name is copied into.
 typedef char AtrousName[ATROUS_NAME_SIZE];
 
-// A resource that the host allocates or gives.
+// A resource that you allocate or give.
 typedef struct AtrousResource {
-  // sizeof(AtrousResource), set by the host.
+  // sizeof(AtrousResource), set by you.
   uint32_t struct_size;
   // 0: image; 1: buffer.
   uint32_t kind;
   // 0: input; 1: output; 2: transient; 3: history of two copies; 4: history in place.
   uint32_t lifetime;
-  // Copies that the host allocates: 2 of a history, 0 of an input.
+  // Number of copies that you allocate: 2 of a history, 0 of an input.
   uint32_t copies;
   // 1: an input that may be left out.
   uint32_t optional;
@@ -203,9 +205,10 @@ typedef struct AtrousResource {
   VkImageUsageFlags image_usage;
   // Usage that passes need of the buffer; OR in your own.
   VkBufferUsageFlags buffer_usage;
-  // Index of the first pass that touches it.
+  // Index of the first pass that uses it.
   uint32_t first_pass;
-  // Index of the last pass that touches it: transients may share memory where these ranges do not overlap.
+  // Index of the last pass that uses it. Transients may share memory if these ranges do not
+  // overlap.
   uint32_t last_pass;
   // Bytes of one copy, texels alone.
   uint64_t bytes;
@@ -221,11 +224,11 @@ typedef struct AtrousUse {
   uint32_t previous;
   // 0: sampled; 1: storage read; 2: storage write of every texel; 3: storage read and write; 4: uniform; 5: transfer write.
   uint32_t access;
-  // 1: old contents matter; 0: the host may discard them.
+  // 1: old content matters; 0: you may discard it.
   uint32_t reads;
-  // 1: contents change.
+  // 1: content changes.
   uint32_t writes;
-  // Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal in its place.
+  // Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal instead.
   VkImageLayout layout;
   // Stage of synchronization2.
   VkPipelineStageFlags2 stage;
@@ -281,15 +284,15 @@ typedef struct AtrousTuningField {
 
 // A frame that was begun. Plain data: copy it as you like.
 typedef struct AtrousFrame {
-  // sizeof(AtrousFrame), set by the host before `atrous_begin_frame`.
+  // sizeof(AtrousFrame), set by you before `atrous_begin_frame`.
   uint32_t struct_size;
   // The frame slot of AtrousFrameParams.
   uint32_t frame_slot;
-  // Counts frames from 0.
+  // Number of the frame, from 0.
   uint64_t index;
   // Counts resizes.
   uint64_t generation;
-  // The copy of a resource with two copies that is the current one: 0 or 1. The other one is the previous.
+  // The current copy of a resource with two copies: 0 or 1. The other one is the previous.
   uint32_t current_copy;
   // Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
   uint32_t reset;
@@ -312,7 +315,7 @@ typedef struct AtrousBinding {
   uint64_t range;
 } AtrousBinding;
 
-// Guides of the host for one frame, read back: tightly packed rows of width texels, each four floats.
+// Your guides for one frame, read back: tightly packed rows of width texels, each four floats.
 typedef struct AtrousGuides {
   // sizeof(AtrousGuides).
   uint32_t struct_size;
@@ -335,7 +338,7 @@ typedef struct AtrousGuides {
 // Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
 // frames cannot tell; 4 not given.
 typedef struct AtrousConventionReport {
-  // sizeof(AtrousConventionReport), set by the host.
+  // sizeof(AtrousConventionReport), set by you.
   uint32_t struct_size;
   // Verdict on depth, matrices and jitter.
   uint32_t geometry;
@@ -345,7 +348,7 @@ typedef struct AtrousConventionReport {
   uint32_t motion_depth;
   // Verdict on normals.
   uint32_t normals;
-  // The mistakes, the evidence in pixels and degrees, and what to change.
+  // The mistakes, the evidence in pixels and degrees, and the remedies.
   char text[ATROUS_REPORT_SIZE];
 } AtrousConventionReport;
 
@@ -386,9 +389,9 @@ AtrousStatus atrous_create(const struct AtrousCreateInfo *info,
 // GPU work that was recorded with it is complete; the device is live.
 AtrousStatus atrous_destroy(struct AtrousDenoiser *denoiser);
 
-// Declares everything anew for other extents, and keeps pipelines; history starts anew, and frames that were begun before are
-// refused. Nothing changes on the device: work that was recorded before may still be in flight, as long as its images live.
-// Where an extent is refused, nothing is changed.
+// Declares everything for new extents, and keeps pipelines. History starts over, and frames begun
+// before are refused. Nothing changes on the device: recorded work may still be in flight, as long
+// as its images live. A refused extent changes nothing.
 //
 // # Safety
 // None beyond those of a call through C.
@@ -438,7 +441,7 @@ AtrousStatus atrous_tuning_field(uint32_t index, struct AtrousTuningField *field
 // `name` is null or a null-terminated string.
 AtrousStatus atrous_set_tuning(struct AtrousDenoiser *denoiser, const char *name, float value);
 
-// The next frame drops all history: after the host re-created images.
+// Makes the next frame drop all history. Call it after you re-created images.
 //
 // # Safety
 // None beyond those of a call through C.
@@ -467,8 +470,8 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
 
-// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names
-// the likely mistake. Needs no denoiser and no device.
+// Tests whether depth, matrices, motion and normals of two consecutive frames agree with the
+// conventions in `config`, and names the likely mistake. Needs no denoiser and no device.
 //
 // # Safety
 // Pointers are null or valid with their struct_size set; images have as many texels as their extent says.

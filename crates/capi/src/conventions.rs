@@ -11,7 +11,7 @@ use std::ffi::c_char;
 /// Bytes of the text of a report, with its null.
 pub const ATROUS_REPORT_SIZE: usize = 4096;
 
-/// Guides of the host for one frame, read back: tightly packed rows of width texels, each four floats.
+/// Your guides for one frame, read back: tightly packed rows of width texels, each four floats.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct AtrousGuides {
@@ -38,7 +38,7 @@ pub struct AtrousGuides {
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct AtrousConventionReport {
-    /// sizeof(AtrousConventionReport), set by the host.
+    /// sizeof(AtrousConventionReport), set by you.
     pub struct_size: u32,
     /// Verdict on depth, matrices and jitter.
     pub geometry: u32,
@@ -48,12 +48,12 @@ pub struct AtrousConventionReport {
     pub motion_depth: u32,
     /// Verdict on normals.
     pub normals: u32,
-    /// The mistakes, the evidence in pixels and degrees, and what to change.
+    /// The mistakes, the evidence in pixels and degrees, and the remedies.
     pub text: [c_char; ATROUS_REPORT_SIZE],
 }
 
-/// Tells whether depth, matrices, motion and normals of two consecutive frames agree with the conventions in `config`, and names
-/// the likely mistake. Needs no denoiser and no device.
+/// Tests whether depth, matrices, motion and normals of two consecutive frames agree with the
+/// conventions in `config`, and names the likely mistake. Needs no denoiser and no device.
 ///
 /// # Safety
 /// Pointers are null or valid with their struct_size set; images have as many texels as their extent says.

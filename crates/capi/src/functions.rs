@@ -87,9 +87,9 @@ pub unsafe extern "C" fn atrous_destroy(denoiser: *mut AtrousDenoiser) -> Atrous
     guard(|| handle::remove(denoiser))
 }
 
-/// Declares everything anew for other extents, and keeps pipelines; history starts anew, and frames that were begun before are
-/// refused. Nothing changes on the device: work that was recorded before may still be in flight, as long as its images live.
-/// Where an extent is refused, nothing is changed.
+/// Declares everything for new extents, and keeps pipelines. History starts over, and frames begun
+/// before are refused. Nothing changes on the device: recorded work may still be in flight, as long
+/// as its images live. A refused extent changes nothing.
 ///
 /// # Safety
 /// None beyond those of a call through C.
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn atrous_set_tuning(denoiser: *mut AtrousDenoiser, name: 
     })
 }
 
-/// The next frame drops all history: after the host re-created images.
+/// Makes the next frame drop all history. Call it after you re-created images.
 ///
 /// # Safety
 /// None beyond those of a call through C.

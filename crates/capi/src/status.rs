@@ -24,7 +24,7 @@ pub enum AtrousStatus {
     UnsupportedDevice = 5,
     /// Memory ran out.
     OutOfMemory = 6,
-    /// Another Vulkan call failed.
+    /// A different Vulkan call failed.
     VulkanError = 7,
     /// A bug in atrous: it panicked. Destroy the denoiser.
     Panicked = 8,

@@ -23,11 +23,11 @@ pub type AtrousName = [c_char; ATROUS_NAME_SIZE];
 pub struct AtrousConfig {
     /// sizeof(AtrousConfig).
     pub struct_size: u32,
-    /// Width that images are allocated with, pixels.
+    /// Width of the allocated images, pixels.
     pub width: u32,
-    /// Height that images are allocated with, pixels.
+    /// Height of the allocated images, pixels.
     pub height: u32,
-    /// Frames that the host records before it waits for the oldest, 1 to 8.
+    /// Frames that you record before you wait for the oldest, 1 to 8.
     pub frames_in_flight: u32,
     /// Filter, 7 by default: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
     pub preset: u32,
@@ -36,15 +36,17 @@ pub struct AtrousConfig {
     pub signals: u32,
     /// À-trous levels, 1 to 10; 0 (default): the preset's, 4 for `best` and `fast`, 5 for the others.
     pub levels: u32,
-    /// 1: the host has a volume, `noisy_volume`, that is filtered beside the surfaces; the preset of a volume alone always has.
+    /// 1: you have a volume, `noisy_volume`, which is filtered beside the surfaces; the preset
+    /// `volume` always has one.
     pub volume: u32,
-    /// 1: the host has the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
+    /// 1: you have the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
     pub visibility: u32,
     /// 1: fireflies are removed before accumulation; the percentile preset always does.
     pub firefly_filter: u32,
-    /// The rule by which the percentile preset sees changed light: 0 (change_test), 1 (percentiles).
+    /// The rule by which the preset `percentile` detects changes of light: 0 (change_test), 1
+    /// (percentiles).
     pub adaptive_rule: u32,
-    /// The way in which percentiles are found: 0 (counting), 1 (odd_even).
+    /// The method that finds percentiles: 0 (counting), 1 (odd_even).
     pub block_sort: u32,
     /// Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
     pub eaw_weights: u32,
@@ -54,11 +56,11 @@ pub struct AtrousConfig {
     pub stratum_size: u32,
     /// Source of gradients: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
     pub gradient_source: u32,
-    /// 1: the host has an image of forward motion.
+    /// 1: you have an image of forward motion.
     pub forward_motion: u32,
-    /// 1: the host has an image of surface ids.
+    /// 1: you have an image of surface ids.
     pub surface_id: u32,
-    /// 1: the host has object-space normals.
+    /// 1: you have object-space normals.
     pub object_normal: u32,
     /// Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
     pub post_process: u32,
@@ -89,7 +91,7 @@ pub struct AtrousConfig {
     pub roughness: u32,
 }
 
-/// The device on which the passes run. Handles stay the host's.
+/// The device of the passes. Handles stay yours.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct AtrousCreateInfo {
@@ -105,8 +107,8 @@ pub struct AtrousCreateInfo {
     pub get_instance_proc_addr: GetInstanceProcAddr,
     /// Configuration; read during the call alone.
     pub config: *const AtrousConfig,
-    /// Cache that pipelines are looked up in and added to, or null. Used during the call alone, on several threads: not one that
-    /// is externally synchronised.
+    /// Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
+    /// be externally synchronised.
     pub pipeline_cache: PipelineCache,
 }
 
@@ -118,8 +120,8 @@ pub struct AtrousFrameParams {
     pub struct_size: u32,
     /// Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
     pub frame_slot: u32,
-    /// The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4 (scene_load), 5 (origin_shift),
-    /// 6 (exposure_jump). A host need not report that it is created.
+    /// The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
+    /// (scene_load), 5 (origin_shift), 6 (exposure_jump). You need not report 1.
     pub reset: u32,
     /// Width rendered this frame, anchored top left.
     pub render_width: u32,
@@ -133,9 +135,9 @@ pub struct AtrousFrameParams {
     pub jitter: [f32; 2],
     /// Exposure of this frame divided by that of the previous one.
     pub exposure_ratio: f32,
-    /// 1: the host re-shades this frame's `gradient_samples`.
+    /// 1: you re-shade this frame's `gradient_samples`.
     pub reshaded: u32,
-    /// The view of the pass `debug_view`; without one the host leaves the pass out.
+    /// The view of the pass `debug_view`; without one you leave the pass out.
     ///
     /// 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
     /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
@@ -147,31 +149,31 @@ pub struct AtrousFrameParams {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousFrame {
-    /// sizeof(AtrousFrame), set by the host before `atrous_begin_frame`.
+    /// sizeof(AtrousFrame), set by you before `atrous_begin_frame`.
     pub struct_size: u32,
     /// The frame slot of AtrousFrameParams.
     pub frame_slot: u32,
-    /// Counts frames from 0.
+    /// Number of the frame, from 0.
     pub index: u64,
     /// Counts resizes.
     pub generation: u64,
-    /// The copy of a resource with two copies that is the current one: 0 or 1. The other one is the previous.
+    /// The current copy of a resource with two copies: 0 or 1. The other one is the previous.
     pub current_copy: u32,
     /// Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
     pub reset: u32,
 }
 
-/// A resource that the host allocates or gives.
+/// A resource that you allocate or give.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousResource {
-    /// sizeof(AtrousResource), set by the host.
+    /// sizeof(AtrousResource), set by you.
     pub struct_size: u32,
     /// 0: image; 1: buffer.
     pub kind: u32,
     /// 0: input; 1: output; 2: transient; 3: history of two copies; 4: history in place.
     pub lifetime: u32,
-    /// Copies that the host allocates: 2 of a history, 0 of an input.
+    /// Number of copies that you allocate: 2 of a history, 0 of an input.
     pub copies: u32,
     /// 1: an input that may be left out.
     pub optional: u32,
@@ -187,9 +189,10 @@ pub struct AtrousResource {
     pub image_usage: ImageUsageFlags,
     /// Usage that passes need of the buffer; OR in your own.
     pub buffer_usage: BufferUsageFlags,
-    /// Index of the first pass that touches it.
+    /// Index of the first pass that uses it.
     pub first_pass: u32,
-    /// Index of the last pass that touches it: transients may share memory where these ranges do not overlap.
+    /// Index of the last pass that uses it. Transients may share memory if these ranges do not
+    /// overlap.
     pub last_pass: u32,
     /// Bytes of one copy, texels alone.
     pub bytes: u64,
@@ -207,11 +210,11 @@ pub struct AtrousUse {
     pub previous: u32,
     /// 0: sampled; 1: storage read; 2: storage write of every texel; 3: storage read and write; 4: uniform; 5: transfer write.
     pub access: u32,
-    /// 1: old contents matter; 0: the host may discard them.
+    /// 1: old content matters; 0: you may discard it.
     pub reads: u32,
-    /// 1: contents change.
+    /// 1: content changes.
     pub writes: u32,
-    /// Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal in its place.
+    /// Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal instead.
     pub layout: ImageLayout,
     /// Stage of synchronization2.
     pub stage: PipelineStageFlags2,

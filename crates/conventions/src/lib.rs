@@ -8,13 +8,15 @@
 //! - the **motion** must lead where depth and matrices lead, z of it to the depth there;
 //! - the **normals** must be those of the surface that the depth makes.
 //!
-//! A pixel votes for the reading that explains it where the declared one does not. A mistake is named where at least four of five
-//! votes are for it; what moves by itself, disocclusions and values that are not finite are outvoted or have no vote. Frames that
-//! show no difference are reported as inconclusive: take two frames between which the camera moves **and turns**, in a scene with
+//! A pixel votes for the encoding that explains it where the declared one does not. A mistake is
+//! named if it gets at least four of five votes. Moving objects, disocclusions and values that are
+//! not finite are outvoted or have no vote. Frames that show no difference are reported as
+//! inconclusive: take two frames between which the camera moves **and turns**, in a scene with
 //! slanted surfaces, with a few pixels of motion, and with jitter on if the engine has jitter.
 //!
-//! It runs on the CPU in a fraction of a second and needs no device. Of an engine's frames it is had by a capture
-//! (`Executor::capture`, feature `capture`) and `cargo run --release -p atrous-denoise -- FOLDER --check`; or directly:
+//! It runs on the CPU in a fraction of a second and needs no device. For frames of an engine, make
+//! a capture (`Executor::capture`, feature `capture`) and run `cargo run --release -p
+//! atrous-denoise -- FOLDER --check`. Or call it directly:
 //!
 //! ```
 //! use atrous::config::{Conventions, MotionDirection, MotionUnit};
@@ -70,22 +72,23 @@ use geometry::Geometry;
 use glam::IVec2;
 use trial::Trial;
 
-/// Guides of the host for one frame. Images have one extent, at least the render extent, and the encodings of the conventions.
+/// Your guides for one frame. Images have one extent, at least the render extent, and the encodings
+/// of the conventions.
 #[derive(Clone, Copy, Debug)]
 pub struct Guides<'a> {
     /// Matrices, jitter, render extent. `frame_slot` does not matter; the current frame must not be a reset.
     pub params: FrameParams,
     /// x: depth.
     pub depth: &'a Image<[f32; 4]>,
-    /// xyz, or octahedral xy. Only those of the current frame are looked at.
+    /// xyz, or octahedral xy. Only those of the current frame are read.
     pub normal: Option<&'a Image<[f32; 4]>>,
-    /// xy, and z by `Conventions::motion_depth`. Only that of the current frame is looked at.
+    /// xy, and z by `Conventions::motion_depth`. Only that of the current frame is read.
     pub motion: Option<&'a Image<[f32; 4]>>,
     /// 0 is the background. Without it edges are found by depth alone.
     pub surface_id: Option<&'a Image<u32>>,
 }
 
-/// Guides with images of their own, for hosts that load or copy them. Fields as in [`Guides`].
+/// Guides that own their images, if you load or copy them. Fields as in [`Guides`].
 #[derive(Clone, Debug)]
 #[allow(missing_docs)]
 pub struct OwnedGuides {

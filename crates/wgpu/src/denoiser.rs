@@ -16,7 +16,7 @@ pub struct WgpuDenoiser {
     device: wgpu::Device,
     bound: BTreeMap<String, Arc<Bound>>,
     seen: Seen,
-    /// What command buffers of each slot hold until they ran or were dropped.
+    /// A token that the command buffers of each slot hold until they ran or were dropped.
     slots: Vec<Arc<()>>,
     frames: u64,
 }
@@ -26,7 +26,7 @@ impl WgpuDenoiser {
     /// (`Config::declare`) or of a graph (`Graph::finish`).
     ///
     /// # Errors
-    /// [`Error::NotVulkan`] for a device of another backend; errors of [`Executor::new`].
+    /// [`Error::NotVulkan`] for a device of a different backend; errors of [`Executor::new`].
     pub fn new(device: &wgpu::Device, declaration: Declaration) -> Result<Self, Error> {
         let (instance, physical_device, raw) = {
             // SAFETY: nothing is destroyed through the guard, which goes before the next is asked for.
@@ -61,12 +61,13 @@ impl WgpuDenoiser {
         self.executor.denoiser().declaration()
     }
 
-    /// Takes a texture of the host as an input, until another is given. It needs `TEXTURE_BINDING` usage, two dimensions, one level,
-    /// layer and sample, at least the allocated extent, and content that wgpu knows of: a pass, a copy or `Queue::write_texture`
-    /// wrote it. It is of the device that the denoiser was created on.
+    /// Takes your texture as an input, until you give a new one. It needs `TEXTURE_BINDING` usage,
+    /// two dimensions, one level, layer and sample, at least the allocated extent, and content that
+    /// wgpu knows of: for example from a pass, a copy or `Queue::write_texture`. It belongs to the
+    /// device of the denoiser.
     ///
     /// # Errors
-    /// [`Error::Texture`] says what does not fit; errors of [`Executor::bind_image`].
+    /// [`Error::Texture`] names the mismatch; errors of [`Executor::bind_image`].
     pub fn set_input(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
         if self.has_output(name) {
             let problem = "it is no input but an output; give the texture to `WgpuDenoiser::set_output`".to_owned();
@@ -75,13 +76,14 @@ impl WgpuDenoiser {
         self.bind(name, texture, true)
     }
 
-    /// Takes a texture of the host for an output instead of the denoiser's own, until another is given or [`Self::resize`]. It has
-    /// the format of the declaration, at least the allocated extent, `STORAGE_BINDING`, `TEXTURE_BINDING` and `COPY_SRC` usage, two
-    /// dimensions, one level, layer and sample, and is of the device that the denoiser was created on. What was in it is lost; wgpu
-    /// takes it for written behind the phase, also in the first frame.
+    /// Takes your texture for an output instead of the denoiser's own, until you give a new one or
+    /// call [`Self::resize`]. It has the format of the declaration, at least the allocated extent,
+    /// `STORAGE_BINDING`, `TEXTURE_BINDING` and `COPY_SRC` usage, two dimensions, one level, layer
+    /// and sample, and belongs to the device of the denoiser. Its old content is lost; wgpu
+    /// considers it written after the phase, also in the first frame.
     ///
     /// # Errors
-    /// [`Error::Texture`] says what does not fit; errors of [`Executor::bind_image`].
+    /// [`Error::Texture`] names the mismatch; errors of [`Executor::bind_image`].
     pub fn set_output(&mut self, name: &str, texture: &wgpu::Texture) -> Result<(), Error> {
         if self.declaration().find(name).is_some() && !self.has_output(name) {
             let problem =
@@ -122,17 +124,19 @@ impl WgpuDenoiser {
         Ok(())
     }
 
-    /// The texture of an output, for passes of the host behind the phase that writes it: the one that was given, or the denoiser's
-    /// own with `TEXTURE_BINDING`, `STORAGE_BINDING`, `COPY_SRC` and `COPY_DST`. `None` where there is no such output.
+    /// The texture of an output, for your passes after the phase that writes it: yours, or the
+    /// denoiser's own with `TEXTURE_BINDING`, `STORAGE_BINDING`, `COPY_SRC` and `COPY_DST`. `None`
+    /// if there is no such output.
     pub fn output(&self, name: &str) -> Option<&wgpu::Texture> {
         self.bound.get(name).filter(|bound| bound.is_output).map(|bound| &bound.texture)
     }
 
-    /// Starts a frame. The frame slot is the denoiser's own: where the GPU still works on what used it last, this waits.
+    /// Starts a frame. The frame slot is the denoiser's own: this waits while the GPU still works
+    /// on the last frame of the slot.
     ///
     /// # Errors
-    /// [`Error::NotSubmitted`] where command buffers of the slot were neither submitted nor dropped; errors of
-    /// [`Executor::begin_frame`].
+    /// [`Error::NotSubmitted`] if command buffers of the slot were neither submitted nor dropped;
+    /// errors of [`Executor::begin_frame`].
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         let slot = (self.frames % self.slots.len() as u64) as u32;
         self.wait_for(slot)?;
@@ -155,15 +159,16 @@ impl WgpuDenoiser {
         Ok(())
     }
 
-    /// Records a phase into two command buffers: the transitions of its textures, by wgpu, and its passes, past wgpu. An encoder of
-    /// wgpu cannot have both.
+    /// Records a phase into two command buffers: the transitions of its textures, by wgpu, and its
+    /// passes, as raw commands. One encoder of wgpu cannot hold both.
     ///
     /// # Errors
     /// Errors of [`Executor::record`].
     ///
     /// # Safety
-    /// Both are submitted once, in this order, behind the work that writes the inputs of the phase, and before command buffers of
-    /// later phases and frames. The frame was begun since the last [`Self::resize`].
+    /// Submit both once, in this order, after the work that writes the inputs of the phase, and
+    /// before command buffers of later phases and frames. The frame was begun since the last
+    /// [`Self::resize`].
     pub unsafe fn encode(&mut self, frame: &FrameContext, phase: Phase) -> Result<[wgpu::CommandBuffer; 2], Error> {
         let declaration = self.executor.denoiser().declaration();
         let touched = declaration.boundary(phase);
@@ -192,8 +197,8 @@ impl WgpuDenoiser {
         Ok([transitions.finish(), passes])
     }
 
-    /// Runs the same passes for another extent: waits for the GPU, and makes outputs, histories and transients anew. Inputs, and
-    /// outputs of the host, are given again. The first frame drops all history.
+    /// Runs the same passes for a new extent: waits for the GPU, and makes outputs, histories and
+    /// transients anew. Give your inputs and outputs again. The first frame drops all history.
     ///
     /// # Errors
     /// [`Error::NotSubmitted`]; errors of [`Executor::resize`].

@@ -1,13 +1,13 @@
-//! Errors: those of `atrous`, and what only wgpu can get wrong.
+//! Errors: those of `atrous`, and those of wgpu alone.
 
-/// Everything that can go wrong. A message names the value that was given, the allowed ones and the remedy.
+/// Every error. A message names the given value, the allowed ones and the remedy.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// An error of the denoiser.
     #[error(transparent)]
     Denoiser(#[from] atrous::Error),
-    /// A device of another backend.
+    /// A device of a different backend.
     #[error("the device runs on another backend than Vulkan; make the instance with `Backends::VULKAN`")]
     NotVulkan,
     /// A texture that cannot be used as it is.
@@ -15,7 +15,7 @@ pub enum Error {
     Texture {
         /// Name of the resource.
         name: String,
-        /// The value that was given, the allowed ones, and the remedy.
+        /// The given value, the allowed ones, and the remedy.
         problem: String,
     },
     /// Command buffers that block a slot.

@@ -3,7 +3,8 @@
 use ash::vk;
 use wgpu::TextureFormat as T;
 
-/// Every format that a texture may have here, with Vulkan's name. `Depth24Plus` is not among them: it is another one on every device.
+/// Every format that a texture may have here, with Vulkan's name. `Depth24Plus` is missing, since
+/// it differs from device to device.
 const FORMATS: [(T, vk::Format); 30] = [
     (T::R8Unorm, vk::Format::R8_UNORM),
     (T::R16Float, vk::Format::R16_SFLOAT),
@@ -37,7 +38,7 @@ const FORMATS: [(T, vk::Format); 30] = [
     (T::Depth32Float, vk::Format::D32_SFLOAT),
 ];
 
-/// Vulkan's name of a format, where it has one for sure.
+/// Vulkan's name of a format, if it is certain.
 pub fn to_vulkan(format: T) -> Option<vk::Format> {
     FORMATS.iter().find(|(ours, _)| *ours == format).map(|(_, vulkan)| *vulkan)
 }

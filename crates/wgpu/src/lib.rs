@@ -1,8 +1,8 @@
 //! The denoisers of [`atrous`] on wgpu's Vulkan backend.
 //!
-//! Textures go in and come out, and command buffers stand between those of the host, in one submission or several. wgpu's own passes
-//! before and behind need nothing special: each phase starts with the transitions of its textures, which wgpu tracks, and leaves them
-//! as wgpu expects them.
+//! Textures go in and come out, and its command buffers stand between yours, in one submission or
+//! several. Your own passes before and after need no special care: each phase starts with the
+//! transitions of its textures, which wgpu tracks, and leaves them as wgpu expects them.
 //!
 //! ```no_run
 //! # fn host() -> (wgpu::Device, wgpu::Queue, wgpu::Texture) { unimplemented!() }

@@ -19,7 +19,7 @@ pub struct Bound {
     /// The state that wgpu brings it to before a phase.
     pub state: TextureUses,
     pub is_output: bool,
-    /// Made by the host, not by [`make_output`].
+    /// Made by you, not by [`make_output`].
     pub is_of_host: bool,
 }
 
@@ -30,7 +30,7 @@ const SHADERS: vk::PipelineStageFlags2 = vk::PipelineStageFlags2::from_raw(
         | vk::PipelineStageFlags2::COMPUTE_SHADER.as_raw(),
 );
 
-/// What passes of the denoiser do with an output, and what [`Seen::mark`] does.
+/// Uses of an output by passes of the denoiser, and by [`Seen::mark`].
 const OUTPUT_USAGES: TextureUsages =
     TextureUsages::STORAGE_BINDING.union(TextureUsages::TEXTURE_BINDING).union(TextureUsages::COPY_SRC);
 
@@ -38,7 +38,7 @@ const OUTPUT_USAGES: TextureUsages =
 const LARGEST_TEXEL: u64 = 16;
 
 impl Bound {
-    /// A texture for a resource, after it was looked at.
+    /// A texture for a resource, after a check.
     pub fn new(name: &str, resource: &ResourceDecl, texture: &wgpu::Texture, is_of_host: bool) -> Result<Self, Error> {
         let refused = |problem: String| Err(Error::Texture { name: name.to_owned(), problem });
         let is_output = resource.lifetime == Lifetime::Output;
@@ -79,7 +79,8 @@ impl Bound {
     }
 }
 
-/// Marks textures that raw commands write as seen by wgpu, which else clears them when it reads them first.
+/// Marks textures that raw commands write as seen by wgpu, which would otherwise clear them at its
+/// first read.
 pub struct Seen {
     texel: wgpu::Buffer,
 }
@@ -91,8 +92,9 @@ impl Seen {
         Self { texel: device.create_buffer(&wgpu::BufferDescriptor { label, size, usage, mapped_at_creation: false }) }
     }
 
-    /// Reads one texel, so that what wgpu has to clear is cleared now. Before every phase, since command buffers may be dropped, and
-    /// a render pass of the host may discard the texture.
+    /// Reads one texel, so that wgpu clears the texture now if it has to. Called before every
+    /// phase, since command buffers may be dropped, and a render pass of yours may discard the
+    /// texture.
     pub fn mark(&self, encoder: &mut wgpu::CommandEncoder, texture: &wgpu::Texture) {
         let one = wgpu::Extent3d { width: 1, height: 1, depth_or_array_layers: 1 };
         let target = wgpu::TexelCopyBufferInfo { buffer: &self.texel, layout: wgpu::TexelCopyBufferLayout::default() };
@@ -100,7 +102,7 @@ impl Seen {
     }
 }
 
-/// A texture for an output. wgpu takes it for written, so that its first read does not clear it.
+/// A texture for an output. wgpu considers it written, so that its first read does not clear it.
 pub fn make_output(device: &wgpu::Device, declaration: &Declaration, resource: &ResourceDecl) -> Result<wgpu::Texture, Error> {
     let name = resource.name.as_str();
     let (Shape::Image { format, .. }, Some([width, height])) = (resource.shape, resource.extent(declaration.allocated_extent()))

@@ -307,8 +307,9 @@ fn next_state(now: &ResourceState, access: Access) -> ResourceState {
     ResourceState { layout, ..next }
 }
 
-/// Orders a transient that starts after what was done to its memory through others: a barrier of the image alone does not reach
-/// that, and a global one does not come before the image's own layout transition.
+/// Orders the start of a transient after all uses of its memory through others: a barrier of the
+/// image alone does not cover them, and a global one does not come before the image's own layout
+/// transition.
 fn take_over(resources: &mut [Tracked], id: ResourceId, next: ResourceState, found: &mut Vec<Barrier>) {
     if resources[id.0 as usize].aliases.is_empty() {
         return;

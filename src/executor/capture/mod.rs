@@ -181,7 +181,7 @@ impl Capturing {
         self.slots.clear();
     }
 
-    /// Writes what was recorded. Frames of another extent do not belong to the sequence.
+    /// Writes the recorded frames. Frames of a different extent do not belong to the sequence.
     ///
     /// # Safety
     /// All GPU work that was recorded is complete.
@@ -228,8 +228,9 @@ impl Executor {
     /// Every bound input needs `TRANSFER_SRC` usage, and every frame the same inputs and render extent.
     ///
     /// # Errors
-    /// [`Error::Capture`] for 0 frames, while another capture is in progress, for a folder that cannot be written or that holds a
-    /// sequence; [`Error::Format`] for a bound image that cannot be captured.
+    /// [`Error::Capture`] for 0 frames, while a capture is in progress, for a folder that cannot be
+    /// written or that holds a sequence; [`Error::Format`] for a bound image that cannot be
+    /// captured.
     pub fn capture(&mut self, folder: impl AsRef<Path>, frames: u32) -> Result<(), Error> {
         let folder = folder.as_ref();
         let refused = |problem: String| Err(Error::Capture { path: folder.to_owned(), problem });
