@@ -1,4 +1,4 @@
-//! A frame: the parameters of the host, the memory of the frame before, and the block that every pass reads.
+//! A frame: your parameters, the memory of the previous frame, and the block that every pass reads.
 
 use super::{DebugView, Setup, Tuning};
 use crate::choice::choices;
@@ -13,23 +13,24 @@ choices! {
     /// The reason why all history is dropped for one frame.
     #[non_exhaustive]
     pub enum ResetReason {
-        /// The first frame after creation, after [`FrameState::invalidate`], or after one that was begun and not recorded; forced, so a
-        /// host need not report it.
+        /// The first frame after creation, after [`FrameState::invalidate`], or after a frame that
+        /// you began and did not record. It is forced, so you need not report it.
         Created = 1 => "created",
         /// The camera jumped.
         CameraCut = 2 => "camera_cut",
         /// The images changed size. Forced after [`FrameState::resize`].
         Resize = 3 => "resize",
-        /// Another scene.
+        /// A different scene.
         SceneLoad = 4 => "scene_load",
         /// The origin of world space moved.
         OriginShift = 5 => "origin_shift",
-        /// Exposure changed by more than `exposure_ratio` can carry.
+        /// Exposure changed by more than `exposure_ratio` can express.
         ExposureJump = 6 => "exposure_jump",
     }
 }
 
-/// Parameters of a frame, from the host. With the feature `serde`, a file may leave out what has a default.
+/// Your parameters of a frame. With the feature `serde`, a file may leave out every field that has
+/// a default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 pub struct FrameParams {
@@ -45,20 +46,23 @@ pub struct FrameParams {
     pub view_from_world: [[f32; 4]; 4],
     /// View to Vulkan clip space (y down, depth 0..1), unjittered, column-major.
     pub clip_from_view: [[f32; 4]; 4],
-    /// Offset of this frame's samples from the pixel centres, pixels, −1 to 1. Default: 0, 0.
+    /// Offset of this frame's samples from the pixel centres, in pixels, y down, −1 to 1. The
+    /// matrices are without it. Default: 0, 0.
     #[cfg_attr(feature = "serde", serde(default))]
     pub jitter: [f32; 2],
-    /// Exposure of this frame divided by that of the previous one, where the host's radiance is pre-exposed. Scales the history.
-    /// Default: 1.
+    /// Exposure of this frame divided by that of the previous one, if your radiance is pre-exposed.
+    /// It scales the history: for example 2 if the picture became twice as bright. Default: 1.
     #[cfg_attr(feature = "serde", serde(default = "unchanged"))]
     pub exposure_ratio: f32,
-    /// The host re-shades this frame's `gradient_samples`: its path tracer takes surface and seed of those pixels from the previous
-    /// frame. Without it [`Preset::Best`](crate::config::Preset::Best) asks the noisy picture alone whether light changed; other
-    /// presets with gradients behave as [`Preset::Svgf`](crate::config::Preset::Svgf), and log that once. Default: false.
+    /// Whether you re-shade the `gradient_samples` of this frame: your path tracer takes surface
+    /// and seed of those pixels from the previous frame. Without it
+    /// [`Preset::Best`](crate::config::Preset::Best) compares the noisy picture with its history to
+    /// detect changes of light. Other presets with gradients behave as
+    /// [`Preset::Svgf`](crate::config::Preset::Svgf), and log that once. Default: false.
     #[cfg_attr(feature = "serde", serde(default))]
     pub reshaded: bool,
-    /// The view that the pass `debug_view` shows, with [`crate::Config::debug_view`]. `None`: the host leaves it out of this frame.
-    /// Default: `None`.
+    /// The view of the pass `debug_view`, with [`crate::Config::debug_view`]. `None`: you leave the
+    /// pass out of this frame. Default: `None`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub debug_view: Option<DebugView>,
 }
@@ -119,7 +123,7 @@ impl FrameParams {
 /// The state of a frame that all its passes see.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameContext {
-    /// Counts frames from 0; its parity says which copy of a history is current.
+    /// Number of the frame, from 0. Its parity selects the current copy of a history.
     pub index: u64,
     /// The frame slot: [`FrameParams::frame_slot`].
     pub slot: u32,
@@ -127,8 +131,8 @@ pub struct FrameContext {
     pub render_extent: [u32; 2],
     /// The reason why history is dropped in this frame, if it is.
     pub reset: Option<ResetReason>,
-    /// The view: [`FrameParams::debug_view`]. Change it to record the pass `debug_view` once more, in a later submission, with
-    /// another view.
+    /// The view: [`FrameParams::debug_view`]. Change it to record the pass `debug_view` again with
+    /// a different view, in a later submission.
     pub debug_view: Option<DebugView>,
     /// The block that the first pass uploads.
     pub constants: FrameConstants,
@@ -143,11 +147,11 @@ impl FrameContext {
     }
 }
 
-/// Remembers what the next frame needs of this one. Host-side state only.
+/// The memory from one frame to the next. It is state of the CPU alone.
 #[derive(Clone, Debug)]
 pub struct FrameState {
     frames: u64,
-    /// The frame before, or the reason why there is none.
+    /// The previous frame, or the reason why there is none.
     last: Result<FrameParams, ResetReason>,
 }
 
@@ -161,7 +165,7 @@ impl FrameState {
     /// Starts a frame.
     ///
     /// # Errors
-    /// Names the field of `params` or `tuning` that is unusable; nothing is changed then.
+    /// Names the unusable field of `params` or `tuning`. Nothing is changed then.
     pub fn begin(&mut self, setup: &Setup, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         params.validate(setup)?;
         tuning.validate()?;
@@ -177,18 +181,19 @@ impl FrameState {
         Ok(FrameContext { index, slot, render_extent, reset, debug_view, constants, tuning })
     }
 
-    /// The next frame drops all history: after images were re-created or lost.
+    /// Makes the next frame drop all history. Call it after you re-created or lost images.
     pub fn invalidate(&mut self) {
         self.last = Err(ResetReason::Created);
     }
 
-    /// The next frame counts as `index`, and drops all history: for a replay that starts in the middle of a sequence. Which pixels are
-    /// re-shaded depends on the number.
+    /// Makes the next frame count as `index` and drop all history: for a replay that starts in the
+    /// middle of a sequence. The choice of re-shaded pixels depends on this number.
     pub fn restart_at(&mut self, index: u64) {
         *self = Self { frames: index, ..Self::default() };
     }
 
-    /// Starts anew for images of another extent: frames count from 0, and the first one drops all history.
+    /// Starts over for images of a different extent: frames count from 0, and the first one drops
+    /// all history.
     pub fn resize(&mut self) {
         *self = Self { frames: 0, last: Err(ResetReason::Resize) };
     }

@@ -143,7 +143,7 @@ impl HeadlessDevice {
     /// The device with other functions instead of its own, by name: for tests of calls.
     ///
     /// # Safety
-    /// Each has the signature of the function that it stands for, and does what that promises.
+    /// Each has the signature and the behaviour of the function that it replaces.
     #[doc(hidden)]
     pub unsafe fn device_with(&self, replacement: impl Fn(&CStr) -> Option<*const c_void>) -> ash::Device {
         let (own, handle) = (self.instance.fp_v1_0().get_device_proc_addr, self.device.handle());

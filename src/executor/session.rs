@@ -265,8 +265,8 @@ impl Session {
         }
     }
 
-    /// Waits for work that an earlier call could not wait for: what it uses may be neither written nor destroyed before. A lost
-    /// device uses nothing.
+    /// Waits for work that an earlier call could not wait for: its resources may be neither written
+    /// nor destroyed before. A lost device uses nothing.
     pub(super) fn settle(&mut self) -> Result<(), Error> {
         if !self.is_pending {
             return Ok(());

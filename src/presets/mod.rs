@@ -125,7 +125,7 @@ fn filter_of(preset: Preset) -> Option<fn(&mut Graph, &Guides, &Config) -> Denoi
     })
 }
 
-/// Makes outputs of what a filter of surfaces gives.
+/// Makes outputs of the results of a filter of surfaces.
 fn outputs(g: &mut Graph, denoised: &Denoised) {
     g.output("denoised_radiance", &denoised.radiance);
     if let Some(confidence) = &denoised.known.confidence {

@@ -59,11 +59,11 @@ pub(super) struct Scene<'a> {
 pub(super) struct Point {
     /// Distance of the depth in the previous frame from its place, pixels.
     pub depth: f32,
-    /// Motion of what stands still, pixels of the previous frame. Infinite: it was behind the camera.
+    /// Motion of static geometry, pixels of the previous frame. Infinite: it was behind the camera.
     pub motion: Vec2,
     /// World-space normal of the depth.
     pub normal: Option<Vec3>,
-    /// Linear depth, and that of the same point in the previous frame, if it stands still.
+    /// Linear depth, and that of the same point in the previous frame, if it is static.
     pub depths: [f32; 2],
 }
 
@@ -221,7 +221,7 @@ impl<'a> Scene<'a> {
         self.pair.normals.iter().zip(points).map(residual).collect()
     }
 
-    /// Pixels between the host's motion and that of what stands still.
+    /// Pixels between the host's motion and that of static geometry.
     pub fn motion_residuals(&self, reading: MotionReading, points: &[Point]) -> Residuals {
         let affine = self.affine(reading);
         let residual = |(p, point): (&IVec2, &Point)| match self.motion_texel(*p) {

@@ -4,7 +4,7 @@ use super::FrameParams;
 use crate::config::{Conventions, ViewForward};
 use glam::{DMat2, DMat4, DVec2, DVec4};
 
-/// Computed in double precision: both matrices hold what is otherwise a chain of inverses in the shader.
+/// Computed in double precision: both matrices replace a chain of inverses in the shader.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ForwardProjection {
     /// World position from `(x·w, y·w, z, 1)`: x, y in pixels of the previous frame, z the linear depth, w as below.

@@ -250,7 +250,7 @@ fn a_transient_lies_in_an_output_that_is_written_later() {
     };
     assert_eq!(life(&apart, "denoised_radiance"), ["modulate", "tone_map"]);
     assert_eq!(life(&shared, "denoised_radiance"), ["demodulate", "tone_map"]);
-    // Another phase, before which the host may still show the picture of the frame before.
+    // Another phase, before which the host may still show the picture of the previous frame.
     assert_eq!(life(&shared, "display"), life(&apart, "display"));
     assert!(shared.find("filter_ping").is_none() && apart.find("filter_ping").is_some());
     let output = |declaration: &Declaration| {

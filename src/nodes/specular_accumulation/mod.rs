@@ -1,5 +1,5 @@
-//! Blends specular light with its own past, found where the surface was and where the image of what it mirrors was.
-//! \[Zimmer et al. 2015\], \[Stachowiak 2015\]
+//! Blends specular light with its own past, found at the previous places of the surface and of the
+//! image behind it. \[Zimmer et al. 2015\], \[Stachowiak 2015\]
 //!
 #![doc = include_str!("specification.md")]
 
@@ -19,8 +19,9 @@ pub struct SpecularAccumulation {
     pub alpha: Value,
     /// Smallest weight of the new sample in the moments. Default: [`crate::Tuning::alpha_moments`].
     pub alpha_moments: Value,
-    /// Whether history that lies between pixels is looked up by the cubic of Catmull and Rom over 4x4 pixels, where the lobe covers less than
-    /// some 4: motion does not blur reflections then. Default: false.
+    /// Whether history between pixels is read by the cubic of Catmull and Rom over 4x4 pixels,
+    /// where the lobe covers less than about 4 pixels: motion does not blur reflections then.
+    /// Default: false.
     pub sharp: bool,
 }
 
@@ -38,21 +39,22 @@ pub struct SpecularHistory {
 pub struct AccumulatedSpecular {
     /// Specular irradiance, blended with its past.
     pub accumulated: Accumulated,
-    /// What is seen in the surfaces.
+    /// Reflections in the surfaces.
     pub reflection: Reflection,
 }
 
 impl Graph {
-    /// Makes the history that [`Self::specular_accumulation`] of this light leaves for the next frame. Make it before the nodes that read
-    /// the previous one.
+    /// Makes the history of [`Self::specular_accumulation`] for the next frame. Make it before the
+    /// nodes that read the previous one.
     pub fn specular_history(&mut self, irradiance: &Irradiance, feedback: Feedback) -> SpecularHistory {
         let label = self.label_of(irradiance);
         let accumulated: Accumulated = Port::of(self.named_image("accumulated", &label, HDR, 1, Lifetime::Transient));
         SpecularHistory { history: self.history(&accumulated, feedback), accumulated, feedback }
     }
 
-    /// Accumulates what [`Self::demodulate`] made of specular light with [`crate::nodes::Albedo::Specular`]; one signal. The optional
-    /// input `roughness` says how wide lobes are; without it all surfaces are rough.
+    /// Accumulates specular light, demodulated by [`Self::demodulate`] with
+    /// [`crate::nodes::Albedo::Specular`]; one signal. The optional input `roughness` gives the
+    /// width of lobes; without it all surfaces are rough.
     pub fn specular_accumulation(
         &mut self,
         guides: &Guides,

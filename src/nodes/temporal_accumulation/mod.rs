@@ -18,8 +18,9 @@ pub struct Accumulation {
     /// changed: with a confidence of 1 − a the length is at most 1/a, as \[PSVGF\] has it. Without repair it is at most
     /// 1/(alpha + a·(1 − alpha)). Default: false.
     pub repair: bool,
-    /// Whether irradiance of the history is looked up by the cubic of Catmull and Rom, where 4×4 pixels show the surface. Else, and
-    /// there, by 2×2 pixels, which blur a little more with every frame that moves. Default: false.
+    /// Whether irradiance of the history is read by the cubic of Catmull and Rom, where 4×4 pixels
+    /// show the surface. Otherwise 2×2 pixels are read, which blurs a little more with every frame
+    /// of motion. Default: false.
     pub sharp: bool,
     /// Ratio of light by which history is scaled before the blend, with the confidence of the same gradients. Default: none.
     pub light_ratio: Option<LightRatio>,
