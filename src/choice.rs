@@ -6,7 +6,8 @@ use std::fmt::{Debug, Display};
 use std::hash::Hash;
 use std::str::FromStr;
 
-/// An enum that a host chooses from, for code that takes any of them: menus, command lines, files.
+/// An enum to choose from, for code that takes any of them: for example menus, command lines and
+/// files.
 ///
 /// Each is [`Display`]ed as its name, parsed from it, and made from its number; an
 /// [`Error::Choice`] names the given value and lists the choices. With the feature `serde` it is

@@ -93,7 +93,7 @@ pub enum Error {
         /// Each missing version, feature, limit or format.
         missing: Vec<String>,
     },
-    /// A handle of the host that is null.
+    /// A handle that is null.
     #[error("`{0}` is null; give the host's own, which is live")]
     NullHandle(&'static str),
     /// No Vulkan loader or device.
@@ -125,7 +125,7 @@ pub enum Error {
         /// The given value, the allowed ones, and the remedy.
         problem: String,
     },
-    /// A shader of a host that cannot be a stage.
+    /// A shader of yours that cannot be a stage.
     #[error("stage `{stage}`: {problem}")]
     Stage {
         /// Name of the stage.

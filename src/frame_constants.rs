@@ -26,7 +26,7 @@ pub struct FrameConstants {
     pub previous_clip_w_offset: f32,
 }
 
-/// Bits of [`FrameConstants::flags`]: the reset, and the host's conventions.
+/// Bits of [`FrameConstants::flags`]: the reset, and your conventions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Flags;
 

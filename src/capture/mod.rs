@@ -6,8 +6,9 @@
 //!
 //! - **With the built-in executor** it is one call: `Executor::capture(folder, frames)` (features `capture` and `executor`), and
 //!   `Executor::finish_capture` to have the last frames, and any error, at once. `Session::capture` does the same.
-//! - **With a frame graph of your own**: create a [`SequenceWriter`], and call [`SequenceWriter::write_frame`] once per frame with
-//!   the texels of your inputs, copied to the host:
+//! - **With a frame graph of your own**: create a [`SequenceWriter`], and call
+//!   [`SequenceWriter::write_frame`] once per frame with the texels of your inputs, copied to the
+//!   CPU:
 //!   1. Copy every input image that you bind, by the names of [`crate::Declaration::resources`]: for each with [`Lifetime::Input`],
 //!      after the last pass that uses it ([`crate::Declaration::life`]), with `vkCmdCopyImageToBuffer`. Only the top left
 //!      [`FrameParams::render_extent`]; of a depth-stencil image the depth aspect; rows tightly packed (`bufferRowLength` 0). The

@@ -22,7 +22,7 @@ choices! {
     #[derive(Default)]
     #[non_exhaustive]
     pub enum PostProcess {
-        /// None: the host tone maps.
+        /// None: you do the tone mapping.
         #[default]
         None = 0 => "none",
         /// Tone map into `display`.

@@ -1,8 +1,8 @@
-//! What a host binds for a use of a pass.
+//! The image or buffer that you bind for a use of a pass.
 
 use ash::vk;
 
-/// The binding of a host for one use of a pass.
+/// Your binding for one use of a pass.
 ///
 /// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +31,6 @@ pub enum Binding {
         /// Bytes, or `WHOLE_SIZE`.
         range: vk::DeviceSize,
     },
-    /// An optional input that the host does not have this frame.
+    /// An optional input that you do not have in this frame.
     Absent,
 }

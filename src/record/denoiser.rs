@@ -99,7 +99,7 @@ impl Denoiser {
         Ok(frame)
     }
 
-    /// Warns once, since a host that leaves gradients out does so in every frame.
+    /// Warns once, since gradients are usually missing in every frame or in none.
     fn warn_of_missing_gradients(&self, why: &str) {
         if !self.declaration.has_other_confidence() && !self.warned.swap(true, Relaxed) {
             let what = self.declaration.config().map_or("the graph".to_owned(), |config| format!("the preset {:?}", config.preset));

@@ -6,8 +6,9 @@ use crate::error::Error;
 use crate::shaders::BindingKind;
 use ash::vk;
 
-/// The needs of the passes of a declaration. All of them are mandatory in Vulkan 1.1, so a check fails only on devices that are
-/// older, have no compute queue, or are too small for the extent, and on formats that a host's own stage asks for.
+/// The needs of the passes of a declaration. All of them are mandatory in Vulkan 1.1, so a check
+/// fails only on devices that are older, have no compute queue, or are too small for the extent,
+/// and on formats of your own stages.
 #[derive(Clone, Debug)]
 pub struct Requirements {
     declaration: Declaration,
@@ -153,8 +154,9 @@ impl Requirements {
         Ok(())
     }
 
-    /// Checks what [`Self::check_executor`] does, and that the device that the host created has the calls of it. A device of Vulkan
-    /// 1.3 has them whether or not its feature was enabled, and Vulkan cannot be asked for that: enabling it is left to the host.
+    /// Checks as [`Self::check_executor`] does, and that your device has its calls. A device of
+    /// Vulkan 1.3 has them whether or not the feature was enabled, and Vulkan cannot be asked:
+    /// enabling it is up to you.
     ///
     /// # Errors
     /// [`Error::Unsupported`] names the extension or version to create the device with.

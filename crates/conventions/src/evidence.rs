@@ -11,7 +11,8 @@ use glam::{IVec2, Vec2, Vec3, Vec4};
 
 /// More pixels than this say nothing new.
 const MOST_PIXELS: f32 = 16384.0;
-/// Relative change of depth per pixel below which a position cannot be told from a depth; above what half precision loses.
+/// Relative change of depth per pixel below which a position cannot be told from a depth; above the
+/// losses of half precision.
 const LEAST_GRADIENT: f32 = 2e-3;
 /// Relative difference of depth between neighbours beyond which there is an edge between them.
 const EDGE: f32 = 0.25;
@@ -233,7 +234,7 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// A residual of motion, where it is no more than what half precision makes of long motion.
+/// A residual of motion, unless half precision of long motion explains it.
 fn forgiven(residual: f32, motion: Vec2) -> f32 {
     let slack = 0.003 * motion.length();
     if motion.is_finite() && residual <= MOTION.explains + slack {

@@ -40,7 +40,7 @@ impl Reading {
 }
 
 impl Trial<'_> {
-    /// Whether z of the motion is as declared, given this geometry; and what it is.
+    /// Whether z of the motion is as declared, given this geometry; and its meaning.
     pub fn motion_depth_finding(&self, declared: &Conventions) -> (Finding, MotionDepth) {
         let kind = declared.motion_depth;
         if kind == MotionDepth::None || !self.scene.has_motion() {

@@ -1,4 +1,5 @@
-//! Samples of texels. Floats and integers keep their bits; what is normalised or packed becomes 32-bit float.
+//! Samples of texels. Floats and integers keep their bits; normalised and packed values become
+//! 32-bit float.
 
 use super::table::{Class, Layout, Sample, Texel};
 use half::f16;

@@ -25,7 +25,7 @@ pub enum BarrierTarget {
     },
 }
 
-/// A barrier that a host has to record: plain data.
+/// A barrier to record: plain data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Barrier {
     /// The image, the buffer, or all memory.

@@ -8,8 +8,9 @@ use crate::graph::{Graph, Pass, Port, Radiance, Visibility, HOST_COLOUR};
 use crate::shaders;
 
 impl Graph {
-    /// Adds to radiance, in place, the optional input `unshadowed_direct` of the host times the visibility: the light as it would be
-    /// if nothing stood in between, albedo and BSDF included. A host that leaves the input out multiplies by itself.
+    /// Adds to radiance, in place, your optional input `unshadowed_direct` times the visibility:
+    /// the light as it would be if nothing stood in between, albedo and BSDF included. A host that
+    /// leaves the input out multiplies by itself.
     pub fn shadowed_light(&mut self, radiance: &Radiance, visibility: &Visibility) -> Radiance {
         let node = self.node("shadowed_light", "");
         let pass = Pass::new(&node, &shaders::SHADOWED_LIGHT)
