@@ -46,6 +46,8 @@ if $bevy; then
 fi
 
 step cargo fmt --all --check
+# The stages are modules of a macro, where `cargo fmt` does not find them.
+step rustfmt --edition 2021 --check src/nodes/*/mod.rs
 step cargo clippy --workspace --all-targets --features capture,window,hot-reload --quiet -- -D warnings
 step cargo clippy --package atrous --quiet -- -D warnings
 # Also proves that the checked-in SPIR-V was made from this GLSL, and that no C++ toolchain is needed with it.

@@ -1,4 +1,5 @@
 #![doc = include_str!("../README.md")]
+#![warn(unreachable_pub)]
 // A host's input is answered by an error. Tests may panic.
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
@@ -18,7 +19,6 @@ mod frame_constants;
 pub mod graph;
 #[cfg(feature = "hot-reload")]
 pub mod hot_reload;
-mod kernel;
 #[forbid(unsafe_code)]
 pub mod nodes;
 #[forbid(unsafe_code)]

@@ -55,7 +55,7 @@ const OTHER_DENOISED: &str = "other_denoised";
 
 impl Layer {
     /// The layer of an input. Components that a texture lacks are written as 0, since a shader reads them so.
-    pub fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<Plane>, pixels: usize) -> Self {
+    pub(crate) fn of_input(input: &str, motion_depth: MotionDepth, planes: Vec<Plane>, pixels: usize) -> Self {
         let (name, components) = names(input, motion_depth);
         let mut planes = planes.into_iter().map(|plane| match plane {
             Plane::Half(samples) => FlatSamples::F16(samples),

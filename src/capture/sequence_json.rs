@@ -82,7 +82,7 @@ pub(super) struct Head {
 
 impl Head {
     /// `config`: that of a preset; a graph of a host has none, and a replay chooses a preset.
-    pub fn new(config: Option<&Config>, conventions: &Conventions, tuning: &Tuning) -> Result<Self, Error> {
+    pub(crate) fn new(config: Option<&Config>, conventions: &Conventions, tuning: &Tuning) -> Result<Self, Error> {
         let mut fields: Map<String, Value> = match config {
             // Defaults may change, and a replay must not.
             Some(config) => serde_json::from_value(serde_json::to_value(Config { levels: Some(config.levels()), ..*config })?)?,
@@ -97,7 +97,7 @@ impl Head {
     }
 
     /// The whole file: a line for each frame, so that a person can read it.
-    pub fn with_frames<'a>(&self, frames: impl IntoIterator<Item = &'a String>) -> String {
+    pub(crate) fn with_frames<'a>(&self, frames: impl IntoIterator<Item = &'a String>) -> String {
         let Self { config, conventions, tuning } = self;
         let frames: Vec<&str> = frames.into_iter().map(String::as_str).collect();
         format!(

@@ -25,7 +25,7 @@ impl std::fmt::Display for Form {
 pub(super) mod distance {
     use super::*;
 
-    pub fn serialize<S: Serializer>(distance: &f32, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(crate) fn serialize<S: Serializer>(distance: &f32, serializer: S) -> Result<S::Ok, S::Error> {
         // As a double it survives readers that go through doubles with all its bits.
         if distance.is_finite() {
             f64::from(*distance).serialize(serializer)
@@ -34,7 +34,7 @@ pub(super) mod distance {
         }
     }
 
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
         let form = Form::deserialize(deserializer)?;
         let distance = match &form {
             Form::Number(number) => Some(*number as f32),
@@ -50,11 +50,11 @@ pub(super) mod distance {
 pub(super) mod up {
     use super::*;
 
-    pub fn serialize<S: Serializer>(is_up: &bool, serializer: S) -> Result<S::Ok, S::Error> {
+    pub(crate) fn serialize<S: Serializer>(is_up: &bool, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(if *is_up { "up" } else { "down" })
     }
 
-    pub fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<bool, D::Error> {
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<bool, D::Error> {
         match Form::deserialize(deserializer)? {
             Form::Flag(is_up) => Ok(is_up),
             Form::Text(text) if text == "up" => Ok(true),

@@ -1,5 +1,6 @@
 //! Accesses of a pass to a resource. All synchronisation parameters of Vulkan follow from them.
 
+use crate::shaders::{BindingAccess, BindingKind};
 use ash::vk;
 
 /// The access of a pass to a resource.
@@ -23,6 +24,21 @@ pub enum Access {
     Uniform = 4,
     /// Filled or updated by a transfer command. You may discard the old content.
     Clear = 5,
+}
+
+impl Access {
+    /// The access to the resource at a binding of a shader.
+    pub(crate) const fn of(kind: BindingKind) -> Self {
+        match kind {
+            BindingKind::SampledImage(_) => Self::Sampled,
+            BindingKind::UniformBuffer => Self::Uniform,
+            BindingKind::StorageImage(_, access) | BindingKind::StorageBuffer(access) => match access {
+                BindingAccess::ReadOnly => Self::StorageRead,
+                BindingAccess::WriteOnly => Self::StorageWrite,
+                BindingAccess::ReadWrite => Self::StorageReadWrite,
+            },
+        }
+    }
 }
 
 /// The synchronization2 scope and the layout of an image access.

@@ -2,7 +2,7 @@
 
 /// One thing to place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span {
+pub(crate) struct Span {
     /// Index of the first pass that uses it.
     pub first: usize,
     /// Index of the last pass that uses it.
@@ -21,7 +21,7 @@ impl Span {
 
 /// An offset for every span, and the bytes needed in all. Largest first, each at the lowest offset that is free during its whole
 /// life.
-pub fn alias(spans: &[Span]) -> (Vec<u64>, u64) {
+pub(crate) fn alias(spans: &[Span]) -> (Vec<u64>, u64) {
     let mut order: Vec<usize> = (0..spans.len()).collect();
     order.sort_by_key(|&i| (std::cmp::Reverse(spans[i].size), spans[i].first, i));
     let mut offsets = vec![0; spans.len()];

@@ -1,9 +1,9 @@
 //! Work of a pass: its shader, and the source of everything that it reads. Made once, so that recording looks nothing up.
 
 use super::{PassDecl, Use};
-
-use crate::reference::Twin;
 use crate::shaders::{Shader, ShaderRef};
+use std::any::Any;
+use std::sync::Arc;
 
 /// The commands that a pass records.
 #[derive(Clone, Debug)]
@@ -27,8 +27,8 @@ pub(crate) struct Dispatch {
     /// One for each member of the push constants, in their order.
     pub parameters: Vec<Parameter>,
     pub grid: Grid,
-    /// The function of a host's stage for the CPU.
-    pub twin: Option<Twin>,
+    /// The stage on the CPU, for the engine that runs it there: the contract carries it and does not look into it.
+    pub cpu: Option<Arc<dyn Any + Send + Sync>>,
 }
 
 /// The content of a binding of a shader.

@@ -15,7 +15,7 @@ pub(crate) enum Barriers {
 
 impl Barriers {
     /// Barriers by synchronization2, or by `vkCmdPipelineBarrier`.
-    pub fn new(legacy: bool) -> Self {
+    pub(crate) fn new(legacy: bool) -> Self {
         if legacy {
             Self::Legacy(LegacyBarriers::default())
         } else {
@@ -32,7 +32,7 @@ impl Barriers {
 
     /// # Safety
     /// Obligations of `Executor::record`.
-    pub unsafe fn before_pass(
+    pub(crate) unsafe fn before_pass(
         &mut self,
         device: &ash::Device,
         cmd: vk::CommandBuffer,
@@ -52,7 +52,7 @@ impl Barriers {
     ///
     /// # Safety
     /// Obligations of `Executor::record`.
-    pub unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storages: &mut Storages) {
+    pub(crate) unsafe fn hand_back(&mut self, device: &ash::Device, cmd: vk::CommandBuffer, storages: &mut Storages) {
         let (tracker, objects) = storages.split();
         self.set(tracker.hand_back(), |id, copy| objects.physical(id, copy));
         // SAFETY: `cmd` is recording outside a render pass; the host keeps what it bound alive, in the state that the tracker says.
@@ -64,7 +64,7 @@ impl Barriers {
     /// # Safety
     /// Obligations of `Executor::record`.
     #[allow(clippy::too_many_arguments)]
-    pub unsafe fn before_access(
+    pub(crate) unsafe fn before_access(
         &mut self,
         device: &ash::Device,
         cmd: vk::CommandBuffer,
@@ -83,7 +83,7 @@ impl Barriers {
     ///
     /// # Safety
     /// Obligations of `Executor::record`; the object is live and in the state `from`, or its content is not needed there.
-    pub unsafe fn single(
+    pub(crate) unsafe fn single(
         &mut self,
         device: &ash::Device,
         cmd: vk::CommandBuffer,
@@ -103,7 +103,7 @@ impl Barriers {
     ///
     /// # Safety
     /// Obligations of `Executor::record`; images have `TRANSFER_DST` usage.
-    pub unsafe fn poison(
+    pub(crate) unsafe fn poison(
         &mut self,
         device: &ash::Device,
         cmd: vk::CommandBuffer,

@@ -28,7 +28,7 @@ struct Slot {
 impl Counters {
     /// # Safety
     /// Obligations of `Executor::new`.
-    pub unsafe fn new(host: Device<'_>, slots: u32) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(host: Device<'_>, slots: u32) -> Result<Self, Error> {
         // SAFETY: instance, physical device and device are live, belong together and outlive the executor.
         let slot = |_| unsafe { Staging::new(host, STATISTICS_BYTES) }.map(|staging| Slot { staging, is_recorded: false });
         Ok(Self {
@@ -40,12 +40,12 @@ impl Counters {
     }
 
     /// Forgets the content of the buffer, which is a new one now.
-    pub fn resize(&mut self) {
+    pub(crate) fn resize(&mut self) {
         self.is_filled = false;
     }
 
     /// Forgets recorded work that will never run: the buffer and its copies keep their old content.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.is_filled = false;
         self.slots.iter_mut().for_each(|slot| slot.is_recorded = false);
     }

@@ -37,7 +37,7 @@ enum Owned {
 impl Memory {
     /// # Safety
     /// Obligations of `Executor::new`.
-    pub unsafe fn new(host: Device<'_>, declaration: &Declaration, options: &ExecutorOptions) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(host: Device<'_>, declaration: &Declaration, options: &ExecutorOptions) -> Result<Self, Error> {
         let allocator = Allocator::new(&AllocatorCreateDesc {
             instance: host.instance.clone(),
             device: host.device.clone(),
@@ -65,7 +65,7 @@ impl Memory {
     /// # Safety
     /// Formats, extents and limits were checked against the device; GPU work that uses the old
     /// objects is complete.
-    pub unsafe fn reallocate(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+    pub(crate) unsafe fn reallocate(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
         let objects = std::mem::take(&mut self.objects);
         let storages = std::mem::replace(&mut self.storages, Storages::new(declaration));
         // SAFETY: the device is live, and formats, extents and limits were checked against it.
@@ -84,11 +84,11 @@ impl Memory {
     }
 
     /// Bytes that were allocated.
-    pub fn allocated(&self) -> AllocatedMemory {
+    pub(crate) fn allocated(&self) -> AllocatedMemory {
         self.objects.allocated
     }
 
-    pub fn label(&self, pass: usize) -> &CStr {
+    pub(crate) fn label(&self, pass: usize) -> &CStr {
         &self.labels[pass]
     }
 

@@ -29,7 +29,7 @@ pub(crate) struct Profiler {
 impl Profiler {
     /// # Safety
     /// Obligations of `Executor::new`.
-    pub unsafe fn new(host: Device<'_>, slots: u32, passes: usize, legacy: bool) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(host: Device<'_>, slots: u32, passes: usize, legacy: bool) -> Result<Self, Error> {
         // SAFETY: instance and physical device are live and belong together.
         let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
         // llvmpipe takes the time when it flushes its scene, which the next timestamp makes it do, if anything was ever drawn on
@@ -56,7 +56,7 @@ impl Profiler {
     }
 
     /// Reads the results of the slot's last frame.
-    pub fn collect(&mut self, slot: u32) -> Result<(), Error> {
+    pub(crate) fn collect(&mut self, slot: u32) -> Result<(), Error> {
         if !std::mem::take(&mut self.recorded[slot as usize]) {
             return Ok(());
         }
@@ -79,7 +79,7 @@ impl Profiler {
 
     /// # Safety
     /// Obligations of `Executor::record`.
-    pub unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
+    pub(crate) unsafe fn start(&mut self, cmd: vk::CommandBuffer, slot: u32) {
         self.recorded[slot as usize] = true;
         // SAFETY: `cmd` is recording outside a render pass; the pool is ours, and the work that used it last, of this slot, is
         // complete.
@@ -88,14 +88,14 @@ impl Profiler {
 
     /// # Safety
     /// Obligations of `Executor::record`.
-    pub unsafe fn before_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
+    pub(crate) unsafe fn before_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
         // SAFETY: `cmd` is recording; `start` has reset the queries of this slot, and each is written once.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32) };
     }
 
     /// # Safety
     /// Obligations of `Executor::record`.
-    pub unsafe fn after_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
+    pub(crate) unsafe fn after_pass(&self, cmd: vk::CommandBuffer, slot: u32, pass: usize) {
         // SAFETY: `cmd` is recording; `start` has reset the queries of this slot, and each is written once.
         unsafe { self.stamp(cmd, slot, 2 * pass as u32 + 1) };
     }
@@ -115,7 +115,7 @@ impl Profiler {
         }
     }
 
-    pub fn times<'a>(&self, names: impl Iterator<Item = &'a str>) -> Vec<PassTime> {
+    pub(crate) fn times<'a>(&self, names: impl Iterator<Item = &'a str>) -> Vec<PassTime> {
         names.zip(&self.newest).map(|(name, &milliseconds)| PassTime { name: name.to_owned(), milliseconds }).collect()
     }
 }

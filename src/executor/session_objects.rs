@@ -27,7 +27,7 @@ pub(crate) struct OwnedImage {
 impl Commands {
     /// # Safety
     /// The device is live and outlives the result.
-    pub unsafe fn new(device: &ash::Device, family: u32) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(device: &ash::Device, family: u32) -> Result<Self, Error> {
         let mut this = Self {
             device: device.clone(),
             pool: vk::CommandPool::null(),
@@ -62,7 +62,7 @@ impl Drop for Commands {
 impl OwnedImage {
     /// # Safety
     /// The device is live and outlives the result.
-    pub unsafe fn new(host: crate::Device<'_>, format: vk::Format, extent: [u32; 2]) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(host: crate::Device<'_>, format: vk::Format, extent: [u32; 2]) -> Result<Self, Error> {
         let device = host.device;
         let mut this = Self {
             device: device.clone(),
@@ -109,7 +109,7 @@ impl OwnedImage {
 
 impl OwnedImage {
     /// The image as an input, in the state in which uploads leave it.
-    pub fn uploaded(&self) -> HostImage {
+    pub(crate) fn uploaded(&self) -> HostImage {
         let &Self { image, view, format, extent, .. } = self;
         let ResourceState { stage, access, layout, .. } = UPLOADED;
         HostImage { image, view, format, extent, layout, stage, access }

@@ -21,22 +21,22 @@ pub(crate) struct StoredImage {
 }
 
 impl StoredImage {
-    pub fn new(image: vk::Image, view: vk::ImageView, format: vk::Format, extent: [u32; 2]) -> Self {
+    pub(crate) fn new(image: vk::Image, view: vk::ImageView, format: vk::Format, extent: [u32; 2]) -> Self {
         let aspects = Texel::of(format).map_or(vk::ImageAspectFlags::COLOR, |texel| texel.aspects());
         Self { image, view, format, extent, aspects }
     }
 
-    pub fn of_host(host: &HostImage) -> Self {
+    pub(crate) fn of_host(host: &HostImage) -> Self {
         Self::new(host.image, host.view, host.format, host.extent)
     }
 
     /// Whether texels are unsigned integers.
-    pub fn is_uint(&self) -> bool {
+    pub(crate) fn is_uint(&self) -> bool {
         component_of(self.format) == Some(Component::Uint)
     }
 
     /// Bytes of a texel in a copy of the image of this resource.
-    pub fn texel_bytes(&self, resource: &str) -> Result<u64, Error> {
+    pub(crate) fn texel_bytes(&self, resource: &str) -> Result<u64, Error> {
         let texel = Texel::of(self.format).ok_or_else(|| {
             let allowed = format!("for a copy {}", crate::contract::texel::ACCEPTED);
             Error::Format { resource: resource.to_owned(), given: self.format, allowed }
@@ -54,14 +54,14 @@ pub(crate) enum Object {
 
 impl Object {
     /// The image, where it is one.
-    pub fn image(&self) -> Option<&StoredImage> {
+    pub(crate) fn image(&self) -> Option<&StoredImage> {
         match self {
             Self::Image(image) => Some(image),
             Self::Buffer { .. } => None,
         }
     }
 
-    pub fn physical(&self) -> PhysicalResource {
+    pub(crate) fn physical(&self) -> PhysicalResource {
         match *self {
             Self::Image(StoredImage { image, view, aspects, .. }) => PhysicalResource::Image { image, view, aspects },
             Self::Buffer { buffer, .. } => PhysicalResource::buffer(buffer),
@@ -73,7 +73,7 @@ impl Object {
 pub(crate) struct Objects(Vec<[Option<Object>; 2]>);
 
 impl Objects {
-    pub fn physical(&self, id: ResourceId, copy: usize) -> Option<PhysicalResource> {
+    pub(crate) fn physical(&self, id: ResourceId, copy: usize) -> Option<PhysicalResource> {
         self.get(id, copy).map(Object::physical)
     }
 
@@ -96,7 +96,7 @@ pub(crate) struct Storages {
 }
 
 impl Storages {
-    pub fn new(declaration: &Declaration) -> Self {
+    pub(crate) fn new(declaration: &Declaration) -> Self {
         let count = declaration.resources().len();
         Self {
             objects: Objects(vec![[None, None]; count]),
@@ -108,7 +108,7 @@ impl Storages {
     }
 
     /// Takes over the bindings of a host from before a resize: buffers, whose sizes do not depend on the extent. Images are lost.
-    pub fn take_over(&mut self, before: &Self) {
+    pub(crate) fn take_over(&mut self, before: &Self) {
         for (index, &lent) in before.lent.iter().enumerate() {
             let id = ResourceId(index as u32);
             match (lent, before.object(id, 0)) {
@@ -119,43 +119,43 @@ impl Storages {
     }
 
     /// Whether the host has to bind a resource again, or to unbind it, after a resize.
-    pub fn is_lost(&self, id: ResourceId) -> bool {
+    pub(crate) fn is_lost(&self, id: ResourceId) -> bool {
         self.lost[id.0 as usize]
     }
 
     /// Whether an object is the host's.
-    pub fn is_lent(&self, id: ResourceId) -> bool {
+    pub(crate) fn is_lent(&self, id: ResourceId) -> bool {
         self.lent[id.0 as usize].is_some()
     }
 
     /// Stores an object of our own, with undefined content.
-    pub fn set(&mut self, id: ResourceId, copy: usize, object: Object) {
+    pub(crate) fn set(&mut self, id: ResourceId, copy: usize, object: Object) {
         self.objects.0[id.0 as usize][copy] = Some(object);
     }
 
     /// Notes transients that overlap in memory: `offsets` is where each span was placed.
-    pub fn share(&mut self, ids: &[ResourceId], spans: &[Span], offsets: &[u64]) {
+    pub(crate) fn share(&mut self, ids: &[ResourceId], spans: &[Span], offsets: &[u64]) {
         let overlaps = |i: usize, j: usize| offsets[i] < offsets[j] + spans[j].size && offsets[j] < offsets[i] + spans[i].size;
         for i in 0..ids.len() {
             (0..i).filter(|&j| overlaps(i, j)).for_each(|j| self.tracker.alias(ids[i], ids[j]));
         }
     }
 
-    pub fn object(&self, id: ResourceId, copy: usize) -> Option<&Object> {
+    pub(crate) fn object(&self, id: ResourceId, copy: usize) -> Option<&Object> {
         self.objects.get(id, copy)
     }
 
-    pub fn state(&self, id: ResourceId, copy: usize) -> ResourceState {
+    pub(crate) fn state(&self, id: ResourceId, copy: usize) -> ResourceState {
         self.tracker.state(id, copy).unwrap_or(ResourceState::UNDEFINED)
     }
 
     /// The tracker, and the objects that its barriers are for.
-    pub fn split(&mut self) -> (&mut Tracker, &Objects) {
+    pub(crate) fn split(&mut self) -> (&mut Tracker, &Objects) {
         (&mut self.tracker, &self.objects)
     }
 
     /// Binds an object of the host, in the state that each phase finds and the one that it leaves.
-    pub fn bind(&mut self, id: ResourceId, object: Object, states: [ResourceState; 2]) {
+    pub(crate) fn bind(&mut self, id: ResourceId, object: Object, states: [ResourceState; 2]) {
         let (index, state) = (id.0 as usize, self.state(id, 0));
         self.lost[index] = false;
         let slot = &mut self.objects.0[index][0];
@@ -166,7 +166,7 @@ impl Storages {
         self.tracker.share(id, states[0], states[1]);
     }
 
-    pub fn unbind(&mut self, id: ResourceId) {
+    pub(crate) fn unbind(&mut self, id: ResourceId) {
         let index = id.0 as usize;
         self.lost[index] = false;
         if self.lent[index].take().is_none() {
@@ -181,13 +181,13 @@ impl Storages {
     }
 
     /// Forgets recorded work that will never run.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.tracker.forget();
         self.own.iter_mut().flatten().for_each(|(_, state)| *state = ResourceState::UNKNOWN);
     }
 
     /// The bindings of a pass, behind its barriers.
-    pub fn bindings(&self, pass: usize, frame: &FrameContext, bindings: &mut Vec<Binding>) {
+    pub(crate) fn bindings(&self, pass: usize, frame: &FrameContext, bindings: &mut Vec<Binding>) {
         self.tracker.bindings(pass, frame, |id, copy| self.objects.physical(id, copy), bindings);
     }
 }

@@ -17,7 +17,7 @@ pub(crate) struct Staging {
 impl Staging {
     /// # Safety
     /// The handles are live, belong together and outlive the result.
-    pub unsafe fn new(host: crate::Device<'_>, size: u64) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(host: crate::Device<'_>, size: u64) -> Result<Self, Error> {
         // SAFETY: instance, physical device and device are live, belong together and outlive the result.
         unsafe {
             let types = host.instance.get_physical_device_memory_properties(host.physical_device);
@@ -27,7 +27,11 @@ impl Staging {
 
     /// # Safety
     /// The device is live and outlives the result; the memory types are its own.
-    pub unsafe fn of_types(device: &ash::Device, types: &vk::PhysicalDeviceMemoryProperties, size: u64) -> Result<Self, Error> {
+    pub(crate) unsafe fn of_types(
+        device: &ash::Device,
+        types: &vk::PhysicalDeviceMemoryProperties,
+        size: u64,
+    ) -> Result<Self, Error> {
         let mut this = Self {
             device: device.clone(),
             buffer: vk::Buffer::null(),
@@ -63,7 +67,7 @@ impl Staging {
     }
 
     /// The mapped bytes. The GPU must not use them meanwhile.
-    pub fn bytes(&mut self) -> &mut [u8] {
+    pub(crate) fn bytes(&mut self) -> &mut [u8] {
         // SAFETY: mapped for `size` bytes until drop, and borrowed with us.
         unsafe { std::slice::from_raw_parts_mut(self.pointer, self.size as usize) }
     }

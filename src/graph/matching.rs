@@ -4,11 +4,12 @@
 use super::pass::{Level, Pass, Value, Wire};
 use super::Image;
 use crate::contract::{
-    component_of, Dispatch, ImageFormat, Lifetime, Parameter, PassDecl, ResourceDecl, Shape, Slot, Tuning, Use, UseFrame, Work,
+    component_of, Access, Dispatch, ImageFormat, Lifetime, Parameter, PassDecl, ResourceDecl, Shape, Slot, Tuning, Use, UseFrame,
+    Work,
 };
-use crate::shaders::{
-    access, vk_format, BindingKind, PushMember, Scalar, Shader, ShaderBinding, LEVEL, PRESENT, SET_FOR_ALL, WIRED,
-};
+use crate::shaders::{vk_format, BindingKind, PushMember, Scalar, Shader, ShaderBinding, LEVEL, PRESENT, SET_FOR_ALL, WIRED};
+use std::any::Any;
+use std::sync::Arc;
 
 /// Images that the graph itself binds where a shader has them.
 pub(super) struct Automatic {
@@ -45,8 +46,9 @@ pub(super) fn declare(pass: &Pass, automatic: &Automatic, resources: &[ResourceD
     let (uses, slots) = match_bindings(pass, automatic, resources)?;
     let constants = match_constants(pass, &slots)?;
     let parameters = match_parameters(pass)?;
-    let Pass { name, phase, shader, grid, twin, .. } = pass.clone();
-    let dispatch = Dispatch { shader, constants, slots, parameters, grid, twin };
+    let Pass { name, phase, shader, grid, cpu, .. } = pass.clone();
+    let cpu = cpu.map(|stage| Arc::new(stage) as Arc<dyn Any + Send + Sync>);
+    let dispatch = Dispatch { shader, constants, slots, parameters, grid, cpu };
     Ok(PassDecl { name, phase, uses, work: Work::Dispatch(dispatch) })
 }
 
@@ -84,7 +86,7 @@ fn match_bindings(pass: &Pass, automatic: &Automatic, resources: &[ResourceDecl]
         let id = wire.image.id;
         let resource = &resources[id.0 as usize];
         check_fit(binding, wire, resource)?;
-        let new = Use { resource: id, frame: wire.frame, access: access(binding.kind) };
+        let new = Use { resource: id, frame: wire.frame, access: Access::of(binding.kind) };
         // Nothing orders what happens inside of a pass.
         let is_met = |u: &Use| u.resource == id && u.frame == new.frame && (u.access.writes() || new.access.writes());
         if uses.iter().any(is_met) {
@@ -129,7 +131,7 @@ fn check_fit(binding: &ShaderBinding, wire: Wire, resource: &ResourceDecl) -> Re
     if wire.frame == UseFrame::Previous && !resource.lifetime.is_history() {
         return refused("it keeps nothing of the frame before; only a history does".into());
     }
-    if wire.frame == UseFrame::Previous && access(binding.kind).writes() {
+    if wire.frame == UseFrame::Previous && Access::of(binding.kind).writes() {
         return refused("the shader writes it, and the copy of the frame before is only read".into());
     }
     Ok(())

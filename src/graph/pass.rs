@@ -2,7 +2,7 @@
 
 use super::Image;
 use crate::contract::{Grid, Phase, UseFrame};
-use crate::reference::Twin;
+use crate::reference::CpuStage;
 use crate::shaders::ShaderRef;
 
 /// Source of a number of a node.
@@ -49,13 +49,13 @@ pub(crate) struct Pass {
     pub constants: Vec<(String, u32)>,
     pub parameters: Vec<(String, Value)>,
     pub wires: Vec<(String, Wire)>,
-    /// The function of a host's stage for the CPU.
-    pub twin: Option<Twin>,
+    /// The stage on the CPU.
+    pub cpu: Option<CpuStage>,
 }
 
 impl Pass {
     /// A dispatch of one invocation per pixel, after lighting.
-    pub fn new(node: &str, shader: impl Into<ShaderRef>) -> Self {
+    pub(crate) fn new(node: &str, shader: impl Into<ShaderRef>) -> Self {
         Self {
             node: node.to_owned(),
             name: node.to_owned(),
@@ -66,41 +66,41 @@ impl Pass {
             constants: Vec::new(),
             parameters: Vec::new(),
             wires: Vec::new(),
-            twin: None,
+            cpu: None,
         }
     }
 
     /// A name of its own, for one of several passes of a node.
-    pub fn named(self, name: String) -> Self {
+    pub(crate) fn named(self, name: String) -> Self {
         Self { name, ..self }
     }
 
-    pub fn phase(self, phase: Phase) -> Self {
+    pub(crate) fn phase(self, phase: Phase) -> Self {
         Self { phase, ..self }
     }
 
     /// The push constant `level`.
-    pub fn level(self, level: u32) -> Self {
+    pub(crate) fn level(self, level: u32) -> Self {
         Self { level: Level::Number(level), ..self }
     }
 
     /// The view of the frame as the push constant `level`. A frame without a view leaves the pass out.
-    pub fn view(self) -> Self {
+    pub(crate) fn view(self) -> Self {
         Self { level: Level::View, ..self }
     }
 
-    pub fn grid(self, grid: Grid) -> Self {
+    pub(crate) fn grid(self, grid: Grid) -> Self {
         Self { grid, ..self }
     }
 
     /// A specialisation constant.
-    pub fn constant(mut self, name: &str, value: u32) -> Self {
+    pub(crate) fn constant(mut self, name: &str, value: u32) -> Self {
         self.constants.push((name.to_owned(), value));
         self
     }
 
     /// Sets the source of a member of the push constants, where it is not the tunable of its name.
-    pub fn value(mut self, member: &str, value: Value) -> Self {
+    pub(crate) fn value(mut self, member: &str, value: Value) -> Self {
         if value != Value::Own {
             self.parameters.push((member.to_owned(), value));
         }
@@ -108,13 +108,13 @@ impl Pass {
     }
 
     /// An image of this frame, read or written as the shader says.
-    pub fn bind(mut self, binding: &str, image: Image) -> Self {
+    pub(crate) fn bind(mut self, binding: &str, image: Image) -> Self {
         self.wires.push((binding.to_owned(), Wire { image, frame: UseFrame::Current }));
         self
     }
 
     /// An image of this frame, where there is one.
-    pub fn bind_some(self, binding: &str, image: Option<Image>) -> Self {
+    pub(crate) fn bind_some(self, binding: &str, image: Option<Image>) -> Self {
         match image {
             Some(image) => self.bind(binding, image),
             None => self,
@@ -122,18 +122,18 @@ impl Pass {
     }
 
     /// Binds the content that an image had one frame ago.
-    pub fn previous(mut self, binding: &str, image: Image) -> Self {
+    pub(crate) fn previous(mut self, binding: &str, image: Image) -> Self {
         self.wires.push((binding.to_owned(), Wire { image, frame: UseFrame::Previous }));
         self
     }
 
     /// One image for each signal, on the bindings `name_0` and `name_1`.
-    pub fn each(self, binding: &str, images: &[Image]) -> Self {
+    pub(crate) fn each(self, binding: &str, images: &[Image]) -> Self {
         images.iter().enumerate().fold(self, |pass, (i, image)| pass.bind(&format!("{binding}_{i}"), *image))
     }
 
     /// The previous image for each signal, on the bindings `name_0` and `name_1`.
-    pub fn each_previous(self, binding: &str, images: &[Image]) -> Self {
+    pub(crate) fn each_previous(self, binding: &str, images: &[Image]) -> Self {
         images.iter().enumerate().fold(self, |pass, (i, image)| pass.previous(&format!("{binding}_{i}"), *image))
     }
 }

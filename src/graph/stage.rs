@@ -3,7 +3,7 @@
 use super::{Graph, Image, Pass, Value};
 use crate::contract::{Grid, Lifetime, Phase, UseFrame};
 use crate::error::Error;
-use crate::reference::Twin;
+use crate::reference::{CpuStage, Twin};
 use crate::shaders::{vk_format, BindingAccess, BindingKind, Shader, ShaderRef};
 use crate::ImageFormat;
 use std::collections::BTreeMap;
@@ -78,7 +78,7 @@ impl Graph {
     pub fn stage(&mut self, stage: &Stage) -> StageCall<'_> {
         let node = self.node(&stage.shader.name, "");
         let shader = stage.shader.clone();
-        let pass = Pass { twin: stage.twin, ..Pass::new(&node, ShaderRef::Made(shader.clone())) };
+        let pass = Pass { cpu: stage.twin.map(CpuStage::of_host), ..Pass::new(&node, ShaderRef::Made(shader.clone())) };
         StageCall { graph: self, shader, pass, divisor: 1 }
     }
 }

@@ -15,7 +15,7 @@ pub(crate) struct FrameLife {
 }
 
 impl FrameLife {
-    pub fn new(declaration: &Declaration) -> Self {
+    pub(crate) fn new(declaration: &Declaration) -> Self {
         let is_history = |u: &crate::Use| u.access.writes() && declaration.resource(u.resource).lifetime.is_history();
         let passes = declaration.passes();
         let end = passes.iter().rposition(|pass| pass.uses.iter().any(is_history)).map_or(0, |last| last + 1);
@@ -31,7 +31,12 @@ impl FrameLife {
     }
 
     /// Starts a frame, which drops all history where the previous frame was not recorded.
-    pub fn begin(&mut self, declaration: &Declaration, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+    pub(crate) fn begin(
+        &mut self,
+        declaration: &Declaration,
+        params: &FrameParams,
+        tuning: &Tuning,
+    ) -> Result<FrameContext, Error> {
         let mut state = self.state.clone();
         let is_whole = !self.missing.iter().any(|missing| missing.load(Relaxed));
         if !is_whole {
@@ -51,20 +56,20 @@ impl FrameLife {
     }
 
     /// Notes that a pass was recorded.
-    pub fn recorded(&self, pass: usize) {
+    pub(crate) fn recorded(&self, pass: usize) {
         self.missing[pass].store(false, Relaxed);
     }
 
-    pub fn invalidate(&mut self) {
+    pub(crate) fn invalidate(&mut self) {
         self.state.invalidate();
     }
 
-    pub fn restart_at(&mut self, index: u64) {
+    pub(crate) fn restart_at(&mut self, index: u64) {
         self.state.restart_at(index);
         self.missing.iter_mut().for_each(|missing| *missing.get_mut() = false);
     }
 
-    pub fn resize(&mut self) {
+    pub(crate) fn resize(&mut self) {
         self.state.resize();
         self.missing.iter_mut().for_each(|missing| *missing.get_mut() = false);
     }

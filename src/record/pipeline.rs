@@ -38,7 +38,7 @@ pub(crate) union Descriptor {
 
 impl Descriptor {
     /// Null handles.
-    pub const NULL: Self = Self { buffer: vk::DescriptorBufferInfo { buffer: vk::Buffer::null(), offset: 0, range: 0 } };
+    pub(crate) const NULL: Self = Self { buffer: vk::DescriptorBufferInfo { buffer: vk::Buffer::null(), offset: 0, range: 0 } };
 }
 
 /// Pipelines of every shader that a declaration uses, and one descriptor set per pass and frame slot.
@@ -55,7 +55,7 @@ impl Pipelines {
     ///
     /// # Safety
     /// `device` is live and outlives the result; `cache` is null or a cache of it that is synchronised internally.
-    pub unsafe fn new(device: &ash::Device, cache: vk::PipelineCache, declaration: &Declaration) -> Result<Self, Error> {
+    pub(crate) unsafe fn new(device: &ash::Device, cache: vk::PipelineCache, declaration: &Declaration) -> Result<Self, Error> {
         let dispatches = declaration.passes().iter().filter_map(|pass| pass.dispatch());
         let jobs: Vec<_> = dispatches.map(|d| (key(d), d)).collect::<BTreeMap<_, _>>().into_iter().collect();
         // SAFETY: the device is live and outlives the pipeline. Creating takes no lock: the device may be used by several threads,
@@ -76,7 +76,7 @@ impl Pipelines {
     }
 
     /// The objects to bind for a pass; `None` for a pass that is no dispatch.
-    pub fn bindable(&self, slot: u32, pass: usize) -> Option<Bindable> {
+    pub(crate) fn bindable(&self, slot: u32, pass: usize) -> Option<Bindable> {
         *self.bindables.get(slot as usize)?.get(pass)?
     }
 
@@ -85,7 +85,7 @@ impl Pipelines {
     /// # Safety
     /// The words are valid SPIR-V, and no work that uses the shader is pending or recorded.
     #[cfg(feature = "hot-reload")]
-    pub unsafe fn replace(&mut self, name: &str, code: &[u32]) -> Result<bool, Error> {
+    pub(crate) unsafe fn replace(&mut self, name: &str, code: &[u32]) -> Result<bool, Error> {
         let mut new = Vec::new();
         for (key, pipeline) in self.pipelines.iter().filter(|(key, _)| key.0 == name) {
             // SAFETY: the device is live, and the interface is that of the layout.

@@ -4,10 +4,10 @@ use super::Image;
 use half::f16;
 
 /// The largest finite half; every store of irradiance is clamped to it.
-pub const LARGEST_HALF: f32 = 65504.0;
+pub(crate) const LARGEST_HALF: f32 = 65504.0;
 
 /// `x` rounded to binary16, to nearest, ties to even. Beyond the range it becomes infinite.
-pub fn round_to_half(x: f32) -> f32 {
+pub(crate) fn round_to_half(x: f32) -> f32 {
     f16::from_f32(x).to_f32()
 }
 

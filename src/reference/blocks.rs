@@ -4,7 +4,7 @@ use super::{render_rect::RenderRect, Image};
 use glam::IVec2;
 
 /// Pixels a side of a block.
-pub const BLOCK_SIZE: u32 = 8;
+pub(crate) const BLOCK_SIZE: u32 = 8;
 
 /// The blocks of a render extent; incomplete ones at its right and lower edge count.
 #[derive(Clone, Copy, Debug)]
@@ -13,33 +13,33 @@ pub(crate) struct Blocks {
 }
 
 impl Blocks {
-    pub fn new(render_extent: [u32; 2]) -> Self {
+    pub(crate) fn new(render_extent: [u32; 2]) -> Self {
         Self { extent: render_extent.map(|side| side.div_ceil(BLOCK_SIZE)) }
     }
 
     /// Width and height in blocks.
-    pub fn extent(&self) -> [u32; 2] {
+    pub(crate) fn extent(&self) -> [u32; 2] {
         self.extent
     }
 
-    pub fn rect(&self) -> RenderRect {
+    pub(crate) fn rect(&self) -> RenderRect {
         RenderRect::new(self.extent)
     }
 
     /// The pixels that a block has inside of a render extent, in row order.
-    pub fn pixels(block: IVec2, render_extent: [u32; 2]) -> impl Iterator<Item = IVec2> {
+    pub(crate) fn pixels(block: IVec2, render_extent: [u32; 2]) -> impl Iterator<Item = IVec2> {
         let (rect, side) = (RenderRect::new(render_extent), BLOCK_SIZE as i32);
         let offsets = (0..side).flat_map(move |y| (0..side).map(move |x| IVec2::new(x, y)));
         offsets.map(move |offset| block * side + offset).filter(move |p| rect.contains(*p))
     }
 
     /// The four blocks whose centres are nearest to a pixel, with bilinear weights; beyond the edge the last block stands in.
-    pub fn around(&self, p: IVec2) -> [(IVec2, f32); 4] {
+    pub(crate) fn around(&self, p: IVec2) -> [(IVec2, f32); 4] {
         self.rect().cells_around(p, BLOCK_SIZE)
     }
 
     /// A value of blocks at a pixel, bilinear between their centres.
-    pub fn interpolated(&self, p: IVec2, value: impl Fn(IVec2) -> f32) -> f32 {
+    pub(crate) fn interpolated(&self, p: IVec2, value: impl Fn(IVec2) -> f32) -> f32 {
         self.around(p).into_iter().map(|(block, weight)| weight * value(block)).sum()
     }
 }

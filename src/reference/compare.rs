@@ -1,6 +1,7 @@
 //! Rules by which the output of the GPU counts as equal to that of the twin.
 
 use super::binary16::from_half_bits;
+use super::blocks::BLOCK_SIZE;
 use super::guide::unpack_guide;
 use super::moments::unpack_moments;
 use super::octahedral::octahedral10_to_normal;
@@ -8,15 +9,12 @@ use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
 use super::visibility::unpack_visibility;
-use super::BLOCK_SIZE;
-use crate::nodes::block_difference::twin::unpack_difference;
-use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use glam::IVec2;
 
 /// The difference that two values may have, and the share of texels that may differ by more, since a test against a threshold fell
 /// the other way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance {
+pub(crate) struct Tolerance {
     /// Share of the larger value.
     pub relative: f32,
     /// Absolute difference that is added, in the unit of the value.
@@ -27,14 +25,14 @@ pub struct Tolerance {
 
 /// The reading of a texel as numbers that can be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Values {
+pub(crate) enum Values {
     /// The values as they are: floats, or packed bits 16 at a time.
     Plain,
     /// Red, green and blue alone.
     Rgb,
     /// Words of a buffer, 32 bits each.
     Counts,
-    /// A 32-bit texel as two halves.
+    /// A texel as two or four halves.
     Halves,
     /// Depth, normal, roughness and id.
     Guide,
@@ -48,10 +46,6 @@ pub enum Values {
     Normal,
     /// Mean, deviation, history length and reason.
     Moments,
-    /// Lower and upper one.
-    Percentiles,
-    /// Mean, deviation, count and the brighter side.
-    Difference,
     /// Mean of `visibility_history`.
     Visibility,
     /// Hit distance and roughness of `reflection*`.
@@ -64,7 +58,7 @@ pub enum Values {
 
 /// The unit that an image has a texel for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Per {
+pub(crate) enum Per {
     /// Every pixel.
     Pixel,
     /// Every 8×8 pixels.
@@ -77,7 +71,7 @@ pub enum Per {
 
 /// The passes of a stage for which a rule holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum When {
+pub(crate) enum When {
     /// All passes.
     Always,
     /// Passes whose specialisation constant has this value.
@@ -88,7 +82,7 @@ pub enum When {
 
 /// The rule by which one binding that a stage writes is compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rule {
+pub(crate) struct Rule {
     /// Name of the binding.
     pub binding: &'static str,
     /// The unit that it has a texel for.
@@ -103,7 +97,7 @@ pub struct Rule {
 
 impl Rule {
     /// Whether it holds for a pass with these specialisation constants.
-    pub fn holds(&self, constants: &[(&str, u32)]) -> bool {
+    pub(crate) fn holds(&self, constants: &[(&str, u32)]) -> bool {
         let value = |name: &str| constants.iter().find(|c| c.0 == name).map(|c| c.1);
         match self.when {
             When::Always => true,
@@ -116,7 +110,7 @@ impl Rule {
     ///
     /// # Errors
     /// A message with the number of texels that differ, and the first of them.
-    pub fn compare(&self, stratum_size: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+    pub(crate) fn compare(&self, stratum_size: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
         let (what, kinds) = (self.binding, [gpu.kind(), twin.kind()]);
         if kinds[0] != kinds[1] || gpu.extent() != twin.extent() {
             let (a, b) = (gpu.extent(), twin.extent());
@@ -203,10 +197,7 @@ impl Values {
                 let m = unpack_moments(texel);
                 padded([m.mean, m.deviation, m.history_length, m.reason.into()])
             }
-            Self::Difference => {
-                let d = unpack_difference(texel);
-                padded([d.mean, d.deviation, d.count, d.brighter])
-            }
+            Self::Halves => padded(texel.map(from_half_bits)),
             _ => padded(texel.map(f32::from)),
         }
     }
@@ -224,10 +215,6 @@ impl Values {
             Self::ImageShare => padded([unpack_image_share(texel).unwrap_or(-1.0)]),
             Self::Visibility => padded([unpack_visibility(texel).mean]),
             Self::VisibilitySteps => padded([(texel >> 12 & 0x3f) as f32, (texel >> 18 & 0x3f) as f32, (texel >> 24) as f32]),
-            Self::Percentiles => {
-                let p = unpack_percentiles(texel);
-                padded([p.low, p.up])
-            }
             _ => padded(parts.map(f32::from)),
         }
     }

@@ -32,14 +32,14 @@ pub(crate) struct Step {
 
 impl Step {
     /// 1 / scene unit; positive where the surface is convex.
-    pub fn curvature(&self) -> f32 {
+    pub(crate) fn curvature(&self) -> f32 {
         self.turn.dot(self.way) / self.way.length_squared().max(1e-20)
     }
 }
 
 impl Curvature {
     /// From two steps on a surface that is seen along `sight`.
-    pub fn new(normal: Vec3, sight: Vec3, steps: [Option<Step>; 2]) -> Self {
+    pub(crate) fn new(normal: Vec3, sight: Vec3, steps: [Option<Step>; 2]) -> Self {
         let aslant = normal.cross(sight);
         let across = match aslant.length_squared() < 1e-6 {
             true => sight.cross(if sight.x.abs() < 0.5 { Vec3::X } else { Vec3::Y }),
@@ -60,12 +60,12 @@ impl Curvature {
     }
 
     /// A vector in the axes.
-    pub fn axes(&self, v: Vec3) -> Vec2 {
+    pub(crate) fn axes(&self, v: Vec3) -> Vec2 {
         Vec2::new(v.dot(self.along), v.dot(self.across))
     }
 
     /// By how much nearer than in a flat mirror the image of what is `hit_distance` away is: of a flat one the identity.
-    pub fn nearer(&self, hit_distance: f32) -> Mat2 {
+    pub(crate) fn nearer(&self, hit_distance: f32) -> Mat2 {
         let added = self.power * hit_distance;
         let limited = added.to_cols_array().map(|x| x.clamp(-1e6, 1e6));
         bounded(Mat2::IDENTITY + Mat2::from_cols_array(&limited))

@@ -8,7 +8,7 @@ use crate::{FrameConstants, Tuning};
 use glam::{IVec2, Vec2, Vec3};
 
 /// Tolerated relative departure from the local plane, by which a plane that faces the camera has a tolerance as well.
-pub const DEPTH_EPSILON: f32 = 0.001;
+pub(crate) const DEPTH_EPSILON: f32 = 0.001;
 
 /// The decoded guide with the weights `w_z` and `w_n`.
 pub(crate) struct Geometry {
@@ -34,7 +34,7 @@ enum Edges {
 }
 
 impl Geometry {
-    pub fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
+    pub(crate) fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, depth_gradient: &Image<u32>) -> Self {
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
@@ -44,7 +44,7 @@ impl Geometry {
     }
 
     /// The geometry of a volume before the surfaces of the guide.
-    pub fn of_volume(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>) -> Self {
+    pub(crate) fn of_volume(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>) -> Self {
         let seen = |p| Surface { linear_depth: volume_depth(guide.at(p)), ..Surface::default() };
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, seen),
@@ -54,20 +54,20 @@ impl Geometry {
         }
     }
 
-    pub fn extent(&self) -> [u32; 2] {
+    pub(crate) fn extent(&self) -> [u32; 2] {
         self.surfaces.extent()
     }
 
-    pub fn is_background(&self, p: IVec2) -> bool {
+    pub(crate) fn is_background(&self, p: IVec2) -> bool {
         self.surfaces.at(p).is_background()
     }
 
-    pub fn linear_depth(&self, p: IVec2) -> f32 {
+    pub(crate) fn linear_depth(&self, p: IVec2) -> f32 {
         self.surfaces.at(p).linear_depth
     }
 
     /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
-    pub fn weight(&self, p: IVec2, q: IVec2) -> f32 {
+    pub(crate) fn weight(&self, p: IVec2, q: IVec2) -> f32 {
         if p == q {
             return 1.0;
         }

@@ -27,7 +27,7 @@ impl Surface {
 }
 
 /// A surface id in 8 bits: itself up to 255, else hashed into 1 to 255, so that only the background is 0.
-pub fn fold_id(id: u32) -> u8 {
+pub(crate) fn fold_id(id: u32) -> u8 {
     let folded = if id <= 255 { id } else { 1 + pcg(id) % 255 };
     folded as u8
 }
@@ -43,7 +43,7 @@ pub(crate) fn pcg(v: u32) -> u32 {
 const NORMAL_STEPS: f32 = 127.0;
 
 /// A texel of `guide`. The background is all zeros.
-pub fn pack_guide(surface: &Surface) -> [u16; 4] {
+pub(crate) fn pack_guide(surface: &Surface) -> [u16; 4] {
     if surface.is_background() {
         return [0; 4];
     }

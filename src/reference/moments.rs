@@ -36,7 +36,7 @@ pub struct Moments {
 }
 
 /// A texel of `moments*`.
-pub fn pack_moments(moments: &Moments) -> [u16; 4] {
+pub(crate) fn pack_moments(moments: &Moments) -> [u16; 4] {
     let [mean, deviation, history_length] = [moments.mean, moments.deviation, moments.history_length].map(|x| half_bits(store(x)));
     [mean, deviation, history_length, moments.reason]
 }

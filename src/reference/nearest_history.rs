@@ -10,9 +10,18 @@ use super::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec2};
 
+/// History of a signal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SignalHistory<'a> {
+    /// rgb: irradiance, as written by level 0 of `atrous`.
+    pub irradiance: &'a Image<[f32; 4]>,
+    /// The image `moments` of the previous frame.
+    pub moments: &'a Image<[u16; 4]>,
+}
+
 /// Guides of two frames; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct HistoryGuides<'a> {
+pub(crate) struct HistoryGuides<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.

@@ -1,5 +1,6 @@
-//! Unit normals as a point in a square: an octahedron unfolded, quantised so that axis-aligned normals are exact.
+//! Normals as hosts encode them, and unit normals as a point in a square: an octahedron unfolded, quantised so that axis-aligned normals are exact.
 
+use crate::config::NormalEncoding;
 use glam::{Vec2, Vec3};
 
 fn sign(v: f32) -> f32 {
@@ -31,6 +32,18 @@ pub(crate) fn from_square(e: Vec2) -> Vec3 {
     (if z < 0.0 { fold(e) } else { e }).extend(z)
 }
 
+/// The vector that a texel encodes, of any length, in the space that it is in.
+pub fn decode_normal(encoding: NormalEncoding, v: [f32; 4]) -> [f32; 3] {
+    let (xy, xyz) = (Vec2::new(v[0], v[1]), Vec3::new(v[0], v[1], v[2]));
+    let normal = match encoding {
+        NormalEncoding::Xyz => xyz,
+        NormalEncoding::XyzUnorm => xyz * 2.0 - 1.0,
+        NormalEncoding::Octahedral => from_square(xy),
+        NormalEncoding::OctahedralUnorm => from_square(xy * 2.0 - 1.0),
+    };
+    normal.into()
+}
+
 fn quantise(n: Vec3, half_range: f32) -> [u32; 2] {
     (to_square(n) * half_range + (half_range + 0.5)).floor().to_array().map(|u| u as u32)
 }
@@ -40,24 +53,24 @@ fn restore(u: [u32; 2], half_range: f32) -> Vec3 {
 }
 
 /// A unit normal in 20 bits: x in bits 0 to 9, y in bits 10 to 19.
-pub fn octahedral10(normal: [f32; 3]) -> u32 {
+pub(crate) fn octahedral10(normal: [f32; 3]) -> u32 {
     let [x, y] = quantise(normal.into(), 511.0);
     x | y << 10
 }
 
 /// The unit normal of [`octahedral10`]; higher bits are ignored.
-pub fn octahedral10_to_normal(bits: u32) -> [f32; 3] {
+pub(crate) fn octahedral10_to_normal(bits: u32) -> [f32; 3] {
     restore([bits & 0x3ff, bits >> 10 & 0x3ff], 511.0).to_array()
 }
 
 /// A unit normal in 16 bits: x in bits 0 to 7, y in bits 8 to 15.
-pub fn octahedral8(normal: [f32; 3]) -> u16 {
+pub(crate) fn octahedral8(normal: [f32; 3]) -> u16 {
     let [x, y] = quantise(normal.into(), 127.0);
     (x | y << 8) as u16
 }
 
 /// The unit normal of [`octahedral8`].
-pub fn octahedral8_to_normal(bits: u16) -> [f32; 3] {
+pub(crate) fn octahedral8_to_normal(bits: u16) -> [f32; 3] {
     restore([u32::from(bits & 0xff), u32::from(bits >> 8)], 127.0).to_array()
 }
 

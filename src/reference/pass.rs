@@ -1,16 +1,16 @@
 //! One pass of a declaration on the CPU: its twin, with texels by the names of the shader's bindings.
 
-use super::bindings::{Bindings, Twin};
-use super::stage::{compare_host_stage, Stage};
+use super::bindings::Bindings;
+use super::stage::{compare_host_stage, CpuStage};
 use super::texels::Texels;
 use crate::contract::{Declaration, Dispatch, FrameContext, Parameter, PassDecl, Shape, Tuning, Use};
 use crate::error::Error;
 use crate::shaders::LEVEL;
 
 impl Dispatch {
-    /// The function that computes the same on the CPU.
-    fn twin(&self) -> Option<Twin> {
-        self.twin.or_else(|| Stage::find(&self.shader.stage).map(|stage| stage.twin))
+    /// The stage on the CPU, as the graph gave it.
+    fn on_cpu(&self) -> Option<&CpuStage> {
+        self.cpu.as_deref()?.downcast_ref()
     }
 
     /// Every specialisation constant by name, with the value that the pass has.
@@ -64,7 +64,7 @@ impl Declaration {
     ) -> Result<Option<Written>, Error> {
         let Some((pass, dispatch)) = self.passes().get(pass).and_then(|p| Some((p, p.dispatch()?))) else { return Ok(None) };
         let stage = &*dispatch.shader.stage;
-        let twin = dispatch.twin().ok_or_else(|| without_twin(stage))?;
+        let twin = dispatch.on_cpu().ok_or_else(|| without_twin(stage))?.twin;
         let (constants, tuning) = (dispatch.named_constants(), dispatch.tuning(frame));
         let names: Vec<&str> = pass.bindings().map(|(_, name)| name).collect();
         let bindings = Bindings::new(stage, &frame.constants, &tuning).with_constants(&constants);
@@ -98,8 +98,12 @@ impl Declaration {
             return Err(format!("pass `{}` has no use {index}", pass.name));
         };
         let constants = dispatch.named_constants();
-        match Stage::find(&dispatch.shader.stage).filter(|_| dispatch.twin.is_none()) {
-            Some(stage) => stage.compare(binding, &constants, frame.render_extent, gpu, twin),
+        let name = &dispatch.shader.stage;
+        match dispatch.on_cpu().filter(|stage| !stage.rules.is_empty()) {
+            Some(stage) => {
+                let compared = stage.compare(binding, &constants, frame.render_extent, gpu, twin);
+                compared.map_err(|message| format!("{name}: {message}"))
+            }
             None => {
                 let divisor = match self.resource(pass.uses[index].resource).shape {
                     Shape::Image { divisor, .. } => divisor,
@@ -122,7 +126,7 @@ impl Declaration {
 
     /// The first dispatch whose stage has no twin.
     pub(crate) fn stage_without_twin(&self) -> Option<Error> {
-        let lacks = |pass: &PassDecl| pass.dispatch().filter(|d| d.twin().is_none()).map(|d| without_twin(&d.shader.stage));
+        let lacks = |pass: &PassDecl| pass.dispatch().filter(|d| d.on_cpu().is_none()).map(|d| without_twin(&d.shader.stage));
         self.passes().iter().find_map(lacks)
     }
 }

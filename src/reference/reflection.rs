@@ -6,7 +6,7 @@ use super::projection::pixel_size;
 use crate::FrameConstants;
 
 /// Hit distance that stands for what is beyond the scene.
-pub const FARTHEST_HIT: f32 = 65504.0;
+pub(crate) const FARTHEST_HIT: f32 = 65504.0;
 
 /// A pixel of `reflection*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -22,7 +22,7 @@ const SHARE_STEPS: f32 = 62.0;
 
 /// A texel of `reflection*`. `image_share`: how much of the past comes from where the image of what is seen was, 0 to 1; `None`: there
 /// is no past.
-pub fn pack_reflection(reflection: &SeenReflection, image_share: Option<f32>) -> u32 {
+pub(crate) fn pack_reflection(reflection: &SeenReflection, image_share: Option<f32>) -> u32 {
     let steps = |x: f32, count: f32| (x.clamp(0.0, 1.0) * count + 0.5).floor() as u32;
     let share = image_share.map_or(0, |share| 1 + steps(share, SHARE_STEPS));
     u32::from(half_bits(store(reflection.hit_distance))) | steps(reflection.roughness, ROUGHNESS_STEPS) << 16 | share << 26
@@ -35,7 +35,7 @@ pub fn unpack_reflection(texel: u32) -> SeenReflection {
 }
 
 /// How much of the past comes from where the image was; `None`: there is no past.
-pub fn unpack_image_share(texel: u32) -> Option<f32> {
+pub(crate) fn unpack_image_share(texel: u32) -> Option<f32> {
     (texel >> 26).checked_sub(1).map(|steps| steps as f32 / SHARE_STEPS)
 }
 

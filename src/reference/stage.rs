@@ -1,4 +1,4 @@
-//! A stage: its name, its twin, and how what it writes is compared with the GPU.
+//! A stage on the CPU: its twin, and how what it writes is compared with the GPU.
 
 use super::bindings::Twin;
 use super::compare::Rule;
@@ -7,27 +7,26 @@ use super::texels::Texels;
 
 /// A stage on the CPU.
 #[derive(Clone, Copy, Debug)]
-pub struct Stage {
-    /// Name of the stage: that of its shader.
-    pub name: &'static str,
-    /// The CPU twin.
+pub(crate) struct CpuStage {
+    /// The twin.
     pub twin: Twin,
-    /// Rules by which the bindings that it writes are compared, in no particular order. Some have several, all of which must hold.
+    /// Rules by which the bindings that it writes are compared, in no particular order. Some have several, all of which must hold. A
+    /// stage of a host has none: see [`compare_host_stage`].
     pub rules: &'static [Rule],
 }
 
-impl Stage {
-    pub(crate) const fn new(name: &'static str, twin: Twin, rules: &'static [Rule]) -> Self {
-        Self { name, twin, rules }
+impl CpuStage {
+    /// The function of a host.
+    pub(crate) const fn of_host(twin: Twin) -> Self {
+        Self { twin, rules: &[] }
     }
 
     /// Compares what the GPU and the twin wrote to one binding of a pass, in a frame of `render_extent` pixels. `constants` are the
     /// specialisation constants of the pass: they say how large strata are, and which rules hold.
     ///
     /// # Errors
-    /// A message that names stage and binding, with the number of texels that differ and the first of them; or says that there is
-    /// no rule.
-    pub fn compare(
+    /// A message that names the binding, with the number of texels that differ and the first of them; or says that there is no rule.
+    pub(crate) fn compare(
         &self,
         binding: &str,
         constants: &[(&str, u32)],
@@ -38,11 +37,9 @@ impl Stage {
         let stratum_size = constants.iter().find(|c| c.0 == "STRATUM_SIZE").map_or(1, |c| c.1);
         let mut rules = self.rules.iter().filter(|rule| rule.binding == binding && rule.holds(constants)).peekable();
         if rules.peek().is_none() {
-            return Err(format!("{}: there is no rule by which `{binding}` is compared", self.name));
+            return Err(format!("there is no rule by which `{binding}` is compared"));
         }
-        rules
-            .try_for_each(|rule| rule.compare(stratum_size, render_extent, gpu, twin))
-            .map_err(|message| format!("{}: {message}", self.name))
+        rules.try_for_each(|rule| rule.compare(stratum_size, render_extent, gpu, twin))
     }
 }
 
@@ -54,24 +51,30 @@ pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Te
 
 #[cfg(test)]
 mod tests {
-    use super::super::{test_scene, Image};
+    use super::super::compare::{Tolerance, When};
+    use super::super::rules::{pixels, EXACT};
+    use super::super::Image;
     use super::*;
-    use crate::nodes::STAGES;
-    use std::collections::BTreeSet;
 
-    #[test]
-    fn a_stage_has_one_name() {
-        let names: BTreeSet<_> = STAGES.iter().map(|stage| stage.name).collect();
-        assert_eq!(names.len(), STAGES.len());
-        assert!(Stage::find("atrous").is_some() && Stage::find("atrous_0").is_none());
+    const RULES: &[Rule] = &[
+        Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", EXACT) },
+        Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 0.1, ..EXACT }) },
+        pixels("display", EXACT),
+    ];
+
+    fn stage() -> CpuStage {
+        CpuStage { twin: |_| Ok(()), rules: RULES }
     }
 
     #[test]
     fn a_constant_may_choose_the_rule() {
-        let stage = Stage::find("gradient").expect("known");
-        let grey = |l: f32| Texels::Colour(test_scene::paint([4, 4], |x, y| [if (x, y) == (1, 1) { l } else { 1.0 }; 4]));
+        let grey = |l: f32| {
+            let mut image = Image::new([4, 4], [1.0; 4]);
+            *image.get_mut(1, 1).expect("inside") = [l; 4];
+            Texels::Colour(image)
+        };
         let compare =
-            |source| stage.compare("gradient", &[("SOURCE", source), ("STRATUM_SIZE", 3)], [12, 12], &grey(1.0), &grey(2.0));
+            |source| stage().compare("gradient", &[("SOURCE", source), ("STRATUM_SIZE", 3)], [12, 12], &grey(1.0), &grey(2.0));
         assert!(compare(1).is_ok(), "one stratum of sixteen may differ");
         let message = compare(0).expect_err("none may");
         assert!(message.contains("gradient") && message.contains("1,1"), "{message}");
@@ -80,7 +83,7 @@ mod tests {
     #[test]
     fn what_has_no_rule_is_not_equal() {
         let texels = Texels::Scalar(Image::new([1, 1], 0.0));
-        let message = Stage::find("taa").expect("known").compare("output_0", &[], [1, 1], &texels, &texels);
+        let message = stage().compare("output_0", &[], [1, 1], &texels, &texels);
         assert!(message.expect_err("no rule").contains("output_0"));
     }
 }

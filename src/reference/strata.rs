@@ -17,7 +17,7 @@ pub struct GradientSample {
 
 /// A texel of `gradient_samples`: x, y: the previous pixel; z: 1 + place in the stratum, row by row, 0 where there is no sample; w:
 /// 0.
-pub fn pack_gradient_sample(stratum_size: u32, sample: Option<GradientSample>) -> [u16; 4] {
+pub(crate) fn pack_gradient_sample(stratum_size: u32, sample: Option<GradientSample>) -> [u16; 4] {
     let Some(sample) = sample else { return [0; 4] };
     let [x, y] = sample.pixel.map(|v| v % stratum_size);
     [sample.previous_pixel[0] as u16, sample.previous_pixel[1] as u16, (1 + x + y * stratum_size) as u16, 0]
@@ -39,34 +39,34 @@ pub(crate) struct Strata {
 }
 
 impl Strata {
-    pub fn new(frame: &FrameConstants, size: u32) -> Self {
+    pub(crate) fn new(frame: &FrameConstants, size: u32) -> Self {
         Self { size, render_extent: frame.render_extent.into() }
     }
 
-    pub fn of_previous(frame: &FrameConstants, size: u32) -> Self {
+    pub(crate) fn of_previous(frame: &FrameConstants, size: u32) -> Self {
         Self { size, render_extent: frame.previous_render_extent.into() }
     }
 
     /// Number of strata in x and y.
-    pub fn count(&self) -> UVec2 {
+    pub(crate) fn count(&self) -> UVec2 {
         (self.render_extent + self.size - 1) / self.size
     }
 
-    pub fn contains(&self, stratum: IVec2) -> bool {
+    pub(crate) fn contains(&self, stratum: IVec2) -> bool {
         stratum.cmpge(IVec2::ZERO).all() && stratum.as_uvec2().cmplt(self.count()).all()
     }
 
-    pub fn first_pixel(&self, stratum: IVec2) -> IVec2 {
+    pub(crate) fn first_pixel(&self, stratum: IVec2) -> IVec2 {
         stratum * self.size as i32
     }
 
     /// Pixels of a stratum that exist: one at the right or lower border may be cut.
-    pub fn extent_of(&self, stratum: IVec2) -> UVec2 {
+    pub(crate) fn extent_of(&self, stratum: IVec2) -> UVec2 {
         (self.render_extent - self.first_pixel(stratum).as_uvec2()).min(UVec2::splat(self.size))
     }
 
     /// Pixels of a stratum with their places, row by row.
-    pub fn pixels(self, stratum: IVec2) -> impl Iterator<Item = (u32, IVec2)> {
+    pub(crate) fn pixels(self, stratum: IVec2) -> impl Iterator<Item = (u32, IVec2)> {
         let extent = self.extent_of(stratum);
         let offsets = (0..extent.y).flat_map(move |y| (0..extent.x).map(move |x| UVec2::new(x, y)));
         offsets.map(move |o| (o.x + o.y * self.size, self.first_pixel(stratum) + o.as_ivec2()))

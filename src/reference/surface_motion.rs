@@ -4,7 +4,7 @@ use super::binary16::{from_half_bits, half_bits, LARGEST_HALF};
 use super::octahedral::{octahedral8, octahedral8_to_normal};
 
 /// Motion is clamped to ± this many pixels, which is beyond any image.
-pub const LARGEST_MOTION: f32 = 16384.0;
+pub(crate) const LARGEST_MOTION: f32 = 16384.0;
 
 /// A pixel of `surface_motion`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -19,7 +19,7 @@ pub struct SurfaceMotion {
 
 /// A texel of `surface_motion`; `surface` = (depth ratio, expected previous normal), `None` for the background, whose z and w are
 /// 0.
-pub fn pack_surface_motion(motion: [f32; 2], surface: Option<(f32, [f32; 3])>) -> [u16; 4] {
+pub(crate) fn pack_surface_motion(motion: [f32; 2], surface: Option<(f32, [f32; 3])>) -> [u16; 4] {
     let [x, y] = motion.map(|m| half_bits(m.clamp(-LARGEST_MOTION, LARGEST_MOTION)));
     match surface {
         Some((ratio, normal)) => [x, y, half_bits(ratio.clamp(-LARGEST_HALF, LARGEST_HALF)), octahedral8(normal)],
@@ -38,7 +38,7 @@ pub fn unpack_surface_motion(texel: [u16; 4]) -> SurfaceMotion {
 }
 
 /// A texel of `depth_gradient`: (∂z/∂x, ∂z/∂y) in scene units per pixel.
-pub fn pack_depth_gradient(gradient: [f32; 2]) -> u32 {
+pub(crate) fn pack_depth_gradient(gradient: [f32; 2]) -> u32 {
     let [x, y] = gradient.map(|g| u32::from(half_bits(g.clamp(-LARGEST_HALF, LARGEST_HALF))));
     x | y << 16
 }

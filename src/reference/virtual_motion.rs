@@ -34,7 +34,7 @@ pub(crate) struct VirtualMotion<'a> {
 }
 
 impl<'a> VirtualMotion<'a> {
-    pub fn new(frame: &'a FrameConstants, guide: &Image<[u16; 4]>) -> Self {
+    pub(crate) fn new(frame: &'a FrameConstants, guide: &Image<[u16; 4]>) -> Self {
         Self {
             frame,
             rect: RenderRect::new(frame.render_extent),
@@ -44,7 +44,7 @@ impl<'a> VirtualMotion<'a> {
     }
 
     /// `motion`: of the surface, pixels of the previous frame.
-    pub fn mirror(&self, p: IVec2, motion: [f32; 2]) -> Mirror {
+    pub(crate) fn mirror(&self, p: IVec2, motion: [f32; 2]) -> Mirror {
         let surface = self.surfaces.at(p);
         let position = self.world(p, surface.linear_depth);
         let sight = (self.world(p, 2.0 * surface.linear_depth) - position).normalize();
@@ -57,7 +57,7 @@ impl<'a> VirtualMotion<'a> {
     }
 
     /// How the surface of a pixel is curved.
-    pub fn curvature(&self, mirror: &Mirror) -> Curvature {
+    pub(crate) fn curvature(&self, mirror: &Mirror) -> Curvature {
         let steps = [IVec2::X, IVec2::Y].map(|axis| self.step_along(mirror, axis));
         Curvature::new(mirror.surface.unit_normal(), mirror.sight, steps)
     }
@@ -91,7 +91,7 @@ impl<'a> VirtualMotion<'a> {
 
     /// Where the image of what is seen was, pixels: where a line of sight of the previous frame met the wave front of what is mirrored.
     /// `None`: behind the camera. A surface that moves by itself takes along what is not mirrored alone.
-    pub fn image_position(&self, mirror: &Mirror, curvature: &Curvature, seen: SeenReflection) -> Option<Vec2> {
+    pub(crate) fn image_position(&self, mirror: &Mirror, curvature: &Curvature, seen: SeenReflection) -> Option<Vec2> {
         let still = self.previous_pixel_position(mirror.position)?;
         let share = mirror_share(seen.roughness);
         let (eye, scale) = self.previous_eye_from(mirror.position);
@@ -109,7 +109,7 @@ impl<'a> VirtualMotion<'a> {
 
     /// From a point of the world to where the lines of sight of the previous frame came from, times the w of that homogeneous point, with this
     /// w: 0 where they are parallel.
-    pub fn previous_eye_from(&self, world: Vec3) -> (Vec3, f32) {
+    pub(crate) fn previous_eye_from(&self, world: Vec3) -> (Vec3, f32) {
         let w = self.frame.previous_clip_w_scale;
         let place = Vec4::new(0.0, 0.0, -self.frame.previous_clip_w_offset, w);
         let eye = Mat4::from_cols_array_2d(&self.frame.world_from_previous_sample) * place;

@@ -21,7 +21,7 @@ pub struct VisibilityHistory {
 pub(crate) const LONGEST_HISTORY: f32 = 63.0;
 
 /// A texel of `visibility_history`.
-pub fn pack_visibility(h: &VisibilityHistory) -> u32 {
+pub(crate) fn pack_visibility(h: &VisibilityHistory) -> u32 {
     let round = |x: f32| (x + 0.5).floor() as u32;
     let distance = match h.occluder_distance > 0.0 {
         true => round((h.occluder_distance.log2() * 8.0 + 97.0).clamp(0.5, 255.0)),
@@ -53,28 +53,28 @@ pub(crate) struct Ruler {
 
 impl Ruler {
     /// `gradient`: change of depth from a pixel to the next.
-    pub fn new(frame: &FrameConstants, linear_depth: f32, gradient: [f32; 2]) -> Self {
+    pub(crate) fn new(frame: &FrameConstants, linear_depth: f32, gradient: [f32; 2]) -> Self {
         let size = pixel_size(frame, linear_depth);
         Self { size, gradient: gradient.into() }
     }
 
     /// The longer side of a pixel.
-    pub fn longer(&self) -> f32 {
+    pub(crate) fn longer(&self) -> f32 {
         self.size.max_element()
     }
 
     /// Squared distance of two places that lie so many pixels apart.
-    pub fn squared(&self, offset: Vec2) -> f32 {
+    pub(crate) fn squared(&self, offset: Vec2) -> f32 {
         (self.size * offset).length_squared() + self.gradient.dot(offset).powi(2)
     }
 
     /// The variance of a look between pixels, squared scene units; `f`: how far between them.
-    pub fn blur(&self, f: Vec2) -> f32 {
+    pub(crate) fn blur(&self, f: Vec2) -> f32 {
         (f * (1.0 - f)).dot(self.squared_lengths())
     }
 
     /// Of the ways from a pixel to the next on the surface.
-    pub fn squared_lengths(&self) -> Vec2 {
+    pub(crate) fn squared_lengths(&self) -> Vec2 {
         self.size * self.size + self.gradient * self.gradient
     }
 }

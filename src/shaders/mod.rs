@@ -9,7 +9,6 @@ pub(crate) use atrous_shader::{
     MAX_BINDINGS, MAX_PUSH_BYTES, PRESENT, SET_FOR_ALL, WIRED,
 };
 
-use crate::contract::Access;
 use crate::frame_constants::FrameConstants;
 use ash::vk;
 use std::borrow::Cow;
@@ -67,18 +66,5 @@ pub(crate) const fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {
         BindingKind::StorageImage(..) => vk::DescriptorType::STORAGE_IMAGE,
         BindingKind::UniformBuffer => vk::DescriptorType::UNIFORM_BUFFER,
         BindingKind::StorageBuffer(_) => vk::DescriptorType::STORAGE_BUFFER,
-    }
-}
-
-/// The access of a pass to the resource at a binding.
-pub(crate) const fn access(kind: BindingKind) -> Access {
-    match kind {
-        BindingKind::SampledImage(_) => Access::Sampled,
-        BindingKind::UniformBuffer => Access::Uniform,
-        BindingKind::StorageImage(_, access) | BindingKind::StorageBuffer(access) => match access {
-            BindingAccess::ReadOnly => Access::StorageRead,
-            BindingAccess::WriteOnly => Access::StorageWrite,
-            BindingAccess::ReadWrite => Access::StorageReadWrite,
-        },
     }
 }

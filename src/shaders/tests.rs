@@ -1,6 +1,6 @@
 use super::*;
 use crate::config::{AdaptiveRule, Config, GradientSource, PostProcess, Preset, Sampling, Signals};
-use crate::contract::{Dispatch, ImageFormat, PassDecl, Shape, Use};
+use crate::contract::{Access, Dispatch, ImageFormat, PassDecl, Shape, Use};
 use crate::{Declaration, UseFrame};
 use std::collections::BTreeSet;
 
@@ -85,7 +85,7 @@ fn uses_equal_the_bindings_in_order_access_and_format() {
                 };
                 let resource = declaration.resource(used.resource);
                 let what = format!("{}: {} bound to {}", pass.name, resource.name, binding.name);
-                assert_eq!(used.access, access(binding.kind), "{what}");
+                assert_eq!(used.access, Access::of(binding.kind), "{what}");
                 match (binding.kind, resource.shape) {
                     (BindingKind::SampledImage(component), Shape::Image { format, .. }) => {
                         assert_eq!(crate::contract::component_of(format.preferred()), Some(component), "{what}");

@@ -71,7 +71,7 @@ fn pass_names(declaration: &Declaration) -> String {
 fn seeds_reach_every_stage() {
     let declarations: Vec<_> = SEEDS.map(|seed| random::declare(seed, EXTENT)).collect();
     let stages: BTreeSet<_> = declarations.iter().flat_map(|d| d.passes()).filter_map(|pass| pass.stage()).collect();
-    let known: BTreeSet<_> = atrous::nodes::STAGES.iter().map(|stage| stage.name).collect();
+    let known: BTreeSet<_> = atrous::nodes::STAGES.iter().copied().collect();
     assert_eq!(stages, known);
     for part in ["temporal_accumulation_again", "atrous_other_0", "temporal_accumulation_ao", "forward_project_resolve", "taa"] {
         assert!(declarations.iter().any(|d| d.passes().iter().any(|pass| pass.name == part)), "no graph has {part}");

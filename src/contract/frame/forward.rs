@@ -16,7 +16,7 @@ pub(super) struct ForwardProjection {
 }
 
 impl ForwardProjection {
-    pub fn new(conventions: &Conventions, now: &FrameParams, before: &FrameParams) -> Self {
+    pub(crate) fn new(conventions: &Conventions, now: &FrameParams, before: &FrameParams) -> Self {
         let forward = match conventions.view_forward {
             ViewForward::NegativeZ => -1.0,
             ViewForward::PositiveZ => 1.0,

@@ -64,7 +64,7 @@ struct Copied {
 const TRANSFORM_BYTES: usize = size_of::<InstanceTransform>();
 
 impl Capturing {
-    pub fn new(host: crate::Device<'_>) -> Self {
+    pub(crate) fn new(host: crate::Device<'_>) -> Self {
         // SAFETY: the handles are live, as `Executor::new` demands.
         let memory_types = unsafe { host.instance.get_physical_device_memory_properties(host.physical_device) };
         Self {
@@ -84,7 +84,7 @@ impl Capturing {
         self.remaining + u32::from(self.begun.is_some()) + self.slots.values().filter(|s| s.frame.is_some()).count() as u32
     }
 
-    pub fn begin_frame(&mut self, frame: &FrameContext, params: &FrameParams, tuning: &Tuning) {
+    pub(crate) fn begin_frame(&mut self, frame: &FrameContext, params: &FrameParams, tuning: &Tuning) {
         // One that was begun and never recorded does not count.
         self.remaining += u32::from(self.begun.take().is_some());
         if self.remaining == 0 {
@@ -100,7 +100,7 @@ impl Capturing {
     ///
     /// # Safety
     /// GPU work recorded with the slot for earlier frames is complete.
-    pub unsafe fn collect(&mut self, frame: &FrameContext) {
+    pub(crate) unsafe fn collect(&mut self, frame: &FrameContext) {
         if self.slots.get(&frame.slot).and_then(|s| s.frame).is_some_and(|f| f.index != frame.index) {
             // SAFETY: GPU work recorded with the slot for earlier frames is complete, so that nothing writes to its buffers.
             unsafe { self.write(frame.slot) };
@@ -147,7 +147,7 @@ impl Capturing {
     }
 
     /// Ends the capture where the copies of a frame may never run.
-    pub fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         let waiting = self.slots.values().find_map(|slot| slot.frame);
         if let Some((frame, writer)) = waiting.zip(self.writer.as_ref()) {
             let number = frame.index.wrapping_sub(self.first_index.unwrap_or(frame.index));
@@ -185,7 +185,7 @@ impl Capturing {
     ///
     /// # Safety
     /// All GPU work that was recorded is complete.
-    pub unsafe fn end_before_resize(&mut self) {
+    pub(crate) unsafe fn end_before_resize(&mut self) {
         // SAFETY: all GPU work that was recorded is complete.
         unsafe { self.write_all() };
         let lacking = self.outstanding();

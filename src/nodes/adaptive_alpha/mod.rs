@@ -4,9 +4,9 @@
 
 pub(crate) mod twin;
 
-use super::Tested;
+use super::{pass, Tested};
 use crate::contract::Lifetime;
-use crate::graph::{Confidence, Gradient, Graph, Image, Pass, Port, CONFIDENCE, HOST_SCALAR};
+use crate::graph::{Confidence, Gradient, Graph, Image, Port, CONFIDENCE, HOST_SCALAR};
 use crate::shaders;
 
 /// Confidence from gradients in two kinds of history.
@@ -48,7 +48,7 @@ impl Graph {
     fn add_adaptive_alpha(&mut self, gradient: &Gradient, tested: Option<&Tested>, unscaled: Option<Image>) -> Confidence {
         let node = self.node("adaptive_alpha", "");
         let confidence = self.confidence_image("history_confidence");
-        let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_0)
+        let pass = pass(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_0)
             .constant("STRATUM_SIZE", gradient.stratum_size)
             .bind("gradient", gradient.image)
             .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
@@ -64,7 +64,7 @@ impl Graph {
     pub fn host_confidence(&mut self) -> Confidence {
         let node = self.node("adaptive_alpha", "");
         let confidence = self.confidence_image("history_confidence");
-        let pass = Pass::new(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_1)
+        let pass = pass(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_1)
             .bind("confidence", self.input("confidence", HOST_SCALAR, 1, false))
             .bind("history_confidence", confidence);
         self.add(pass);

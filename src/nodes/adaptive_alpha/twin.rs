@@ -2,13 +2,15 @@
 
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
+use crate::reference::compare::Rule;
 use crate::reference::light_ratio::stratum_coherence;
+use crate::reference::rules::{pixels, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 
 /// Source of the confidence.
 #[derive(Clone, Copy, Debug)]
-pub enum AdaptiveAlphaInput<'a> {
+pub(crate) enum AdaptiveAlphaInput<'a> {
     /// The reconstructed gradient.
     Gradient {
         /// One texel a stratum: x: δ, y: Δ.
@@ -28,7 +30,7 @@ pub enum AdaptiveAlphaInput<'a> {
 
 /// Outputs of [`adaptive_alpha`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct AdaptiveAlphaOutputs {
+pub(crate) struct AdaptiveAlphaOutputs {
     /// 1 − λ: 1 keeps the history, which the ratio of light scales where there is one, 0 drops it.
     pub history_confidence: Image<f32>,
     /// The same of a history that nothing scales.
@@ -36,7 +38,7 @@ pub struct AdaptiveAlphaOutputs {
 }
 
 /// Confidence for images of `extent`.
-pub fn adaptive_alpha(
+pub(crate) fn adaptive_alpha(
     frame: &FrameConstants,
     tuning: &Tuning,
     extent: [u32; 2],
@@ -82,6 +84,9 @@ fn change(tuning: &Tuning, [change, brightest, ..]: [f32; 4]) -> f32 {
         0.0
     }
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF), pixels("unscaled_confidence", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,11 +4,12 @@
 
 pub(crate) mod twin;
 
-use super::{by_signals, UNREAD};
+use super::{by_signals, pass, UNREAD};
 use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Reflection, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};
 
-pub use crate::kernel::Kernel;
+mod kernel;
+pub use kernel::Kernel;
 
 /// Parameters of the node `atrous`.
 #[derive(Clone, Copy, Debug)]
@@ -156,7 +157,7 @@ impl Graph {
 }
 
 fn level_pass(node: &str, name: String, module: &'static Shader, level: u32) -> Pass {
-    Pass::new(node, module).named(name).level(level)
+    pass(node, module).named(name).level(level)
 }
 
 /// The two images of every signal that the levels write in turn.

@@ -1,12 +1,16 @@
 //! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
-use crate::kernel::Kernel;
+use super::kernel::Kernel;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::luminance::texel_luminance;
+use crate::reference::rules::FILTERED;
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{Error, FrameConstants, Tuning};
+#[cfg(test)]
+use crate::Tuning;
+use crate::{Error, FrameConstants};
 use glam::IVec2;
 use lobes::Lobes;
 
@@ -17,13 +21,14 @@ mod lobes;
 mod tests;
 
 /// Tolerated difference of luminance where the variance is 0.
-pub const LUMINANCE_EPSILON: f32 = 1e-4;
+pub(crate) const LUMINANCE_EPSILON: f32 = 1e-4;
 /// Share of the tap's deviation in the tolerance, where it has one.
 const TAP_SHARE: f32 = 0.25;
 
 /// Inputs of [`atrous`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct AtrousInputs<'a> {
+#[cfg(test)]
+pub(crate) struct AtrousInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
@@ -36,7 +41,7 @@ pub struct AtrousInputs<'a> {
 
 /// One level of the filter.
 #[derive(Clone, Copy, Debug)]
-pub struct AtrousLevel {
+pub(crate) struct AtrousLevel {
     /// Number of the level: taps are `2^number` pixels apart, those of a box as [`Kernel::Box`] says.
     pub number: u32,
     /// Kernel.
@@ -49,20 +54,23 @@ pub struct AtrousLevel {
 
 impl AtrousLevel {
     /// A level of \[SVGF\].
-    pub fn new(number: u32) -> Self {
+    #[cfg(test)]
+    pub(crate) fn new(number: u32) -> Self {
         Self { number, kernel: Kernel::Spline, smooth_deviation: true, shared_deviation: false }
     }
 }
 
 /// Filters every signal with the taps of a level; they share the geometry weights. Texels of the result are as those of the input.
-pub fn atrous(frame: &FrameConstants, tuning: &Tuning, level: AtrousLevel, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
+#[cfg(test)]
+pub(crate) fn atrous(frame: &FrameConstants, tuning: &Tuning, level: AtrousLevel, inputs: &AtrousInputs) -> Vec<Image<[f32; 4]>> {
     let lobes = inputs.reflection.map(|reflection| Lobes::new(frame, tuning, inputs.guide, reflection));
     filter(frame, &Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient), lobes.as_ref(), level, inputs.irradiance)
 }
 
 /// [`atrous`] for the radiance of a volume before the surfaces of `guide`: weights by the depth behind alone, and no background
 /// \[PSVGF\].
-pub fn volume_atrous(
+#[cfg(test)]
+pub(crate) fn volume_atrous(
     frame: &FrameConstants,
     tuning: &Tuning,
     level: AtrousLevel,
@@ -167,6 +175,9 @@ fn blurred_deviation(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32
     }
     (variance / f32::max(sum, 0.25)).sqrt()
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = FILTERED;
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,9 +4,9 @@
 
 pub(crate) mod twin;
 
-use super::BLOCK_SIZE;
+use super::{pass, BLOCK_SIZE};
 use crate::contract::Grid;
-use crate::graph::{Difference, Graph, Guides, History, Irradiance, Pass, PACKED_64};
+use crate::graph::{Difference, Graph, Guides, History, Irradiance, PACKED_64};
 use crate::shaders;
 
 impl Graph {
@@ -24,7 +24,7 @@ impl Graph {
                 );
                 continue;
             };
-            let pass = Pass::new(&node, &shaders::BLOCK_DIFFERENCE)
+            let pass = pass(&node, &shaders::BLOCK_DIFFERENCE)
                 .grid(Grid::Columns(BLOCK_SIZE))
                 .bind("guide", guides.guide)
                 .previous("previous_guide", guides.guide)

@@ -3,15 +3,18 @@
 use crate::reference::binary16::{from_half_bits, half_bits, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
+use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
 use crate::reference::nearest_history::HistoryGuides;
-use crate::reference::{Image, SignalHistory};
+use crate::reference::nearest_history::SignalHistory;
+use crate::reference::rules::{rule, HALF};
+use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 
 /// Statistics that a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// Mean of the differences, this frame minus the history.
     pub mean: f32,
     /// Standard deviation of one difference, that of the history's own noise included.
@@ -23,20 +26,20 @@ pub struct Difference {
 }
 
 /// A texel of `block_difference*`.
-pub fn pack_difference(difference: &Difference) -> [u16; 4] {
+pub(crate) fn pack_difference(difference: &Difference) -> [u16; 4] {
     let limited = |x: f32| half_bits(x.clamp(-LARGEST_HALF, LARGEST_HALF));
     [limited(difference.mean), limited(difference.deviation), limited(difference.count), limited(difference.brighter)]
 }
 
 /// The content of a texel of `block_difference*`.
-pub fn unpack_difference(texel: [u16; 4]) -> Difference {
+pub(crate) fn unpack_difference(texel: [u16; 4]) -> Difference {
     let [mean, deviation, count, brighter] = texel.map(from_half_bits);
     Difference { mean, deviation, count, brighter }
 }
 
 /// Inputs of [`block_difference`].
 #[derive(Clone, Copy, Debug)]
-pub struct BlockDifferenceInputs<'a> {
+pub(crate) struct BlockDifferenceInputs<'a> {
     /// Guides of both frames.
     pub guides: HistoryGuides<'a>,
     /// rgb: irradiance of one signal, as left by `firefly` or `fill_holes`; a negative alpha marks a pixel without a sample.
@@ -46,7 +49,7 @@ pub struct BlockDifferenceInputs<'a> {
 }
 
 /// One texel a block; see [`unpack_difference`].
-pub fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockDifferenceInputs) -> Image<[u16; 4]> {
+pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockDifferenceInputs) -> Image<[u16; 4]> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.guides.guide), blocks.extent(), |block| {
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
@@ -69,6 +72,10 @@ fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
     let variance = mean(&|pair| (pair.0 - pair.1 - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.2));
     Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter: now.max(before) }
 }
+
+/// A pixel whose position or depth lies on its threshold may count on one side alone.
+pub(crate) const RULES: &[Rule] =
+    &[rule("block_difference", Per::Block, Values::Halves, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::config::BlockSort;
-use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance, PACKED_32};
+use crate::graph::{Graph, Guides, Irradiance, Percentiles, Port, VolumeRadiance, PACKED_32};
 use crate::shaders;
 
 /// Pixels a side of a block, which is a workgroup.
@@ -27,7 +28,7 @@ impl Graph {
         for (input, output) in port.images().iter().zip(percentiles.images()) {
             let label = self.label(*input).to_owned();
             let node = self.node("block_percentiles", &label);
-            let pass = Pass::new(&node, &shaders::BLOCK_PERCENTILES)
+            let pass = pass(&node, &shaders::BLOCK_PERCENTILES)
                 .constant("VOLUME", u32::from(volume))
                 .constant("ODD_EVEN", u32::from(sort == BlockSort::OddEven))
                 .bind("guide", guides.guide)

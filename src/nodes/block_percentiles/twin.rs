@@ -3,15 +3,17 @@
 use crate::reference::binary16::{from_half_bits, half_bits, store};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
+use crate::reference::compare::{Per, Rule, Values};
 use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
+use crate::reference::rules::{rule, HALF};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 /// Percentiles of the luminance of the irradiance of a block's surface pixels; 0, 0 without any.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Percentiles {
+pub(crate) struct Percentiles {
     /// The lower one.
     pub low: f32,
     /// The upper one.
@@ -26,18 +28,18 @@ impl Percentiles {
 }
 
 /// A texel of `block_percentiles*`.
-pub fn pack_percentiles(percentiles: &Percentiles) -> u32 {
+pub(crate) fn pack_percentiles(percentiles: &Percentiles) -> u32 {
     u32::from(half_bits(store(percentiles.low))) | u32::from(half_bits(store(percentiles.up))) << 16
 }
 
 /// The content of a texel of `block_percentiles*`.
-pub fn unpack_percentiles(texel: u32) -> Percentiles {
+pub(crate) fn unpack_percentiles(texel: u32) -> Percentiles {
     Percentiles { low: from_half_bits(texel as u16), up: from_half_bits((texel >> 16) as u16) }
 }
 
 /// Inputs of [`block_percentiles`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct BlockPercentilesInputs<'a> {
+pub(crate) struct BlockPercentilesInputs<'a> {
     /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
     pub guide: Option<&'a Image<[u16; 4]>>,
     /// rgb: irradiance of one signal, as written by `demodulate`; a negative alpha marks a pixel without a sample.
@@ -45,7 +47,7 @@ pub struct BlockPercentilesInputs<'a> {
 }
 
 /// One texel a block; see [`unpack_percentiles`].
-pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockPercentilesInputs) -> Image<u32> {
+pub(crate) fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &BlockPercentilesInputs) -> Image<u32> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(allocated_blocks(inputs.irradiance), blocks.extent(), |block| {
         let is_sample = |p: &IVec2| inputs.irradiance.at(*p)[3] >= 0.0;
@@ -62,6 +64,9 @@ pub fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs: &Block
         pack_percentiles(&Percentiles { low: at(low), up: at(tuning.percentile_up) })
     })
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[rule("block_percentiles", Per::Block, Values::Halves, HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,9 +4,9 @@
 
 pub(crate) mod twin;
 
-use super::BLOCK_SIZE;
+use super::{pass, BLOCK_SIZE};
 use crate::contract::{Grid, Lifetime};
-use crate::graph::{Confidence, Difference, Graph, Image, Pass, Port, Steadiness, CONFIDENCE};
+use crate::graph::{Confidence, Difference, Graph, Image, Port, Steadiness, CONFIDENCE};
 use crate::shaders;
 
 /// Result of the change test of a history, for [`Graph::adaptive_alpha`].
@@ -43,7 +43,7 @@ impl Graph {
         let label = self.label_of(difference);
         let node = self.node("change_test", &label);
         let confidence = self.named_image("history_confidence", &label, CONFIDENCE, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::CHANGE_TEST)
+        let pass = pass(&node, &shaders::CHANGE_TEST)
             .grid(Grid::Columns(BLOCK_SIZE))
             .bind("history_confidence", confidence)
             .each("block_difference", difference.images())

@@ -5,12 +5,14 @@ use crate::nodes::block_difference::twin::unpack_difference;
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
+use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::rules::{pixels, rule, STEEP};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 /// Share of the mean luminance below which a change is not worth the history, however certain it is.
-pub const CHANGE_EPSILON: f32 = 0.01;
+pub(crate) const CHANGE_EPSILON: f32 = 0.01;
 
 /// Shares of the threshold between which steadiness falls from 1 to 0: of the mean difference over 3×3 blocks.
 const STEADY_MEAN: [f32; 2] = [0.6, 1.2];
@@ -19,7 +21,7 @@ const STEADY_BLOCK: [f32; 2] = [1.0, 1.6];
 
 /// Outputs of [`change_test`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct ChangeTestOutputs {
+pub(crate) struct ChangeTestOutputs {
     /// 1, keep the history, to 0, drop it.
     pub history_confidence: Image<f32>,
     /// One texel a block: 1 where neither the mean nor one of its blocks departs by what could be more than noise, to 0.
@@ -27,7 +29,7 @@ pub struct ChangeTestOutputs {
 }
 
 /// The test in both directions, on `block_difference` of every signal; `extent` is the allocated one.
-pub fn change_test(
+pub(crate) fn change_test(
     frame: &FrameConstants,
     tuning: &Tuning,
     extent: [u32; 2],
@@ -69,6 +71,9 @@ fn errors([sum, variance, brighter]: [f32; 3]) -> f32 {
     let least = CHANGE_EPSILON * brighter;
     sum.abs() / (variance + least * least).sqrt().max(1e-6)
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", STEEP), rule("steadiness", Per::Block, Values::Plain, STEEP)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -5,10 +5,11 @@
 mod legend;
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::{Lifetime, Phase};
 use crate::graph::{
-    Confidence, Display, Gradient, Graph, Guides, History, Pass, Percentiles, Port, Radiance, Reflection, VisibilityAccumulated,
-    HDR, HOST_COLOUR,
+    Confidence, Display, Gradient, Graph, Guides, History, Percentiles, Port, Radiance, Reflection, VisibilityAccumulated, HDR,
+    HOST_COLOUR,
 };
 use crate::shaders;
 pub use legend::{Ramp, ViewLegend};
@@ -59,7 +60,7 @@ impl Graph {
     pub fn debug_view(&mut self, guides: &Guides, known: &Known) -> Display {
         let node = self.node("debug_view", "");
         let shown = self.named_image("view", "", HDR, 1, Lifetime::Transient);
-        let mut pass = Pass::new(&node, &shaders::DEBUG_VIEW)
+        let mut pass = pass(&node, &shaders::DEBUG_VIEW)
             .phase(Phase::PostProcess)
             .view()
             .bind("guide", guides.guide)

@@ -8,6 +8,7 @@ use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::nodes::demodulate::twin::divisor;
 use crate::nodes::firefly::twin::limit_around;
 use crate::reference::binary16::round_image_to_half;
+use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::blocks::block_of;
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::luminance::texel_luminance;
@@ -17,7 +18,7 @@ use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unp
 use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::virtual_motion::VirtualMotion;
 use crate::reference::visibility::{unpack_visibility, VisibilityHistory};
-use crate::reference::{Image, Moments, LARGEST_HALF};
+use crate::reference::{Image, Moments};
 use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2};
 
@@ -25,7 +26,7 @@ mod adapter;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use adapter::twin;
+pub(crate) use adapter::{twin, RULES};
 
 /// Kinds of input that are counted.
 const BAD_KINDS: u32 = 12;
@@ -33,7 +34,7 @@ const BAD_KINDS: u32 = 12;
 /// Inputs of [`debug_view`]; what the preset lacks is empty or `None`. Images have the allocated extent, but for those of blocks
 /// and strata.
 #[derive(Clone, Copy, Debug)]
-pub struct DebugViewInputs<'a> {
+pub(crate) struct DebugViewInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
@@ -63,7 +64,7 @@ pub struct DebugViewInputs<'a> {
 }
 
 /// rgb: display-referred, linear 0 to 1; alpha: the number behind the colour. Half precision.
-pub fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &DebugViewInputs, view: DebugView) -> Image<[f32; 4]> {
+pub(crate) fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &DebugViewInputs, view: DebugView) -> Image<[f32; 4]> {
     let extent = inputs.guide.extent();
     let virtual_motion = (view == DebugView::VirtualMotion).then(|| VirtualMotion::new(frame, inputs.guide));
     let image = Image::compute(extent, frame.render_extent, |p| {

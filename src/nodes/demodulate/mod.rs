@@ -4,6 +4,7 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::config::Sampling;
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, HDR, HOST_COLOUR, HOST_SCALAR};
 use crate::shaders;
@@ -74,7 +75,7 @@ impl Graph {
         let irradiance: Irradiance = self.image_each(noisy, "filter_ping", HDR, 1);
         let kept = demodulate.gradient.and_then(|gradient| gradient.kept);
         let module = if kept.is_some() { &shaders::DEMODULATE_LUMINANCE_1 } else { &shaders::DEMODULATE_LUMINANCE_0 };
-        let mut pass = Pass::new(&node, module)
+        let mut pass = pass(&node, module)
             .constant("PAINTING", demodulate.sampling as u32)
             .bind("guide", guides.guide)
             .each("noisy", noisy.images())

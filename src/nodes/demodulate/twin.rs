@@ -2,13 +2,15 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Values};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::kept_radiance::{finite_radiance, is_finite, kept_radiance, pack_halves};
-use crate::reference::luminance::luminance;
+use crate::reference::luminance::{luminance, HOLE};
 use crate::reference::reflection::FARTHEST_HIT;
+use crate::reference::rules::{pixels, rounded, rule, HALF, STATISTICS};
 use crate::reference::specular_albedo::specular_albedo_from;
 use crate::reference::statistics::count;
-use crate::reference::{Image, HOLE};
+use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 use glam::IVec2;
@@ -17,11 +19,11 @@ use glam::IVec2;
 mod tests;
 
 /// Smallest divisor: below it, noise of a nearly black surface would be amplified without bound.
-pub const ALBEDO_EPSILON: f32 = 0.01;
+pub(crate) const ALBEDO_EPSILON: f32 = 0.01;
 
 /// Inputs of [`demodulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct DemodulateInputs<'a> {
+pub(crate) struct DemodulateInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: noisy radiance of every signal, linear, scene units.
@@ -38,7 +40,7 @@ pub struct DemodulateInputs<'a> {
 
 /// Outputs of [`demodulate`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct DemodulateOutputs {
+pub(crate) struct DemodulateOutputs {
     /// rgb: irradiance of every signal, half precision; alpha 0, [`HOLE`] where the input is sub-sampled and not finite,
     /// or the hit distance (0: unknown; [`FARTHEST_HIT`]: beyond the scene) where that is given.
     pub irradiance: Vec<Image<[f32; 4]>>,
@@ -77,7 +79,7 @@ fn stored_hit_distance(distance: f32) -> (f32, bool) {
 }
 
 /// Divides the radiance of every signal by the albedo. The background passes.
-pub fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> DemodulateOutputs {
+pub(crate) fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> DemodulateOutputs {
     let extent = inputs.guide.extent();
     let divisors = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
@@ -138,7 +140,7 @@ pub(crate) fn luminances(
 
 /// Luminance of the radiance of all signals, -1 where one is not finite, and of the albedo, of every pixel as two halves: what the next
 /// frame compares with.
-pub fn noisy_luminance(
+pub(crate) fn noisy_luminance(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
     noisy: &[&Image<[f32; 4]>],
@@ -148,12 +150,23 @@ pub fn noisy_luminance(
 }
 
 /// Red and blue of the radiance of all signals that are finite, of every pixel as two halves.
-pub fn noisy_red_blue(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], extent: [u32; 2]) -> Image<u32> {
+pub(crate) fn noisy_red_blue(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], extent: [u32; 2]) -> Image<u32> {
     Image::compute(extent, frame.render_extent, |p| {
         let [r, _, b] = finite_radiance(noisy, p);
         pack_halves([r, b])
     })
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
+    pixels("irradiance_0", HALF),
+    pixels("irradiance_1", HALF),
+    rounded("irradiance_0"),
+    rounded("irradiance_1"),
+    rule("noisy_luminance", Per::Pixel, Values::Halves, HALF),
+    rule("noisy_red_blue", Per::Pixel, Values::Halves, HALF),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

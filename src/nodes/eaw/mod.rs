@@ -6,8 +6,9 @@ pub(crate) mod twin;
 
 use super::atrous::Levels;
 use super::by_signals;
+use super::pass;
 use crate::config::{EawWeights, Sampling};
-use crate::graph::{Graph, Guides, History, Irradiance, Pass};
+use crate::graph::{Graph, Guides, History, Irradiance};
 use crate::shaders;
 
 /// Parameters of the node `eaw`.
@@ -37,7 +38,7 @@ impl Graph {
         let module = by_signals(irradiance, &shaders::EAW_SIGNALS_1, &shaders::EAW_SIGNALS_2);
         let levels = Levels { node: &node, count: eaw.levels, feedback: eaw.feedback };
         self.levels(levels, irradiance, |name, level| {
-            Pass::new(&node, module)
+            pass(&node, module)
                 .named(name)
                 .level(level)
                 .constant("RADIANCE", u32::from(eaw.weights.radiance))

@@ -3,8 +3,10 @@
 use crate::config::EawWeights;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::projection::view_position;
+use crate::reference::rules::FILTERED;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::{IVec2, Vec3};
@@ -15,15 +17,12 @@ mod tests;
 /// The B3 spline: one axis of the 5×5 kernel.
 const KERNEL: [f32; 5] = [1.0 / 16.0, 1.0 / 4.0, 3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0];
 
-/// Alpha of a pixel without a sample.
-pub const HOLE: f32 = -1.0;
-
 /// Sum of weights below which a hole sees no pixel of its kind.
 const SMALLEST_WEIGHT_SUM: f32 = 1e-6;
 
 /// Inputs of [`eaw`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct EawInputs<'a> {
+pub(crate) struct EawInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// Irradiance of every signal in rgb; alpha: [`HOLE`] where there is none.
@@ -35,7 +34,7 @@ pub struct EawInputs<'a> {
 }
 
 /// Filters every signal with taps `2^level` pixels apart. Texels of the result are as those of the input; holes become fewer.
-pub fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &EawInputs) -> Vec<Image<[f32; 4]>> {
+pub(crate) fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &EawInputs) -> Vec<Image<[f32; 4]>> {
     let extent = inputs.guide.extent();
     let points = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
@@ -116,6 +115,9 @@ fn filtered(frame: &FrameConstants, edges: &Edges, points: &Image<(Surface, Vec3
 fn rgb([r, g, b, _]: [f32; 4]) -> Vec3 {
     Vec3::new(r, g, b)
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = FILTERED;
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::config::Sampling;
-use crate::graph::{Graph, Guides, Irradiance, Pass, HDR};
+use crate::graph::{Graph, Guides, Irradiance, HDR};
 use crate::shaders;
 
 impl Graph {
@@ -23,7 +24,7 @@ impl Graph {
         for (from, to) in irradiance.images().iter().zip(filled.images()) {
             let label = self.label(*from).to_owned();
             let node = self.node("fill_holes", &label);
-            let pass = Pass::new(&node, &shaders::FILL_HOLES)
+            let pass = pass(&node, &shaders::FILL_HOLES)
                 .constant("RADIUS", radius)
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)

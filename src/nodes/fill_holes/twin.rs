@@ -2,19 +2,21 @@
 
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::geometry_weights::Geometry;
+use crate::reference::rules::{pixels, HALF, STATISTICS};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
 
 /// Inputs of [`fill_holes`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct FillHolesInputs<'a> {
+pub(crate) struct FillHolesInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// rgb: irradiance of one signal; alpha: [`HOLE`](crate::reference::HOLE) where there is none.
+    /// rgb: irradiance of one signal; alpha: [`HOLE`](crate::reference::luminance::HOLE) where there is none.
     pub holed: &'a Image<[f32; 4]>,
     /// Pixels to each side in which samples are looked for.
     pub radius: u32,
@@ -22,7 +24,7 @@ pub struct FillHolesInputs<'a> {
 
 /// Irradiance without holes, half precision, alpha as it came; and how many holes had no sample around them, as radiance that is not
 /// finite.
-pub fn fill_holes(frame: &FrameConstants, tuning: &Tuning, inputs: &FillHolesInputs) -> (Image<[f32; 4]>, Statistics) {
+pub(crate) fn fill_holes(frame: &FrameConstants, tuning: &Tuning, inputs: &FillHolesInputs) -> (Image<[f32; 4]>, Statistics) {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let texels = Image::compute(inputs.holed.extent(), frame.render_extent, |p| {
         let [.., alpha] = inputs.holed.at(p);
@@ -68,6 +70,9 @@ fn weighted_mean(taps: &[Tap], weight: impl Fn(&Tap) -> f32, least: f32) -> Opti
     (sum > least).then(|| [0, 1, 2].map(component))
 }
 
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("filled", HALF)];
+
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = FillHolesInputs {
@@ -84,8 +89,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference::luminance::HOLE;
     use crate::reference::test_scene::*;
-    use crate::reference::{Surface, HOLE};
+    use crate::reference::Surface;
 
     const EXTENT: [u32; 2] = [9, 6];
 

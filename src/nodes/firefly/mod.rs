@@ -5,9 +5,9 @@
 
 pub(crate) mod twin;
 
-use super::BLOCK_SIZE;
+use super::{pass, BLOCK_SIZE};
 use crate::contract::Grid;
-use crate::graph::{Graph, Guides, Irradiance, Pass, Percentiles, Port, VolumeRadiance};
+use crate::graph::{Graph, Guides, Irradiance, Percentiles, Port, VolumeRadiance};
 use crate::shaders;
 
 impl Graph {
@@ -29,7 +29,7 @@ impl Graph {
         for (image, percentiles) in port.images().iter().zip(percentiles.images()) {
             let label = self.label(*image).to_owned();
             let node = self.node("firefly", &label);
-            let pass = Pass::new(&node, &shaders::FIREFLY)
+            let pass = pass(&node, &shaders::FIREFLY)
                 .grid(Grid::Columns(BLOCK_SIZE))
                 .constant("VOLUME", u32::from(volume))
                 .bind("guide", guides.guide)

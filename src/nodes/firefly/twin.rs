@@ -5,15 +5,17 @@ use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
+use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
+use crate::reference::rules::{pixels, rounded, HALF};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]
-pub struct FireflyInputs<'a> {
+pub(crate) struct FireflyInputs<'a> {
     /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
     pub guide: Option<&'a Image<[u16; 4]>>,
     /// The image `block_percentiles` of this signal, from the stage of that name.
@@ -23,7 +25,7 @@ pub struct FireflyInputs<'a> {
 }
 
 /// rgb: irradiance without outliers, half precision; alpha as it came.
-pub fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyInputs) -> Image<[f32; 4]> {
+pub(crate) fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyInputs) -> Image<[f32; 4]> {
     let takes_part = |p| {
         let is_background = inputs.guide.is_some_and(|guide| unpack_guide(guide.at(p)).is_background());
         !is_background && inputs.irradiance.at(p)[3] >= 0.0
@@ -82,6 +84,9 @@ pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percen
     Blocks::new(frame.render_extent).rect().window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max)
 }
 
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradiance")];
+
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = FireflyInputs {
@@ -96,8 +101,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::nodes::block_percentiles::twin::{block_percentiles, BlockPercentilesInputs};
     use crate::reference::test_scene::*;
-    use crate::reference::{block_percentiles, BlockPercentilesInputs};
 
     const EXTENT: [u32; 2] = [45, 30];
 

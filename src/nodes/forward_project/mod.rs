@@ -6,8 +6,9 @@
 pub(crate) mod twin;
 
 use super::gradient::check_stratum_size;
+use super::pass;
 use crate::contract::{Grid, Lifetime, Phase};
-use crate::graph::{GradientSamples, Graph, Guides, Pass, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};
+use crate::graph::{GradientSamples, Graph, Guides, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `forward_project`.
@@ -49,7 +50,7 @@ impl Graph {
             (true, true) => &shaders::FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1,
         };
         let pass = |resolve: bool, name: &str| {
-            Pass::new(&node, module(resolve))
+            pass(&node, module(resolve))
                 .named(format!("{node}_{name}"))
                 .phase(Phase::BeforeLighting)
                 .grid(Grid::Strata(size))

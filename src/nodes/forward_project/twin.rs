@@ -3,12 +3,14 @@
 
 use crate::config::MotionUnit;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::conventions::{is_reset, motion_points_up, motion_unit};
 use crate::reference::forward_projection::{
     covering_pixel, invert_transform, is_visible, previous_world_position, project, ForwardPosition,
 };
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::reprojection::InstanceTransform;
+use crate::reference::rules::{strata, EXACT, STATISTICS};
 use crate::reference::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
@@ -24,7 +26,7 @@ const CANDIDATE_SALT: u32 = 0x9e37_79b9;
 
 /// Inputs of both passes; guides have the allocated extent, candidates one texel a stratum of it.
 #[derive(Clone, Copy, Debug)]
-pub struct ForwardProjectInputs<'a> {
+pub(crate) struct ForwardProjectInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
@@ -42,7 +44,7 @@ pub struct ForwardProjectInputs<'a> {
 
 /// Guide and candidates that the previous frame left.
 #[derive(Clone, Copy, Debug)]
-pub struct PreviousCandidates<'a> {
+pub(crate) struct PreviousCandidates<'a> {
     /// The guide of the previous frame.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `candidates`, from [`forward_project_resolve`].
@@ -51,7 +53,7 @@ pub struct PreviousCandidates<'a> {
 
 /// Outputs of [`forward_project_resolve`], one texel a stratum of the allocated extent.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ForwardProjectOutputs {
+pub(crate) struct ForwardProjectOutputs {
     /// See [`crate::reference::unpack_gradient_sample`].
     pub gradient_samples: Image<[u16; 4]>,
     /// x, y: the pixel that the next frame carries forward, 65535 for none; z, w: its surface id.
@@ -60,7 +62,7 @@ pub struct ForwardProjectOutputs {
 
 /// Projects the candidates of the previous frame. Each claims the stratum that it lands in: the largest key stays, 0 is nobody's.
 /// Counts the forward motions that are not finite.
-pub fn forward_project_claim(
+pub(crate) fn forward_project_claim(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &ForwardProjectInputs,
@@ -87,7 +89,7 @@ pub fn forward_project_claim(
 
 /// Writes down the sample whose key stayed in each stratum, and picks the candidates of the next frame; `surface_id` are the host's
 /// ids.
-pub fn forward_project_resolve(
+pub(crate) fn forward_project_resolve(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &ForwardProjectInputs,
@@ -228,6 +230,10 @@ enum Host {
     Bad,
     Position(ForwardPosition),
 }
+
+/// Equal to the bit; claims lie a texel a stratum.
+pub(crate) const RULES: &[Rule] =
+    &[STATISTICS, strata("claims", EXACT), strata("gradient_samples", EXACT), strata("candidates", EXACT)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,6 +4,7 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::{Grid, Lifetime};
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, KeptLuminance, Pass, Radiance};
 use crate::graph::{HDR, HOST_COLOUR, PACKED_32, PACKED_64};
@@ -74,7 +75,7 @@ impl Graph {
         let size = check_stratum_size(self, &node, source.stratum_size());
         let image = self.strata_image("gradient", size);
         let guide = self.named_image("gradient_guide", "", PACKED_64, size, Lifetime::Transient);
-        let mut pass = Pass::new(&node, &shaders::GRADIENT)
+        let mut pass = pass(&node, &shaders::GRADIENT)
             .grid(Grid::Strata(size))
             .constant("STRATUM_SIZE", size)
             .bind("guide", guides.guide)

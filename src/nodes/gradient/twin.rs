@@ -4,10 +4,12 @@
 use crate::nodes::demodulate::twin::luminances;
 use crate::reference::binary16::{from_half_bits, round_to_half, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Rule, Tolerance, When};
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
 use crate::reference::kept_radiance::{is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
 use crate::reference::projection::extent_ratio;
+use crate::reference::rules::{strata, EXACT};
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::{render_rect::RenderRect, Image};
@@ -19,7 +21,7 @@ mod tests;
 
 /// Source of the second luminance of a sample.
 #[derive(Clone, Copy, Debug)]
-pub enum GradientInput<'a> {
+pub(crate) enum GradientInput<'a> {
     /// The noisy radiance itself, at the pixels of `gradient_samples`, which the host re-shaded.
     ForwardProjected {
         /// The image `gradient_samples`, from the stage `forward_project`.
@@ -42,7 +44,7 @@ pub enum GradientInput<'a> {
 
 /// Inputs of [`gradient`]; images have the allocated extent where nothing else is noted.
 #[derive(Clone, Copy, Debug)]
-pub struct GradientInputs<'a> {
+pub(crate) struct GradientInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: noisy radiance of every signal.
@@ -59,7 +61,7 @@ pub struct GradientInputs<'a> {
 
 /// Outputs of [`gradient`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct GradientOutputs {
+pub(crate) struct GradientOutputs {
     /// One texel a stratum: δ, Δ, mean and standard deviation of luminance, half precision.
     pub gradient: Image<[f32; 4]>,
     /// One texel a stratum: the guide of the pixel that stands for it, with its place instead of the roughness.
@@ -73,7 +75,7 @@ pub struct GradientOutputs {
 }
 
 /// Takes the differences.
-pub fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u32, inputs: &GradientInputs) -> GradientOutputs {
+pub(crate) fn gradient(frame: &FrameConstants, tuning: &Tuning, stratum_size: u32, inputs: &GradientInputs) -> GradientOutputs {
     let extent = inputs.guide.extent();
     let strata = Strata::new(frame, stratum_size);
     let luminances = luminances(frame, inputs.guide, inputs.noisy, inputs.albedo);
@@ -232,6 +234,21 @@ fn mean_change(changes: &[Change]) -> Change {
 fn with_place([x, y, z, w]: [u16; 4], place: u32) -> [u16; 4] {
     [x & !0xf | place as u16, y, z, w]
 }
+
+/// A half of the luminance may be rounded either way, and a gradient is the difference of two.
+const CHANGE: Tolerance = Tolerance { relative: 3e-3, absolute: 3e-3, outliers: 0.0 };
+
+/// Components are halves of other halves, and the stage looks for a surface in re-shaded images.
+const LIGHT: Tolerance = Tolerance { relative: 5e-3, absolute: 5e-3, outliers: 2e-3 };
+
+/// The stage looks for a surface in re-shaded images, as a tap is looked for.
+pub(crate) const RULES: &[Rule] = &[
+    Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
+    Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
+    strata("gradient_guide", EXACT),
+    strata("light_before", LIGHT),
+    strata("light_now", LIGHT),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -5,8 +5,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Grid;
-use crate::graph::{Gradient, Graph, Guides, Image, LightRatio, Pass};
+use crate::graph::{Gradient, Graph, Guides, Image, LightRatio};
 use crate::shaders;
 
 /// Iterations of the reconstruction, as in the paper.
@@ -35,7 +36,7 @@ impl Graph {
         for level in 0..ITERATIONS {
             let parity = (level % 2) as usize;
             let to = images[parity];
-            let mut pass = Pass::new(&node, module)
+            let mut pass = pass(&node, module)
                 .named(format!("{node}_{level}"))
                 .level(level)
                 .grid(Grid::Strata(size))

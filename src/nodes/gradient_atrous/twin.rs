@@ -3,9 +3,11 @@
 use crate::nodes::atrous::twin::LUMINANCE_EPSILON;
 use crate::reference::binary16::round_to_half;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Rule, Tolerance, When};
 use crate::reference::geometry_weights::depth_and_normal_weight;
 use crate::reference::guide::unpack_guide;
 use crate::reference::light_ratio::sample_coherence;
+use crate::reference::rules::{strata, WEIGHTED};
 use crate::reference::strata::Strata;
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::Image;
@@ -16,11 +18,12 @@ use glam::{IVec2, Vec2};
 mod tests;
 
 /// Iterations of the presets.
-pub const GRADIENT_ITERATIONS: u32 = 5;
+#[cfg(test)]
+pub(crate) const GRADIENT_ITERATIONS: u32 = 5;
 
 /// Light of the samples of the frame before and of this one, from the stage `gradient` or from the iteration before.
 #[derive(Clone, Copy, Debug)]
-pub struct Light<'a> {
+pub(crate) struct Light<'a> {
     /// The image `light_before`.
     pub before: &'a Image<[f32; 4]>,
     /// The image `light_now`.
@@ -29,7 +32,7 @@ pub struct Light<'a> {
 
 /// Inputs of [`gradient_atrous`].
 #[derive(Clone, Copy, Debug)]
-pub struct GradientAtrousInputs<'a> {
+pub(crate) struct GradientAtrousInputs<'a> {
     /// The image `gradient_guide`, from the stage `gradient`.
     pub gradient_guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
@@ -46,7 +49,7 @@ pub struct GradientAtrousInputs<'a> {
 
 /// Outputs of [`gradient_atrous`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct GradientAtrousOutputs {
+pub(crate) struct GradientAtrousOutputs {
     /// δ, Δ, mean and deviation of luminance.
     pub gradient: Image<[f32; 4]>,
     /// Light before and now, where it came in; out of the last iteration [`light_ratio`] in the place of the first.
@@ -54,7 +57,7 @@ pub struct GradientAtrousOutputs {
 }
 
 /// Filters δ, Δ, mean and light with taps `2^level` strata apart, and the deviation of the mean along with them.
-pub fn gradient_atrous(
+pub(crate) fn gradient_atrous(
     frame: &FrameConstants,
     tuning: &Tuning,
     stratum_size: u32,
@@ -99,7 +102,7 @@ const LARGEST_ERROR: f32 = 0.05;
 const COLOUR_NOISE: f32 = 0.3;
 
 /// rgb: the factor by which light changed, as far as it is known; alpha: its coherence, by the spread of the samples' own factors.
-pub fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
+pub(crate) fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
     let (coherence, error) = (sample_coherence(spread_of(before, now)), error_of(before, now));
     let [sum_before, sum_now] = [before, now].map(sum_of);
     let least = RATIO_FLOOR * before[..3].iter().copied().fold(0.0, f32::max) + 1e-6;
@@ -198,6 +201,14 @@ fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2
     let size = strata.size as i32;
     strata.first_pixel(s) + IVec2::new(place % size, place / size)
 }
+
+/// The ratio is steep: it fades out where samples disagree by a few hundredths more.
+pub(crate) const RULES: &[Rule] = &[
+    strata("gradient_out", WEIGHTED),
+    strata("now_out", WEIGHTED),
+    Rule { when: When::IsNot("LAST", 1), ..strata("before_out", WEIGHTED) },
+    Rule { when: When::Is("LAST", 1), ..strata("before_out", Tolerance { absolute: 2e-2, outliers: 2e-3, ..WEIGHTED }) },
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::{Lifetime, Phase};
-use crate::graph::{Graph, Guides, Pass, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
+use crate::graph::{Graph, Guides, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
@@ -37,7 +38,7 @@ impl Graph {
         let object_normal =
             import.object_normal.then(|| self.named_image("object_normal_guide", "", PACKED_32, 1, Lifetime::Transient));
         let module = [&shaders::IMPORT_SURFACE_ID_0, &shaders::IMPORT_SURFACE_ID_1][usize::from(import.surface_id)];
-        let mut pass = Pass::new(&node, module)
+        let mut pass = pass(&node, module)
             .phase(Phase::BeforeLighting)
             .bind("depth", self.input("depth", HOST_SCALAR, 1, false))
             .bind("normal", self.input("normal", HOST_COLOUR, 1, false))

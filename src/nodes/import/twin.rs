@@ -1,20 +1,21 @@
 //! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's
 //! conventions.
 
-use crate::config::NormalEncoding;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::conventions::{normal_encoding, normals_are_in_view_space};
 use crate::reference::guide::{fold_id, pack_guide, Surface};
-use crate::reference::octahedral::{from_square, octahedral10};
+use crate::reference::octahedral::{decode_normal, octahedral10};
 use crate::reference::projection::Projections;
 use crate::reference::reflection::{is_roughness, roughness_of};
 use crate::reference::reprojection::{previous_normal, reproject, HostMotion, InstanceTransform};
+use crate::reference::rules::{rule, STATISTICS, STEP};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{pack_depth_gradient, pack_surface_motion};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
-use glam::{IVec2, Vec2, Vec3};
+use glam::{IVec2, Vec3};
 
 #[cfg(test)]
 mod motion_tests;
@@ -26,7 +27,7 @@ const SMALLEST_LENGTH_SQUARED: f32 = 1e-8;
 
 /// Guides of the host; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct ImportInputs<'a> {
+pub(crate) struct ImportInputs<'a> {
     /// x: depth, in the encoding of [`crate::config::Conventions`].
     pub depth: &'a Image<[f32; 4]>,
     /// xyz or octahedral xy, in the encoding and space of the conventions.
@@ -46,7 +47,7 @@ pub struct ImportInputs<'a> {
 
 impl<'a> ImportInputs<'a> {
     /// Inputs that every host gives, without anything optional.
-    pub const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
+    pub(crate) const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
         Self { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
     }
 }
@@ -64,7 +65,7 @@ impl ImportInputs<'_> {
 
 /// Guides as the filters read them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ImportOutputs {
+pub(crate) struct ImportOutputs {
     /// Depth, normal, roughness and id, see [`crate::reference::unpack_guide`].
     pub guide: Image<[u16; 4]>,
     /// Motion and expected previous depth and normal, see [`crate::reference::unpack_surface_motion`].
@@ -88,7 +89,7 @@ struct Texel {
 }
 
 /// Imports the host's guides of one frame.
-pub fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
+pub(crate) fn import(frame: &FrameConstants, inputs: &ImportInputs) -> ImportOutputs {
     let (extent, render_extent) = (inputs.depth.extent(), frame.render_extent);
     let projections = Projections::new(frame);
     let depths = Image::compute(extent, render_extent, |p| {
@@ -143,18 +144,6 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
     }
 }
 
-/// The vector that a texel encodes, of any length, in the space that it is in.
-pub fn decode_normal(encoding: NormalEncoding, v: [f32; 4]) -> [f32; 3] {
-    let (xy, xyz) = (Vec2::new(v[0], v[1]), Vec3::new(v[0], v[1], v[2]));
-    let normal = match encoding {
-        NormalEncoding::Xyz => xyz,
-        NormalEncoding::XyzUnorm => xyz * 2.0 - 1.0,
-        NormalEncoding::Octahedral => from_square(xy),
-        NormalEncoding::OctahedralUnorm => from_square(xy * 2.0 - 1.0),
-    };
-    normal.into()
-}
-
 /// The world-space unit normal of a texel, with whether it was not finite.
 fn world_normal(frame: &FrameConstants, projections: &Projections, v: [f32; 4]) -> (Vec3, bool) {
     let n = decode_normal(normal_encoding(frame), v);
@@ -199,6 +188,21 @@ fn depth_difference(frame: &FrameConstants, depths: &Image<(f32, bool)>, p: IVec
         (None, None) => 0.0,
     }
 }
+
+/// As above, with the guide's grid of 1/127.
+const GUIDE_STEP: Tolerance = Tolerance { absolute: 8e-3, ..STEP };
+
+const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers: 0.0 };
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
+    rule("guide", Per::Pixel, Values::Guide, GUIDE_STEP),
+    rule("surface_motion", Per::Pixel, Values::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
+    rule("surface_motion", Per::Pixel, Values::SurfaceMotion, MOTION),
+    rule("depth_gradient", Per::Pixel, Values::DepthGradient, MOTION),
+    rule("object_normal_guide", Per::Pixel, Values::Normal, STEP),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Irradiance, Pass, Port, Radiance, HDR, HOST_COLOUR};
+use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR, HOST_COLOUR};
 use crate::shaders;
 
 /// Parameters of the node `modulate`.
@@ -33,7 +34,7 @@ impl Graph {
         let label = self.label_of(filtered);
         let node = self.node("modulate", &label);
         let denoised = self.named_image("modulated", &label, HDR, 1, Lifetime::Transient);
-        let mut pass = Pass::new(&node, &shaders::MODULATE)
+        let mut pass = pass(&node, &shaders::MODULATE)
             .bind("guide", guides.guide)
             .bind("denoised_radiance", denoised)
             .each("filtered", filtered.images());

@@ -3,7 +3,9 @@
 use crate::nodes::demodulate::twin::{albedo_at, divisor};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
+use crate::reference::rules::{pixels, rounded, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
@@ -14,7 +16,7 @@ mod tests;
 
 /// Albedos of specular light, as the stage `demodulate` was given them.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct SpecularAlbedos<'a> {
+pub(crate) struct SpecularAlbedos<'a> {
     /// rgb: reflectance of the coat or metal under light from everywhere.
     pub albedo: Option<&'a Image<[f32; 4]>>,
     /// rgb: reflectance at normal incidence, for a host without the other.
@@ -23,7 +25,7 @@ pub struct SpecularAlbedos<'a> {
 
 /// Inputs of [`modulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct ModulateInputs<'a> {
+pub(crate) struct ModulateInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: denoised irradiance of every signal.
@@ -38,7 +40,7 @@ pub struct ModulateInputs<'a> {
 
 /// Outputs of [`modulate`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct ModulateOutputs {
+pub(crate) struct ModulateOutputs {
     /// rgb: linear radiance, half precision, 0 to 65504; alpha 1.
     pub denoised_radiance: Image<[f32; 4]>,
     /// Bad emissions. Bad albedos were counted by `demodulate`.
@@ -46,7 +48,7 @@ pub struct ModulateOutputs {
 }
 
 /// `Σ_signals c·max(albedo, ε) + emission`, with the albedo of each signal.
-pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutputs {
+pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutputs {
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
         let (albedo, _) = divisor(inputs.albedo.filter(|_| !surface.is_background()).map(|albedo| albedo.at(p)));
@@ -64,6 +66,9 @@ pub fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutp
     statistics[Counter::Emission] = count(texels.texels().iter().map(|t| t.1));
     ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("denoised_radiance", HALF), rounded("denoised_radiance")];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

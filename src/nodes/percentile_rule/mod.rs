@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Confidence, Graph, Guides, History, Pass, Percentiles, Port, CONFIDENCE};
+use crate::graph::{Confidence, Graph, Guides, History, Percentiles, Port, CONFIDENCE};
 use crate::shaders;
 
 impl Graph {
@@ -14,7 +15,7 @@ impl Graph {
         let label = self.label_of(percentiles);
         let node = self.node("percentile_rule", &label);
         let confidence = self.named_image("history_confidence", &label, CONFIDENCE, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::PERCENTILE_RULE)
+        let pass = pass(&node, &shaders::PERCENTILE_RULE)
             .bind("history_confidence", confidence)
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)

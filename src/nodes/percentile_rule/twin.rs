@@ -3,14 +3,16 @@
 use crate::nodes::block_percentiles::twin::{unpack_percentiles, Percentiles};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
+use crate::reference::compare::Rule;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::nearest_history::HistoryGuides;
+use crate::reference::rules::{pixels, STEEP};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 /// Share of a block's upper percentile that counts as usual, however narrow its range is.
-pub const RANGE_EPSILON: f32 = 0.01;
+pub(crate) const RANGE_EPSILON: f32 = 0.01;
 
 /// `lin` of \[PSVGF\]: 0 at `a`, 1 at `b`.
 pub(crate) fn lin(a: f32, b: f32, x: f32) -> f32 {
@@ -19,7 +21,7 @@ pub(crate) fn lin(a: f32, b: f32, x: f32) -> f32 {
 
 /// Inputs of [`percentile_rule`].
 #[derive(Clone, Copy, Debug)]
-pub struct PercentileRuleInputs<'a> {
+pub(crate) struct PercentileRuleInputs<'a> {
     /// Guides of both frames.
     pub guides: HistoryGuides<'a>,
     /// Percentiles of every signal, and its irradiance of the previous frame, which is not read in a reset frame.
@@ -27,7 +29,7 @@ pub struct PercentileRuleInputs<'a> {
 }
 
 /// The published rule. 1, keep the history, to 0, drop it; the least of the signals.
-pub fn percentile_rule(frame: &FrameConstants, tuning: &Tuning, inputs: &PercentileRuleInputs) -> Image<f32> {
+pub(crate) fn percentile_rule(frame: &FrameConstants, tuning: &Tuning, inputs: &PercentileRuleInputs) -> Image<f32> {
     let blocks = Blocks::new(frame.render_extent);
     Image::compute(inputs.guides.guide.extent(), frame.render_extent, |p| {
         let Some(tap) = inputs.guides.nearest(frame, tuning, p) else { return 1.0 };
@@ -53,6 +55,9 @@ pub(crate) fn weight_of_history(tuning: &Tuning, percentiles: &Percentiles, l: f
     let too_dark = 1.0 - lin(percentiles.low - range, percentiles.low, l);
     (1.0 - tuning.adaptivity * too_bright) * (1.0 - tuning.adaptivity * too_dark)
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", STEEP)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::{Grid, Lifetime};
-use crate::graph::{GradientSamples, Graph, Guides, Irradiance, Pass, HDR};
+use crate::graph::{GradientSamples, Graph, Guides, Irradiance, HDR};
 use crate::nodes::demodulate::Divisor;
 use crate::shaders;
 
@@ -16,7 +17,7 @@ impl Graph {
         let node = self.node("sample_albedo", &label);
         let size = samples.stratum_size;
         let kept = self.named_image("candidate_albedo", &label, HDR, size, Lifetime::History);
-        let pass = Pass::new(&node, &shaders::SAMPLE_ALBEDO)
+        let pass = pass(&node, &shaders::SAMPLE_ALBEDO)
             .grid(Grid::Strata(size))
             .constant("STRATUM_SIZE", size)
             .bind("guide", guides.guide)

@@ -3,8 +3,10 @@
 use crate::nodes::demodulate::twin::{albedo_at, divisor};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
+use crate::reference::rules::{pixels, strata, HALF};
 use crate::reference::strata::{unpack_gradient_sample, Strata};
 use crate::reference::Image;
 use crate::{Error, FrameConstants};
@@ -12,7 +14,7 @@ use glam::{IVec2, UVec2};
 
 /// Inputs of [`sample_albedo`].
 #[derive(Clone, Copy, Debug)]
-pub struct SampleAlbedoInputs<'a> {
+pub(crate) struct SampleAlbedoInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `gradient_samples`, from the stage `forward_project`.
@@ -31,7 +33,7 @@ pub struct SampleAlbedoInputs<'a> {
 
 /// Outputs of [`sample_albedo`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct SampleAlbedoOutputs {
+pub(crate) struct SampleAlbedoOutputs {
     /// rgb: irradiance of every signal; half precision.
     pub irradiance: Vec<Image<[f32; 4]>>,
     /// One texel a stratum: the divisor at the pixel that the next frame carries forward; half precision.
@@ -39,7 +41,7 @@ pub struct SampleAlbedoOutputs {
 }
 
 /// Divides the irradiance of every sample by the divisor of its own point, in the place of that of its pixel.
-pub fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &SampleAlbedoInputs) -> SampleAlbedoOutputs {
+pub(crate) fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &SampleAlbedoInputs) -> SampleAlbedoOutputs {
     let strata = Strata::new(frame, stratum_size);
     let divisor_at = |p: IVec2| {
         let albedo = albedo_at(frame, &unpack_guide(inputs.guide.at(p)), inputs.albedo, inputs.specular_f0, p);
@@ -69,6 +71,9 @@ pub fn sample_albedo(frame: &FrameConstants, stratum_size: u32, inputs: &SampleA
     };
     SampleAlbedoOutputs { irradiance: inputs.irradiance.iter().map(corrected).collect(), candidate_albedo }
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("irradiance_0", HALF), pixels("irradiance_1", HALF), strata("candidate_albedo", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,7 +4,8 @@
 
 pub(crate) mod twin;
 
-use crate::graph::{Graph, Pass, Port, Radiance, Visibility, HOST_COLOUR};
+use super::pass;
+use crate::graph::{Graph, Port, Radiance, Visibility, HOST_COLOUR};
 use crate::shaders;
 
 impl Graph {
@@ -13,7 +14,7 @@ impl Graph {
     /// leaves the input out multiplies by itself.
     pub fn shadowed_light(&mut self, radiance: &Radiance, visibility: &Visibility) -> Radiance {
         let node = self.node("shadowed_light", "");
-        let pass = Pass::new(&node, &shaders::SHADOWED_LIGHT)
+        let pass = pass(&node, &shaders::SHADOWED_LIGHT)
             .bind("denoised_visibility", visibility.image())
             .bind("unshadowed_direct", self.input("unshadowed_direct", HOST_COLOUR, 1, true))
             .bind("radiance", radiance.image());

@@ -2,13 +2,15 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
+use crate::reference::rules::{pixels, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
 /// `radiance + unshadowed_direct · visibility`, half precision, with the counter of light that is not finite.
-pub fn shadowed_light(
+pub(crate) fn shadowed_light(
     frame: &FrameConstants,
     radiance: &Image<[f32; 4]>,
     unshadowed_direct: &Image<[f32; 4]>,
@@ -26,6 +28,9 @@ pub fn shadowed_light(
     statistics[Counter::Radiance] = count(texels.texels().iter().map(|t| t.1));
     (texels.map(|t| t.0), statistics)
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("radiance", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -5,8 +5,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Accumulated, Confidence, Feedback, Graph, Guides, History, Irradiance, Pass, Port, Reflection, Value};
+use crate::graph::{Accumulated, Confidence, Feedback, Graph, Guides, History, Irradiance, Port, Reflection, Value};
 use crate::graph::{HDR, HOST_SCALAR, PACKED_32};
 use crate::shaders;
 
@@ -69,7 +70,7 @@ impl Graph {
         }
         let SpecularHistory { history, accumulated, feedback } = history;
         let reflection = self.named_image("reflection", &label, PACKED_32, 1, Lifetime::History);
-        let pass = Pass::new(&node, &shaders::SPECULAR_ACCUMULATION)
+        let pass = pass(&node, &shaders::SPECULAR_ACCUMULATION)
             .constant("HOLES", u32::from(irradiance.has_filled_holes()))
             .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
             .constant("SHARP", u32::from(parameters.sharp))

@@ -2,10 +2,12 @@
 
 use crate::nodes::temporal_accumulation::twin::{blend, fresh, worth_of, AlphaBounds, Reprojected};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
+use crate::reference::rules::{pixels, rule, HALF};
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::virtual_motion::{Mirror, VirtualMotion};
 use crate::reference::{render_rect::RenderRect, Image};
@@ -24,7 +26,7 @@ const STEADY_ALPHA: f32 = 0.4;
 
 /// Images that the previous frame left.
 #[derive(Clone, Copy, Debug)]
-pub struct PreviousSpecular<'a> {
+pub(crate) struct PreviousSpecular<'a> {
     /// The guide.
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: irradiance.
@@ -37,7 +39,7 @@ pub struct PreviousSpecular<'a> {
 
 /// Inputs of [`specular_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct SpecularAccumulationInputs<'a> {
+pub(crate) struct SpecularAccumulationInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
@@ -62,7 +64,7 @@ pub struct SpecularAccumulationInputs<'a> {
 
 /// Outputs of [`specular_accumulation`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct SpecularAccumulationOutputs {
+pub(crate) struct SpecularAccumulationOutputs {
     /// rgb: accumulated irradiance, half precision; alpha 0.
     pub accumulated: Image<[f32; 4]>,
     /// See [`crate::reference::unpack_moments`].
@@ -88,7 +90,7 @@ struct Centre {
 }
 
 /// Accumulates specular light along the motion of surfaces and of what is seen in them, whichever tells more.
-pub fn specular_accumulation(
+pub(crate) fn specular_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &SpecularAccumulationInputs,
@@ -183,6 +185,19 @@ impl Scene<'_> {
         blend(self.frame, (noisy, worth), past.irradiance, &before, bounds, [1.0; 3])
     }
 }
+
+/// Roughness may be rounded either way.
+const ROUGHNESS_STEP: f32 = 1.01 / 1023.0;
+
+const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers: 5e-3 };
+
+/// Where what was seen before lies is computed by quotients, and a pixel of it counts or not.
+pub(crate) const RULES: &[Rule] = &[
+    pixels("accumulated", TRACKED),
+    rule("new_moments", Per::Pixel, Values::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
+    rule("reflection", Per::Pixel, Values::Reflection, Tolerance { absolute: ROUGHNESS_STEP, ..HALF }),
+    rule("reflection", Per::Pixel, Values::ImageShare, Tolerance { absolute: 0.05, ..TRACKED }),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::{Lifetime, Phase};
-use crate::graph::{Display, Graph, Guides, Pass, Port, HDR};
+use crate::graph::{Display, Graph, Guides, Port, HDR};
 use crate::shaders;
 
 impl Graph {
@@ -14,7 +15,7 @@ impl Graph {
         let node = self.node("taa", "");
         let history = self.named_image("taa_history", "", HDR, 1, Lifetime::History);
         let display = self.named_image("anti_aliased", "", HDR, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::TAA)
+        let pass = pass(&node, &shaders::TAA)
             .phase(Phase::PostProcess)
             .bind("guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)

@@ -2,10 +2,12 @@
 
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Rule, Tolerance};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::luminance;
 use crate::reference::projection::{extent_ratio, sample_offset};
+use crate::reference::rules::{pixels, HALF};
 use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
@@ -19,7 +21,7 @@ const GAUSSIAN: f32 = 2.29;
 
 /// Inputs of [`taa`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct TaaInputs<'a> {
+pub(crate) struct TaaInputs<'a> {
     /// rgb: 0..1, as written by `tone_map`.
     pub tone_mapped: &'a Image<[f32; 4]>,
     /// The image `guide`, from the stage `import`.
@@ -31,7 +33,7 @@ pub struct TaaInputs<'a> {
 }
 
 /// The picture to display, which is the next frame's history as well; half precision, alpha 1.
-pub fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -> Image<[f32; 4]> {
+pub(crate) fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -> Image<[f32; 4]> {
     let rect = RenderRect::new(frame.render_extent);
     let extent = inputs.tone_mapped.extent();
     let previous = inputs.previous.filter(|_| !is_reset(frame));
@@ -135,6 +137,12 @@ fn blend(alpha: f32, current: Vec3, history: Vec3) -> Vec3 {
     let (now, before) = (alpha * weight(current), (1.0 - alpha) * weight(history));
     (now * current + before * history) / (now + before)
 }
+
+/// The clip divides by a deviation that is the root of a difference.
+const CLIPPED: Tolerance = Tolerance { absolute: 1e-3, ..HALF };
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("taa_history", CLIPPED), pixels("display", CLIPPED)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,8 @@
 
 pub(crate) mod twin;
 
-use super::{by_signals, UNREAD};
-use crate::graph::{Accumulated, Confidence, Graph, Guides, History, Irradiance, LightRatio, Pass, Value};
+use super::{by_signals, pass, UNREAD};
+use crate::graph::{Accumulated, Confidence, Graph, Guides, History, Irradiance, LightRatio, Value};
 use crate::graph::{VolumeAccumulated, VolumeMotion, VolumeRadiance};
 use crate::shaders;
 
@@ -48,7 +48,7 @@ impl Graph {
     ) -> Accumulated {
         let node = self.node("temporal_accumulation", &self.label_of(irradiance));
         let modules = (&shaders::TEMPORAL_ACCUMULATION_SIGNALS_1, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_2);
-        let mut pass = Pass::new(&node, by_signals(irradiance, modules.0, modules.1))
+        let mut pass = pass(&node, by_signals(irradiance, modules.0, modules.1))
             .constant("REPAIR", u32::from(accumulation.repair))
             .constant("SHARP", u32::from(accumulation.sharp))
             .constant("HOLES", u32::from(irradiance.has_filled_holes()))
@@ -86,7 +86,7 @@ impl Graph {
         motion: &VolumeMotion,
     ) -> VolumeAccumulated {
         let node = self.node("temporal_accumulation", &self.label_of(radiance));
-        let pass = Pass::new(&node, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1)
+        let pass = pass(&node, &shaders::TEMPORAL_ACCUMULATION_SIGNALS_1)
             .constant("VOLUME", 1)
             .value("alpha", Value::Tunable("volume_alpha"))
             .value("alpha_moments", Value::Tunable("volume_alpha"))

@@ -3,6 +3,7 @@
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::moments::{pack_moments, unpack_moments, Moments, Reason};
+use crate::reference::nearest_history::SignalHistory;
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
@@ -20,23 +21,14 @@ mod taps;
 mod tests;
 mod volume;
 
-pub(crate) use adapter::twin;
+pub(crate) use adapter::{twin, RULES};
 pub(crate) use blend::{blend, fresh, worth_of, AlphaBounds};
 pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
-pub use volume::{volume_accumulation, VolumeAccumulationInputs};
-
-/// History of a signal.
-#[derive(Clone, Copy, Debug)]
-pub struct SignalHistory<'a> {
-    /// rgb: irradiance, as written by level 0 of `atrous`.
-    pub irradiance: &'a Image<[f32; 4]>,
-    /// The image `moments` of this stage.
-    pub moments: &'a Image<[u16; 4]>,
-}
+pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// Guide and histories that the previous frame left.
 #[derive(Clone, Copy, Debug)]
-pub struct PreviousFrame<'a> {
+pub(crate) struct PreviousFrame<'a> {
     /// The guide of the previous frame.
     pub guide: &'a Image<[u16; 4]>,
     /// One for every signal.
@@ -45,7 +37,7 @@ pub struct PreviousFrame<'a> {
 
 /// Object-space normals of both frames, packed by [`crate::reference::octahedral10`]: they replace the world normals in the history test.
 #[derive(Clone, Copy, Debug)]
-pub struct ObjectNormals<'a> {
+pub(crate) struct ObjectNormals<'a> {
     /// Object normals of this frame, packed by the stage `import`.
     pub current: &'a Image<u32>,
     /// Object normals of the previous frame, packed by the stage `import`.
@@ -54,7 +46,7 @@ pub struct ObjectNormals<'a> {
 
 /// The image `light_ratio`, from the last iteration of `gradient_atrous`.
 #[derive(Clone, Copy, Debug)]
-pub struct StrataRatio<'a> {
+pub(crate) struct StrataRatio<'a> {
     /// rgb: ratio; alpha: negative in the background.
     pub image: &'a Image<[f32; 4]>,
     /// Pixels a side of a stratum.
@@ -63,7 +55,7 @@ pub struct StrataRatio<'a> {
 
 /// Inputs of [`temporal_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct TemporalAccumulationInputs<'a> {
+pub(crate) struct TemporalAccumulationInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
@@ -90,7 +82,7 @@ pub struct TemporalAccumulationInputs<'a> {
 
 /// Outputs of [`temporal_accumulation`], one of each for every signal.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TemporalAccumulationOutputs {
+pub(crate) struct TemporalAccumulationOutputs {
     /// rgb: accumulated irradiance, half precision; alpha 0.
     pub irradiance: Vec<Image<[f32; 4]>>,
     /// See [`unpack_moments`].
@@ -134,7 +126,7 @@ impl History {
 const REPAIRED_HISTORY_LENGTH: f32 = 4.0;
 
 /// Accumulates every signal; they share taps, and the history length but for holes.
-pub fn temporal_accumulation(
+pub(crate) fn temporal_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &TemporalAccumulationInputs,
@@ -210,7 +202,7 @@ pub(crate) struct Reprojected {
 
 impl Reprojected {
     /// The surface of the pixel `p`.
-    pub fn new(
+    pub(crate) fn new(
         frame: &FrameConstants,
         tuning: &Tuning,
         (surface, p): (Surface, IVec2),
@@ -235,7 +227,7 @@ impl Reprojected {
 
     /// Pixels that show this surface, with weights that sum to 1, those beyond the valid ones have weight 0; and 4×4 with the weights
     /// of a cubic, where all show it.
-    pub fn taps(&self, surfaces: &Image<Surface>) -> Option<Taps> {
+    pub(crate) fn taps(&self, surfaces: &Image<Surface>) -> Option<Taps> {
         match self.history(surfaces, false, true) {
             History::Taps(taps) => Some((taps, None)),
             History::Sharp(taps, cubic) => Some((taps, Some(cubic))),
@@ -263,7 +255,7 @@ impl Reprojected {
     }
 
     /// Whether a pixel that may lie far from `s` is this surface, whose plane goes on there; its slope may be a tenth off.
-    pub fn is_on_plane(&self, surfaces: &Image<Surface>, q: IVec2) -> bool {
+    pub(crate) fn is_on_plane(&self, surfaces: &Image<Surface>, q: IVec2) -> bool {
         let aside = q.as_vec2() - self.s;
         let there = Self { linear_depth: self.linear_depth + self.depth_gradient.dot(aside), ..*self };
         there.refusal_aside(surfaces, q, 0.1 * aside.length() * self.depth_gradient.abs().element_sum()) == Reason::None

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::{Lifetime, Phase};
-use crate::graph::{Display, Graph, Pass, Port, Radiance, HDR};
+use crate::graph::{Display, Graph, Port, Radiance, HDR};
 use crate::shaders;
 
 impl Graph {
@@ -13,7 +14,7 @@ impl Graph {
     pub fn tone_map(&mut self, denoised: &Radiance) -> Display {
         let node = self.node("tone_map", "");
         let tone_mapped = self.named_image("tone_mapped", "", HDR, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::TONE_MAP)
+        let pass = pass(&node, &shaders::TONE_MAP)
             .phase(Phase::PostProcess)
             .each("radiance", denoised.images())
             .bind("tone_mapped", tone_mapped);

@@ -2,13 +2,15 @@
 
 use crate::reference::binary16::round_to_half;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
 use crate::reference::luminance::luminance;
+use crate::reference::rules::{pixels, HALF};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, ToneCurve, Tuning};
 
 /// Applies exposure and tone curve to the sum of radiances, of surfaces and of a volume. rgb of the result is 0..1 in half
 /// precision, alpha 1. Without any radiance an empty image.
-pub fn tone_map(frame: &FrameConstants, tuning: &Tuning, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
+pub(crate) fn tone_map(frame: &FrameConstants, tuning: &Tuning, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
     let extent = denoised.first().map_or([0; 2], |image| image.extent());
     Image::compute(extent, frame.render_extent, |p| {
         let [r, g, b] = [0, 1, 2].map(|i| denoised.iter().map(|image| image.at(p)[i]).sum::<f32>());
@@ -28,6 +30,9 @@ fn curve(tone_curve: ToneCurve, x: [f32; 3]) -> [f32; 3] {
         ToneCurve::Linear => x,
     }
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("tone_mapped", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -5,7 +5,7 @@
 
 pub(crate) mod twin;
 
-use super::{by_signals, UNREAD};
+use super::{by_signals, pass, UNREAD};
 use crate::graph::{Accumulated, Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate};
 use crate::shaders;
 
@@ -40,7 +40,7 @@ impl Graph {
     /// Puts the standard deviation of luminance into the alpha of one or two signals, in place, and their moments into `history`.
     pub fn variance(&mut self, guides: &Guides, accumulated: &Accumulated, history: &History, variance: Variance) -> Estimate {
         let node = self.node("variance", &self.label_of(accumulated));
-        let pass = Pass::new(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
+        let pass = pass(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
             .constant("ESTIMATOR", variance.estimator as u32)
             .constant("AVERAGED", u32::from(variance.averaged))
             .value("spatial_variance_frames", variance.spatial_variance_frames)
@@ -54,7 +54,7 @@ impl Graph {
     /// moments into `history`.
     pub fn volume_variance(&mut self, guides: &Guides, accumulated: &VolumeAccumulated, history: &History) -> VolumeEstimate {
         let node = self.node("variance", &self.label_of(accumulated));
-        let pass = Pass::new(&node, &shaders::VARIANCE_SIGNALS_1)
+        let pass = pass(&node, &shaders::VARIANCE_SIGNALS_1)
             .constant("ESTIMATOR", Estimator::Fading as u32)
             .constant("VOLUME", 1)
             .value("sigma_n", UNREAD)

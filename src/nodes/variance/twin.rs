@@ -3,8 +3,10 @@
 
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::moments::{join_moments, unpack_moments, Moments};
+use crate::reference::rules::{pixels, rule, EXACT, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
@@ -25,7 +27,8 @@ const BACKGROUND_DEVIATION: f32 = -1.0 / 16384.0;
 
 /// Inputs of [`variance`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct VarianceInputs<'a> {
+#[cfg(test)]
+pub(crate) struct VarianceInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
@@ -37,7 +40,8 @@ pub struct VarianceInputs<'a> {
 }
 
 /// Estimates for every signal. rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
-pub fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
+#[cfg(test)]
+pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, deviation)
 }
@@ -50,35 +54,12 @@ fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, momen
     spatial_variance(frame, tuning, geometry, moments, p, RADIUS).sqrt()
 }
 
-/// [`variance`] with an estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
-pub fn fading_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
-    let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
-    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, faded_deviation)
-}
-
+/// The estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
 fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
     let centre = moments.at(p);
     let share = (tuning.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
     let spatial = spatial_variance(frame, tuning, geometry, moments, p, FADING_RADIUS);
     (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
-}
-
-/// Inputs of [`volume_variance`]; images have the allocated extent.
-#[derive(Clone, Copy, Debug)]
-pub struct VolumeVarianceInputs<'a> {
-    /// The image `guide`, from the stage `import`.
-    pub guide: &'a Image<[u16; 4]>,
-    /// rgb: accumulated radiance of the volume.
-    pub radiance: &'a Image<[f32; 4]>,
-    /// Moments of the volume in this frame.
-    pub moments: &'a Image<[u16; 4]>,
-}
-
-/// [`fading_variance`] of a volume: weights by the depth of the surface behind alone, and no background.
-pub fn volume_variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VolumeVarianceInputs) -> Image<[f32; 4]> {
-    let geometry = Geometry::of_volume(frame, tuning, inputs.guide);
-    let mut estimated = estimate(frame, tuning, &geometry, &[inputs.radiance], &[inputs.moments], faded_deviation);
-    estimated.pop().unwrap_or_else(|| inputs.radiance.clone())
 }
 
 /// The deviation of a surface pixel.
@@ -130,6 +111,17 @@ fn spatial_variance(
 fn averaging(tuning: &Tuning, history_length: f32) -> f32 {
     (1.0 / history_length).max(tuning.alpha / (2.0 - tuning.alpha)).sqrt().sqrt()
 }
+
+/// The root of a difference of moments: where the variance is next to 0, rounding decides it.
+const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
+
+/// Moments pass through to the history as they came.
+pub(crate) const RULES: &[Rule] = &[
+    pixels("irradiance_0", ESTIMATED),
+    pixels("irradiance_1", ESTIMATED),
+    rule("moments_0", Per::Pixel, Values::Moments, EXACT),
+    rule("moments_1", Per::Pixel, Values::Moments, EXACT),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Pass, Port, VisibilityAccumulated, VisibilitySamples, PACKED_32};
+use crate::graph::{Graph, Guides, Port, VisibilityAccumulated, VisibilitySamples, PACKED_32};
 use crate::shaders;
 
 impl Graph {
@@ -14,7 +15,7 @@ impl Graph {
     pub fn visibility_accumulation(&mut self, guides: &Guides, samples: &VisibilitySamples) -> VisibilityAccumulated {
         let node = self.node("visibility_accumulation", "");
         let history = self.named_image("visibility_history", "", PACKED_32, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::VISIBILITY_ACCUMULATION)
+        let pass = pass(&node, &shaders::VISIBILITY_ACCUMULATION)
             .bind("guide", guides.guide)
             .previous("previous_guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)

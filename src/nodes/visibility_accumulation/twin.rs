@@ -4,9 +4,11 @@
 use crate::nodes::temporal_accumulation::twin::Reprojected;
 use crate::reference::binary16::from_half_bits;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::conventions::is_reset;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::guide::unpack_guide;
+use crate::reference::rules::rule;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::visibility::{pack_visibility, unpack_visibility, Ruler, VisibilityHistory, LONGEST_HISTORY};
 use crate::reference::{render_rect::RenderRect, Image};
@@ -35,7 +37,7 @@ const DISTANCE_ALPHA: f32 = 0.25;
 
 /// Inputs of [`visibility_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct VisibilityAccumulationInputs<'a> {
+pub(crate) struct VisibilityAccumulationInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `surface_motion`, from the stage `import`.
@@ -66,7 +68,11 @@ struct Surroundings<'a> {
 }
 
 /// Mean, deviation and history length of visibility, see [`crate::reference::unpack_visibility`].
-pub fn visibility_accumulation(frame: &FrameConstants, tuning: &Tuning, inputs: &VisibilityAccumulationInputs) -> Image<u32> {
+pub(crate) fn visibility_accumulation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    inputs: &VisibilityAccumulationInputs,
+) -> Image<u32> {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let samples = inputs.samples.map(|texel| {
         let (v, distance) = (from_half_bits(*texel as u16), from_half_bits((texel >> 16) as u16));
@@ -217,6 +223,12 @@ fn blend(tuning: &Tuning, v: f32, before: &VisibilityHistory, allowed: [f32; 2],
         occluder_distance: before.occluder_distance,
     }
 }
+
+/// A step of the packing, next to a test that may fall the other way: whether a penumbra reaches a pixel.
+pub(crate) const RULES: &[Rule] = &[
+    rule("visibility_history", Per::Pixel, Values::Visibility, Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 }),
+    rule("visibility_history", Per::Pixel, Values::VisibilitySteps, Tolerance { relative: 0.0, absolute: 1.0, outliers: 2e-3 }),
+];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Pass, Port, Visibility, VisibilityAccumulated, CONFIDENCE, PACKED_32};
+use crate::graph::{Graph, Guides, Port, Visibility, VisibilityAccumulated, CONFIDENCE, PACKED_32};
 use crate::shaders;
 
 /// Levels that a filter of visibility may have.
@@ -37,7 +38,7 @@ impl Graph {
                 true => (&shaders::VISIBILITY_FILTER_LAST_1, "denoised_visibility"),
                 false => (&shaders::VISIBILITY_FILTER_LAST_0, "filter_out"),
             };
-            let pass = Pass::new(&node, module)
+            let pass = pass(&node, module)
                 .named(format!("{node}_{level}"))
                 .level(level)
                 .constant("FIRST", u32::from(level == 0))

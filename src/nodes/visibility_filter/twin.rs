@@ -2,7 +2,9 @@
 
 use crate::reference::binary16::{from_half_bits, half_bits};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Values};
 use crate::reference::geometry_weights::Geometry;
+use crate::reference::rules::{pixels, rule, WEIGHTED};
 use crate::reference::surface_motion::unpack_depth_gradient;
 use crate::reference::visibility::{unpack_visibility, Ruler};
 use crate::reference::{render_rect::RenderRect, Image};
@@ -25,7 +27,7 @@ const ALONG_LEVELS: u32 = 2;
 
 /// Inputs of [`visibility_filter`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct VisibilityFilterInputs<'a> {
+pub(crate) struct VisibilityFilterInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
@@ -37,7 +39,7 @@ pub struct VisibilityFilterInputs<'a> {
 }
 
 /// The estimates that the first level starts from: visibility, and the standard deviation of a mean with the smallest weight 1/N.
-pub fn first_estimate(visibility_history: &Image<u32>) -> Image<[f32; 2]> {
+pub(crate) fn first_estimate(visibility_history: &Image<u32>) -> Image<[f32; 2]> {
     visibility_history.map(|texel| {
         let h = unpack_visibility(*texel);
         [h.mean, h.deviation / (2.0 * h.history_length - 1.0).max(f32::MIN_POSITIVE).sqrt()]
@@ -45,7 +47,12 @@ pub fn first_estimate(visibility_history: &Image<u32>) -> Image<[f32; 2]> {
 }
 
 /// Filters estimates by a kernel whose variance is the level's share of what the penumbra allows.
-pub fn visibility_filter(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &VisibilityFilterInputs) -> Image<[f32; 2]> {
+pub(crate) fn visibility_filter(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    level: u32,
+    inputs: &VisibilityFilterInputs,
+) -> Image<[f32; 2]> {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let rect = RenderRect::new(frame.render_extent);
     Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
@@ -113,6 +120,10 @@ fn share_of_level(wanted: f32, level: u32) -> f32 {
     let finer: f32 = (0..level).map(|finer| 4_f32.powi(finer as i32)).sum();
     (wanted - finer).clamp(0.0, full)
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] =
+    &[rule("filter_out", Per::Pixel, Values::Halves, WEIGHTED), pixels("denoised_visibility", WEIGHTED)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Pass, Port, VisibilitySamples, HOST_SCALAR, PACKED_32};
+use crate::graph::{Graph, Guides, Port, VisibilitySamples, HOST_SCALAR, PACKED_32};
 use crate::shaders;
 
 impl Graph {
@@ -14,7 +15,7 @@ impl Graph {
     pub fn visibility_samples(&mut self, guides: &Guides) -> VisibilitySamples {
         let node = self.node("visibility_samples", "");
         let samples = self.named_image("visibility_samples", "", PACKED_32, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::VISIBILITY_SAMPLES)
+        let pass = pass(&node, &shaders::VISIBILITY_SAMPLES)
             .bind("guide", guides.guide)
             .bind("noisy_visibility", self.input("noisy_visibility", HOST_SCALAR, 1, false))
             .bind("occluder_distance", self.input("occluder_distance", HOST_SCALAR, 1, false))

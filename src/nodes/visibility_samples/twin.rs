@@ -2,18 +2,20 @@
 
 use crate::reference::binary16::{half_bits, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Values};
 use crate::reference::guide::unpack_guide;
+use crate::reference::rules::{rule, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
 /// The visibility of a pixel that has no sample.
-pub const NO_SAMPLE: f32 = -1.0;
+pub(crate) const NO_SAMPLE: f32 = -1.0;
 
 /// Samples of a host, half floats: visibility in the low bits, [`NO_SAMPLE`] where there is none, distance of the occluder in the
 /// high ones, 0 for none; with the counters of what was none.
-pub fn visibility_samples(
+pub(crate) fn visibility_samples(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
     noisy_visibility: &Image<[f32; 4]>,
@@ -37,6 +39,9 @@ pub fn visibility_samples(
 fn packed(visibility: f32, distance: f32) -> u32 {
     u32::from(half_bits(visibility)) | u32::from(half_bits(distance)) << 16
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[STATISTICS, rule("visibility_samples", Per::Pixel, Values::Halves, HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

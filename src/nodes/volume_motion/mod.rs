@@ -5,9 +5,9 @@
 
 pub(crate) mod twin;
 
-use super::Volume;
+use super::{pass, Volume};
 use crate::contract::{Grid, Lifetime, Phase};
-use crate::graph::{Graph, Guides, Pass, Port, VolumeMotion, PACKED_32};
+use crate::graph::{Graph, Guides, Port, VolumeMotion, PACKED_32};
 use crate::shaders;
 
 impl Graph {
@@ -19,14 +19,14 @@ impl Graph {
         let motion = self.named_image("volume_motion", "", PACKED_32, 1, Lifetime::Transient);
         self.clear(&node, format!("{node}_clear"), Phase::AfterLighting, claims);
         // Points of the previous frame may lie outside this one.
-        let claim = Pass::new(&node, &shaders::VOLUME_MOTION_RESOLVE_0)
+        let claim = pass(&node, &shaders::VOLUME_MOTION_RESOLVE_0)
             .named(format!("{node}_claim"))
             .grid(Grid::Strata(1))
             .previous("previous_points", volume.points)
             .bind("guide", guides.guide)
             .bind("claims", self.refreshed(claims));
         self.add(claim);
-        let resolve = Pass::new(&node, &shaders::VOLUME_MOTION_RESOLVE_1)
+        let resolve = pass(&node, &shaders::VOLUME_MOTION_RESOLVE_1)
             .named(format!("{node}_resolve"))
             .previous("previous_points", volume.points)
             .bind("surface_motion", guides.surface_motion)

@@ -4,9 +4,11 @@
 use crate::nodes::volume_points::twin::{unpack_volume_point, VolumePoint};
 use crate::reference::binary16::{from_half_bits, half_bits};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Values};
 use crate::reference::conventions::is_reset;
 use crate::reference::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
 use crate::reference::guide::{pcg, unpack_guide};
+use crate::reference::rules::{pixels, rule, EXACT};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants};
 use glam::IVec2;
@@ -18,12 +20,12 @@ mod tests;
 const STEPS: f32 = 64.0;
 
 /// A texel of `volume_motion`: pixels of the previous frame.
-pub fn pack_volume_motion([x, y]: [f32; 2]) -> u32 {
+pub(crate) fn pack_volume_motion([x, y]: [f32; 2]) -> u32 {
     u32::from(half_bits(x)) | u32::from(half_bits(y)) << 16
 }
 
 /// The content of a texel of `volume_motion`.
-pub fn unpack_volume_motion(texel: u32) -> [f32; 2] {
+pub(crate) fn unpack_volume_motion(texel: u32) -> [f32; 2] {
     [from_half_bits(texel as u16), from_half_bits((texel >> 16) as u16)]
 }
 
@@ -42,7 +44,7 @@ const LARGEST_DEPTH: f32 = 1e6;
 
 /// Carries `previous_points`, as written by `volume_points` in the previous frame, to this one. Each claims the pixel that it lands
 /// in, where no surface of `guide` hides it: the largest key stays, 0 is nobody's. Points are not read in a reset frame.
-pub fn volume_motion_claim(
+pub(crate) fn volume_motion_claim(
     frame: &FrameConstants,
     guide: &Image<[u16; 4]>,
     previous_points: &Image<[u16; 4]>,
@@ -73,7 +75,7 @@ pub fn volume_motion_claim(
 
 /// The mean motion for every pixel of the points whose keys stayed in the 3×3 pixels around, else that of its surface; see
 /// [`unpack_volume_motion`]. `surface_motion` is from the stage `import`.
-pub fn volume_motion_resolve(
+pub(crate) fn volume_motion_resolve(
     frame: &FrameConstants,
     previous_points: &Image<[u16; 4]>,
     surface_motion: &Image<[u16; 4]>,
@@ -193,6 +195,9 @@ fn representable(steps: i32) -> f32 {
     let excess = magnitude.checked_ilog2().unwrap_or(0).saturating_sub(10);
     steps.signum() as f32 * (magnitude >> excess << excess) as f32 / STEPS
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("claims", EXACT), rule("volume_motion", Per::Pixel, Values::Halves, EXACT)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,8 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::contract::Lifetime;
-use crate::graph::{Graph, Image, Pass, Port, Radiance, VolumeRadiance, HDR, HOST_SCALAR, PACKED_64};
+use crate::graph::{Graph, Image, Port, Radiance, VolumeRadiance, HDR, HOST_SCALAR, PACKED_64};
 use crate::shaders;
 
 /// A volume of yours: fog, smoke, light shafts.
@@ -37,7 +38,7 @@ impl Graph {
         let node = self.node("volume_points", "");
         let label = self.label(volume.noisy.image()).to_owned();
         let radiance = self.named_image("filter_ping", &label, HDR, 1, Lifetime::Transient);
-        let pass = Pass::new(&node, &shaders::VOLUME_POINTS)
+        let pass = pass(&node, &shaders::VOLUME_POINTS)
             .bind("noisy_volume", volume.noisy.image())
             .bind("scattering_depth", self.input("scattering_depth", HOST_SCALAR, 1, true))
             .bind("radiance", radiance)

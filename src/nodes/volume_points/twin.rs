@@ -3,6 +3,8 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::Rule;
+use crate::reference::rules::{pixels, EXACT, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
@@ -10,7 +12,7 @@ use crate::{Error, FrameConstants};
 
 /// A pixel of `volume_points`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VolumePoint {
+pub(crate) struct VolumePoint {
     /// Positive view-space depth along the view axis, scene units; 0: there is no point.
     pub linear_depth: f32,
     /// Rises with the luminance of the radiance: the upper half of its bits as a float.
@@ -18,19 +20,19 @@ pub struct VolumePoint {
 }
 
 /// A texel of `volume_points`.
-pub fn pack_volume_point(point: &VolumePoint) -> [u16; 4] {
+pub(crate) fn pack_volume_point(point: &VolumePoint) -> [u16; 4] {
     let depth = point.linear_depth.to_bits();
     [depth as u16, (depth >> 16) as u16, point.contribution, 0]
 }
 
 /// The content of a texel of `volume_points`.
-pub fn unpack_volume_point([low, high, contribution, _]: [u16; 4]) -> VolumePoint {
+pub(crate) fn unpack_volume_point([low, high, contribution, _]: [u16; 4]) -> VolumePoint {
     VolumePoint { linear_depth: f32::from_bits(u32::from(low) | u32::from(high) << 16), contribution }
 }
 
 /// Inputs of [`volume_points`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct VolumePointsInputs<'a> {
+pub(crate) struct VolumePointsInputs<'a> {
     /// rgb: noisy radiance of the volume, linear, scene units.
     pub noisy_volume: &'a Image<[f32; 4]>,
     /// x: linear depth of a point that contributes much; 0, infinite or NaN for none. `None`: no pixel has one.
@@ -39,7 +41,7 @@ pub struct VolumePointsInputs<'a> {
 
 /// Outputs of [`volume_points`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct VolumePointsOutputs {
+pub(crate) struct VolumePointsOutputs {
     /// rgb: radiance, half precision; alpha 0.
     pub radiance: Image<[f32; 4]>,
     /// See [`unpack_volume_point`].
@@ -49,7 +51,7 @@ pub struct VolumePointsOutputs {
 }
 
 /// Stops what is not finite, and keeps the points for the next frame.
-pub fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> VolumePointsOutputs {
+pub(crate) fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> VolumePointsOutputs {
     let texels = Image::compute(inputs.noisy_volume.extent(), frame.render_extent, |p| {
         let [r, g, b, _] = inputs.noisy_volume.at(p);
         let bad_radiance = ![r, g, b].iter().all(|c| c.is_finite());
@@ -66,6 +68,9 @@ pub fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> Vol
     statistics[Counter::ScatteringDepth] = count(texels.texels().iter().map(|t| t.1 .1));
     VolumePointsOutputs { radiance: texels.map(|t| t.0 .0), volume_points: texels.map(|t| t.0 .1), statistics }
 }
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("radiance", HALF), pixels("volume_points", EXACT)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -3,7 +3,9 @@
 use super::super::test_scene::*;
 use super::super::*;
 use super::*;
-use crate::kernel::Kernel;
+use crate::nodes::atrous::twin::*;
+use crate::nodes::volume_points::twin::*;
+use crate::nodes::Kernel;
 use crate::Counter;
 
 const EXTENT: [u32; 2] = [12, 9];
@@ -68,7 +70,7 @@ fn counts_are_added_to_those_before() {
     }
     b.writes("statistics", [size_of::<Statistics>() as u32, 1]);
     b.writes("irradiance_0", [2, 1]);
-    (Stage::find("demodulate").expect("known").twin)(&mut b).expect("all is bound");
+    crate::nodes::demodulate::twin::twin(&mut b).expect("all is bound");
     let written = b.into_written();
     assert_eq!(written[0], ("statistics", counts(&[(Counter::Depth, 1), (Counter::Radiance, 8)])));
     assert_eq!(written[1].1, Texels::Colour(Image::from_texels([2, 1], vec![[0.0; 4], [1.0, 1.0, 1.0, 0.0]]).expect("two")));
@@ -89,7 +91,7 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
         if !constants.contains(&("VOLUME", 1)) {
             b.reads("depth_gradient", &depth_gradient);
         }
-        (Stage::find("atrous").expect("known").twin)(&mut b).expect("all is bound");
+        crate::nodes::atrous::twin::twin(&mut b).expect("all is bound");
         b.into_written().remove(0).1
     };
     let inputs =
@@ -123,7 +125,7 @@ fn what_is_claimed_before_stays_where_its_key_is_larger() {
         b.reads(name, texels);
     }
     b.writes("claims", extent);
-    (Stage::find("volume_motion").expect("known").twin)(&mut b).expect("all is bound");
+    crate::nodes::volume_motion::twin::twin(&mut b).expect("all is bound");
     let Texels::Uint(claims) = b.into_written().remove(0).1 else { panic!("claims are keys") };
     assert!((0..8).all(|y| claims.get(0, y) == Some(&u32::MAX)));
     assert!(claims.texels().iter().all(|key| *key != 0));

@@ -23,14 +23,14 @@ struct Lobe {
 pub(super) struct Lobes(Image<Lobe>);
 
 impl Lobes {
-    pub fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, reflection: &Image<u32>) -> Self {
+    pub(crate) fn new(frame: &FrameConstants, tuning: &Tuning, guide: &Image<[u16; 4]>, reflection: &Image<u32>) -> Self {
         Self(Image::compute(guide.extent(), frame.render_extent, |p| {
             lobe(frame, tuning, &unpack_guide(guide.at(p)), reflection.at(p))
         }))
     }
 
     /// The weight of the pixel `q` for the pixel `p`; 1 for itself.
-    pub fn weight(&self, p: IVec2, q: IVec2) -> f32 {
+    pub(crate) fn weight(&self, p: IVec2, q: IVec2) -> f32 {
         let (centre, tap) = (self.0.at(p), self.0.at(q));
         let apart = (q - p).as_vec2().length_squared() * centre.spatial;
         let turned = 0.5 * (centre.normal - tap.normal).length_squared() * centre.normals;

@@ -2,7 +2,15 @@
 
 use super::*;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Rule, Tolerance};
+use crate::reference::rules::{pixels, HALF};
 use crate::Error;
+
+/// Colours go through a power, which devices round each in its own way.
+const PICTURE: Tolerance = Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF };
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[pixels("debug_view", PICTURE)];
 
 /// The level of the pass is the number of the view.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::nodes::modulate::twin::SpecularAlbedos;
+use crate::nodes::modulate::twin::{modulate, ModulateInputs};
 use crate::reference::test_scene::*;
-use crate::reference::{modulate, ModulateInputs, LARGEST_HALF};
+use crate::reference::LARGEST_HALF;
 
 const EXTENT: [u32; 2] = [6, 4];
 

@@ -1,9 +1,10 @@
 //! Differences by hand.
 
 use super::*;
+use crate::nodes::demodulate::twin::noisy_luminance;
 use crate::reference::binary16::half_bits;
 use crate::reference::test_scene::*;
-use crate::reference::{noisy_luminance, pack_gradient_sample, GradientSample};
+use crate::reference::{pack_gradient_sample, GradientSample};
 use crate::Flags;
 
 const EXTENT: [u32; 2] = [6, 3];

@@ -5,7 +5,7 @@ use crate::config::{Conventions, MotionDepth, MotionDirection, MotionUnit};
 use crate::reference::test_scene::*;
 use crate::reference::{unpack_surface_motion, Image, SurfaceMotion, LARGEST_MOTION};
 use crate::{Config, FrameParams};
-use glam::{Mat4, Vec4};
+use glam::{Mat4, Vec2, Vec4};
 
 const EXTENT: [u32; 2] = [8, 6];
 

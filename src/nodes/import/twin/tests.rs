@@ -1,11 +1,11 @@
 //! Depth, normals, gradients, background and bad values.
 
 use super::*;
-use crate::config::{Conventions, DepthEncoding, NormalSpace, ViewForward};
+use crate::config::{Conventions, DepthEncoding, NormalEncoding, NormalSpace, ViewForward};
 use crate::reference::test_scene::*;
 use crate::reference::{unpack_depth_gradient, unpack_guide, unpack_surface_motion, Image};
 use crate::{Config, FrameParams};
-use glam::{Mat4, Quat, Vec4};
+use glam::{Mat4, Quat, Vec2, Vec4};
 
 const EXTENT: [u32; 2] = [8, 6];
 

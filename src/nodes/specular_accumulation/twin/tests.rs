@@ -1,6 +1,7 @@
 use super::*;
-use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, SignalHistory, TemporalAccumulationInputs};
+use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, TemporalAccumulationInputs};
 use crate::reference::guide::pack_guide;
+use crate::reference::nearest_history::SignalHistory;
 use crate::reference::reflection::{mirror_share, unpack_reflection};
 use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;

@@ -2,8 +2,27 @@
 
 use super::*;
 use crate::reference::bindings::Bindings;
+use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::moments::split_moments;
+use crate::reference::rules::{pixels, rounded, rule, TESTED};
 use crate::Error;
+
+/// A deviation near 0 is the root of a difference that rounding decides.
+const ACCUMULATED_MOMENTS: Tolerance = Tolerance { absolute: 2e-3, ..TESTED };
+
+/// A pixel whose test falls the other way moves from one counter to another.
+const HISTORY_COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, outliers: 0.0 };
+
+/// How what it writes is compared with the GPU.
+pub(crate) const RULES: &[Rule] = &[
+    rule("statistics", Per::Buffer, Values::Counts, HISTORY_COUNTS),
+    pixels("irradiance_0", TESTED),
+    pixels("irradiance_1", TESTED),
+    rounded("irradiance_0"),
+    rounded("irradiance_1"),
+    rule("new_moments_0", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
+    rule("new_moments_1", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
+];
 
 /// Surfaces, or with the constant `VOLUME` a volume.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -16,7 +16,7 @@ pub(crate) struct AlphaBounds {
 
 impl AlphaBounds {
     /// `change`: 0, light is as it was, to 1 \[ASVGF 3.5\].
-    pub fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
+    pub(crate) fn new(tuning: &Tuning, is_adaptive: bool, repair: bool, change: f32) -> Self {
         // What alpha forgets is gone from the length, too, so that the variance is estimated from the neighbourhood.
         let longest = match (is_adaptive, repair) {
             (_, true) => 1.0 / change.max(1e-6),

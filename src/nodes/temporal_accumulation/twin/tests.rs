@@ -2,8 +2,8 @@
 
 use super::blend::FILLED_WORTH;
 use super::*;
+use crate::reference::luminance::HOLE;
 use crate::reference::test_scene::*;
-use crate::reference::HOLE;
 
 const EXTENT: [u32; 2] = [6, 5];
 

@@ -6,7 +6,7 @@ use crate::reference::volume::{relative_difference, volume_depth};
 
 /// Inputs of [`volume_accumulation`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
-pub struct VolumeAccumulationInputs<'a> {
+pub(crate) struct VolumeAccumulationInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
     /// The image `volume_motion`, from the stage of that name.
@@ -18,7 +18,7 @@ pub struct VolumeAccumulationInputs<'a> {
 }
 
 /// Accumulates the radiance of a volume. No pixel is background: fog lies before the sky as well.
-pub fn volume_accumulation(
+pub(crate) fn volume_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &VolumeAccumulationInputs,

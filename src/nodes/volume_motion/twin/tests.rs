@@ -1,5 +1,6 @@
 use super::*;
-use crate::reference::{pack_surface_motion, pack_volume_point, test_scene::*, VolumePoint};
+use crate::nodes::volume_points::twin::pack_volume_point;
+use crate::reference::{pack_surface_motion, test_scene::*};
 use crate::{Config, FrameParams};
 use glam::Vec3;
 

@@ -1,9 +1,10 @@
 //! One frame: bad values, sky, what is between the stages.
 
 use super::super::super::test_scene::*;
-use super::super::super::{round_image_to_half, round_to_half, tone_map, Reason};
+use super::super::super::{round_image_to_half, round_to_half, Reason};
 use super::*;
 use crate::config::{PostProcess, Preset, Signals};
+use crate::nodes::tone_map::twin::tone_map;
 use crate::Counter;
 use glam::Vec3;
 

@@ -1,9 +1,12 @@
 //! `percentile_rule` and `change_test`: which changes each sees, on blocks of one luminance distribution before and another one
 //! now.
 
-use super::test_scene::*;
-use super::*;
-use crate::nodes::percentile_rule::twin::weight_of_history;
+use super::block_difference::twin::*;
+use super::block_percentiles::twin::*;
+use super::change_test::twin::*;
+use super::percentile_rule::twin::*;
+use crate::reference::test_scene::*;
+use crate::reference::*;
 use crate::Tuning;
 
 const EXTENT: [u32; 2] = [44, 35];
