@@ -100,8 +100,19 @@ pub enum Error {
     #[error("no Vulkan device: {0}. Install a driver, e.g. Debian's mesa-vulkan-drivers (software), or check VK_DRIVER_FILES")]
     NoDevice(String),
     /// A resource has no image or buffer bound to it.
-    #[error("resource `{0}` has nothing that fits bound to it; bind an image to an image and a buffer to a buffer, and leave out optional inputs alone")]
+    #[error("resource `{0}` has nothing bound to it; bind it, since only optional inputs may be left out")]
     NotBound(String),
+    /// A resource is of a different kind, or is none that you bind.
+    #[error("resource `{resource}` is not {needed}; Declaration::resources tells the shape and the lifetime of each")]
+    WrongKind {
+        /// The resource.
+        resource: String,
+        /// What the call takes.
+        needed: &'static str,
+    },
+    /// A result was asked for before the first frame.
+    #[error("`{0}` has no content before the first frame; run one first")]
+    NoFrame(String),
     /// A transient that was asked for after the CPU engine freed it.
     #[error("resource `{0}` is a transient, and its memory is free after its last pass; make the engine with Engine::keep_transients to read it later")]
     NotKept(String),

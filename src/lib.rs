@@ -50,7 +50,7 @@ mod pages {
 /// The Vulkan bindings of the public interface, if you have a different version of them or none.
 pub use ash;
 pub use choice::Choice;
-pub use config::Config;
+pub use config::{Config, Preset};
 pub use contract::*;
 pub use error::Error;
 pub use frame_constants::{Flags, FrameConstants};

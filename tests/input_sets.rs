@@ -120,7 +120,7 @@ fn inputs_of_the_wrong_size_or_device_are_refused() {
     let inputs = declaration.resources().iter().filter(|r| matches!(r.lifetime, Lifetime::Input { .. }));
     for (name, is_image) in inputs.map(|r| (r.name.clone(), matches!(r.shape, Shape::Image { .. }))).collect::<Vec<_>>() {
         let error = one.upload_bytes(&name, &[0; 12]).expect_err(&name);
-        assert!(if is_image { matches!(error, Error::Size { .. }) } else { matches!(error, Error::NotBound(_)) }, "{error}");
+        assert!(if is_image { matches!(error, Error::Size { .. }) } else { matches!(error, Error::WrongKind { .. }) }, "{error}");
     }
     let error = one.upload_bytes("depht", &[0; 12]).expect_err("no such input");
     assert!(matches!(error, Error::UnknownResource { .. }), "{error}");

@@ -211,7 +211,7 @@ fn images_have_to_be_given_again_and_buffers_stay() {
     run(&mut s, EXTENT, 0);
     s.resize(LARGER).expect("another extent");
     let error = s.download("denoised_radiance").expect_err("no frame yet");
-    assert_eq!(error, Error::NotBound("denoised_radiance".into()));
+    assert_eq!(error, Error::NoFrame("denoised_radiance".into()));
     let error = s.upload("depth", &[[1.0; 4]; 33 * 21]).expect_err("the old extent").to_string();
     assert!(error.contains("1920 texels (48x40)"), "{error}");
     let missing = |s: &mut Session| s.run(&FrameParams::new(LARGER), &Tuning::default()).expect_err("not given");

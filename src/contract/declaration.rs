@@ -148,12 +148,14 @@ impl Declaration {
     /// An image by name, with its allocated extent, for as many texels of a format that are given row by row.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Format`],
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for a buffer, [`Error::Format`],
     /// [`Error::Size`] for a wrong number of texels.
     pub(crate) fn image_for(&self, name: &str, given: vk::Format, count: usize) -> Result<(ResourceId, [u32; 2]), Error> {
         let id = self.named(name)?;
         let resource = self.resource(id);
-        let Shape::Image { format, .. } = resource.shape else { return Err(Error::NotBound(name.to_owned())) };
+        let Shape::Image { format, .. } = resource.shape else {
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an image" });
+        };
         if !format.accepts(given) {
             return Err(Error::Format { resource: name.to_owned(), given, allowed: format.to_string() });
         }

@@ -36,7 +36,7 @@ impl Executor {
     /// Binds an image of yours to an input or an output, until you bind a new one.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for a resource that is the executor's, [`Error::Format`], [`Error::Size`].
     pub fn bind_image(&mut self, name: &str, image: HostImage) -> Result<(), Error> {
         self.bind_image_until(name, image, image.state())
     }
@@ -47,10 +47,10 @@ impl Executor {
         let id = declaration.named(name)?;
         let resource = declaration.resource(id);
         let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
-            return Err(Error::NotBound(name.to_owned()));
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an input image or an output image" });
         };
         if !matches!(resource.lifetime, Lifetime::Input { .. } | Lifetime::Output) {
-            return Err(Error::NotBound(name.to_owned()));
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an input image or an output image" });
         }
         if !format.accepts(image.format) {
             return Err(Error::Format { resource: name.to_owned(), given: image.format, allowed: format.to_string() });
@@ -67,7 +67,7 @@ impl Executor {
     /// own uses before each phase.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a resource that is no input buffer, [`Error::Size`].
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for a resource that is no input buffer, [`Error::Size`].
     pub fn bind_buffer(
         &mut self,
         name: &str,
@@ -79,10 +79,10 @@ impl Executor {
         let declaration = self.denoiser.declaration();
         let id = declaration.named(name)?;
         let Shape::Buffer { size: needed } = declaration.resource(id).shape else {
-            return Err(Error::NotBound(name.to_owned()));
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an input buffer or an output buffer" });
         };
         if !matches!(declaration.resource(id).lifetime, Lifetime::Input { .. } | Lifetime::Output) {
-            return Err(Error::NotBound(name.to_owned()));
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an input buffer or an output buffer" });
         }
         if size < needed {
             let (given, needed) = (format!("{size} bytes"), format!("at least {needed} bytes"));

@@ -152,7 +152,7 @@ impl Session {
     /// # Errors
     /// Errors of [`Self::download`]: [`Error::UnknownResource`] without [`crate::Config::debug_view`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
-        let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
+        let frame = self.frame.ok_or_else(|| Error::NoFrame("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };
         // SAFETY: the command buffer is recording, and the frame was waited for.
         self.submit(|session, cmd| unsafe { session.executor.record_debug_view(cmd, &frame) })?;
@@ -162,7 +162,7 @@ impl Session {
     /// Texels of an output or a history of the last frame as floats; with [`SessionOptions::keep_transients`] of transients, too.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame or where nothing is bound.
+    /// [`Error::UnknownResource`]; [`Error::NoFrame`] before the first frame; [`Error::NotBound`] where nothing is bound.
     pub fn download(&mut self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
         self.download_copy(name, UseFrame::Current).map(|(copy, bytes)| copy.to_floats(&bytes))
     }
@@ -170,7 +170,7 @@ impl Session {
     /// Counters of the last frame.
     ///
     /// # Errors
-    /// [`Error::NotBound`] before the first frame.
+    /// [`Error::NoFrame`] before the first frame.
     pub fn statistics(&mut self) -> Result<Statistics, Error> {
         Statistics::from_bytes(&self.download_bytes("statistics", UseFrame::Current)?)
     }
@@ -185,7 +185,7 @@ impl Session {
     }
 
     fn download_copy(&mut self, name: &str, which: UseFrame) -> Result<(Readback, Vec<u8>), Error> {
-        let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let frame = self.frame.ok_or_else(|| Error::NoFrame(name.to_owned()))?;
         let copy = self.executor.readback(name, &frame, which)?;
         self.stage(copy.bytes)?;
         self.submit(|session, cmd| {

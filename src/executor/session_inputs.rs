@@ -33,11 +33,13 @@ impl Session {
     /// traffic of a real engine.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for a buffer, [`Error::Size`] for a wrong number of bytes.
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for a buffer, [`Error::Size`] for a wrong number of bytes.
     pub fn upload_bytes(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
         let resource = declaration.resource(declaration.named(name)?);
-        let Shape::Image { format, .. } = resource.shape else { return Err(Error::NotBound(name.to_owned())) };
+        let Shape::Image { format, .. } = resource.shape else {
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an image" });
+        };
         let needed = resource.bytes(declaration.allocated_extent());
         if bytes.len() as u64 != needed {
             let (given, needed) = (format!("{} bytes", bytes.len()), format!("{needed} bytes"));
@@ -50,7 +52,7 @@ impl Session {
     /// Sets an input buffer.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for an image, [`Error::Size`].
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for an image, [`Error::Size`].
     pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         let declaration = self.executor.denoiser().declaration();
         declaration.named(name)?;

@@ -14,15 +14,20 @@ pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, binding
     }
     for (u, binding) in pass.uses.iter().zip(bindings) {
         let resource = declaration.resource(u.resource);
-        let fits = match (binding, resource.shape) {
-            (Binding::Absent, _) => resource.lifetime == Lifetime::Input { optional: true },
-            (Binding::Image { .. }, Shape::Image { .. }) => u.access != Access::Clear,
-            (Binding::ClearedImage { .. }, Shape::Image { .. }) => u.access == Access::Clear,
-            (Binding::Buffer { .. }, Shape::Buffer { .. }) => true,
-            _ => false,
-        };
-        if !fits {
-            return Err(Error::NotBound(resource.name.clone()));
+        let name = || resource.name.clone();
+        match (binding, resource.shape) {
+            (Binding::Absent, _) if resource.lifetime == Lifetime::Input { optional: true } => {}
+            (Binding::Absent, _) => return Err(Error::NotBound(name())),
+            (Binding::Image { .. }, Shape::Image { .. }) if u.access != Access::Clear => {}
+            (Binding::ClearedImage { .. }, Shape::Image { .. }) if u.access == Access::Clear => {}
+            (Binding::Buffer { .. }, Shape::Buffer { .. }) => {}
+            (Binding::Buffer { .. }, _) => return Err(Error::WrongKind { resource: name(), needed: "a buffer" }),
+            (Binding::Image { .. }, _) => {
+                return Err(Error::WrongKind { resource: name(), needed: "an image that is bound by its view here" });
+            }
+            (Binding::ClearedImage { .. }, _) => {
+                return Err(Error::WrongKind { resource: name(), needed: "an image that is cleared here" });
+            }
         }
     }
     Ok(())

@@ -144,7 +144,7 @@ impl Denoiser {
     /// may record different passes, or the same pass in different slots, at once. Each pass has a descriptor set for each slot.
     ///
     /// # Errors
-    /// [`Error::Bindings`] or [`Error::NotBound`] when `bindings` do not fit the pass, [`Error::FrameSlot`] when the frame has a slot
+    /// [`Error::Bindings`], [`Error::NotBound`] or [`Error::WrongKind`] when `bindings` do not fit the pass, [`Error::FrameSlot`] when the frame has a slot
     /// beyond the last; nothing is recorded then.
     ///
     /// # Safety

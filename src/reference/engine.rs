@@ -55,7 +55,7 @@ impl Engine {
     /// Sets an input image from one value a texel of its allocated extent, row by row.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input image, [`Error::Format`] for an image of ids,
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for what is no input image, [`Error::Format`] for an image of ids,
     /// [`Error::Size`] for a wrong number of texels.
     pub fn upload(&mut self, name: &str, texels: &[[f32; 4]]) -> Result<(), Error> {
         let (id, extent) = self.input_image(name, vk::Format::R32G32B32A32_SFLOAT, texels.len())?;
@@ -76,10 +76,12 @@ impl Engine {
     /// Sets an input buffer.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input buffer, [`Error::Size`] for fewer bytes than it needs.
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for what is no input buffer, [`Error::Size`] for fewer bytes than it needs.
     pub fn upload_buffer(&mut self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         let id = self.input(name)?;
-        let Shape::Buffer { size } = self.declaration.resource(id).shape else { return Err(Error::NotBound(name.to_owned())) };
+        let Shape::Buffer { size } = self.declaration.resource(id).shape else {
+            return Err(Error::WrongKind { resource: name.to_owned(), needed: "an input buffer" });
+        };
         if (bytes.len() as u64) < size {
             let (given, needed) = (format!("{} bytes", bytes.len()), format!("at least {size} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
@@ -91,7 +93,7 @@ impl Engine {
     /// Leaves an optional input out from now on.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`], [`Error::NotBound`] for what is no input.
+    /// [`Error::UnknownResource`], [`Error::WrongKind`] for what is no input.
     pub fn unbind(&mut self, name: &str) -> Result<(), Error> {
         let id = self.input(name)?;
         self.stored[id.0 as usize][0] = None;
@@ -134,10 +136,10 @@ impl Engine {
     /// Texels of the output `debug_view` for the last frame, with any view.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NotBound`] before the first frame; [`Error::NotKept`]
+    /// [`Error::UnknownResource`] for a declaration without that pass; [`Error::NoFrame`] before the first frame; [`Error::NotKept`]
     /// for an engine without [`Self::keep_transients`].
     pub fn debug_view(&mut self, view: DebugView) -> Result<Vec<[f32; 4]>, Error> {
-        let frame = self.frame.ok_or_else(|| Error::NotBound("debug_view".into()))?;
+        let frame = self.frame.ok_or_else(|| Error::NoFrame("debug_view".into()))?;
         let frame = FrameContext { debug_view: Some(view), ..frame };
         if let Some(pass) = self.declaration.passes().iter().position(|pass| pass.draws_view()) {
             // An optional binding without its image would pass for something that the graph does not have.
@@ -153,8 +155,8 @@ impl Engine {
     /// Texels of an output or a history of the last frame as floats; after [`Self::keep_transients`] of transients, too.
     ///
     /// # Errors
-    /// [`Error::UnknownResource`]; [`Error::NotBound`] before the first frame, for a transient that was not kept, and for an absent
-    /// input.
+    /// [`Error::UnknownResource`]; [`Error::NoFrame`] before the first frame; [`Error::NotKept`] for a transient that was not kept; [`Error::NotBound`] for an
+    /// absent input.
     pub fn download(&self, name: &str) -> Result<Vec<[f32; 4]>, Error> {
         self.texels(name, UseFrame::Current).map(Texels::to_floats)
     }
@@ -162,7 +164,7 @@ impl Engine {
     /// Counters of the last frame.
     ///
     /// # Errors
-    /// [`Error::NotBound`] before the first frame.
+    /// [`Error::NoFrame`] before the first frame.
     pub fn statistics(&self) -> Result<Statistics, Error> {
         let texels = self.texels("statistics", UseFrame::Current)?;
         Statistics::from_bytes(if let Texels::Bytes(bytes) = texels { bytes } else { &[] })
@@ -174,7 +176,7 @@ impl Engine {
     /// Errors of [`Self::download`].
     pub fn texels(&self, name: &str, which: UseFrame) -> Result<&Texels, Error> {
         let id = self.declaration.named(name)?;
-        let frame = self.frame.ok_or_else(|| Error::NotBound(name.to_owned()))?;
+        let frame = self.frame.ok_or_else(|| Error::NoFrame(name.to_owned()))?;
         if self.is_freed(id) {
             return Err(Error::NotKept(name.to_owned()));
         }
@@ -245,7 +247,7 @@ impl Engine {
         let id = self.declaration.named(name)?;
         match self.declaration.resource(id).lifetime {
             Lifetime::Input { .. } => Ok(id),
-            _ => Err(Error::NotBound(name.to_owned())),
+            _ => Err(Error::WrongKind { resource: name.to_owned(), needed: "an input" }),
         }
     }
 }

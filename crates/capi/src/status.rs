@@ -52,7 +52,7 @@ impl From<Error> for Failure {
                 AtrousStatus::OutOfMemory
             }
             Error::Vulkan { .. } => AtrousStatus::VulkanError,
-            Error::Bindings { .. } | Error::NotBound(_) => AtrousStatus::BadBindings,
+            Error::Bindings { .. } | Error::NotBound(_) | Error::WrongKind { .. } => AtrousStatus::BadBindings,
             _ => AtrousStatus::InvalidArgument,
         };
         Self { status, message: error.to_string() }

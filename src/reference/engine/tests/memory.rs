@@ -50,7 +50,7 @@ fn a_transient_has_memory_from_its_first_pass_to_its_last() {
 fn what_was_freed_says_how_to_keep_it() {
     let (mut frugal, mut keeping) = (frugal(), Host::new(&config()));
     let noisy = noise(EXTENT, 1);
-    assert_eq!(keeping.engine.download("guide"), Err(Error::NotBound("guide".into())), "before the first frame");
+    assert_eq!(keeping.engine.download("guide"), Err(Error::NoFrame("guide".into())), "before the first frame");
     for host in [&mut frugal, &mut keeping] {
         host.frame(&params(None), &noisy);
     }
