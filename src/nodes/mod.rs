@@ -15,7 +15,7 @@ macro_rules! stages {
     ($($name:ident),+ $(,)?) => {
         $(
             pub(crate) mod $name;
-            #[allow(unused_imports)] // Some stages have no parameters.
+            #[allow(unused_imports, unreachable_pub)] // Some stages have no parameters.
             pub use $name::*;
         )+
 
