@@ -61,12 +61,14 @@ fn graph(filter: &Stage) -> Result<Declaration, Error> {
     let guides = g.import(Import::default());
     let noisy = g.radiance("noisy_radiance");
     let irradiance = g.demodulate(&guides, &noisy, Default::default());
+    // docs: begin
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulated = g.temporal_accumulation(&guides, &irradiance, &history, Accumulation::default());
     let estimate = g.variance(&guides, &accumulated, &history, Variance::default());
     let filtered = g.stage(filter).bind("estimate", estimate.image()).add();
     let denoised = g.modulate(&guides, &Irradiance::of(filtered.written("filtered")), Modulate::default());
     g.output("denoised_radiance", &denoised);
+    // docs: end
     g.finish()
 }
 

@@ -42,9 +42,6 @@ mod pages {
     #[cfg(feature = "executor")]
     #[doc = include_str!("../docs/hosts/one_call.md")]
     struct OneCall;
-    #[cfg(feature = "host-stages")]
-    #[doc = include_str!("../docs/add_a_stage.md")]
-    struct AddAStage;
 }
 
 /// The Vulkan bindings of the public interface, if you have a different version of them or none.
