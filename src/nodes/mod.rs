@@ -14,7 +14,12 @@ use crate::shaders::Shader;
 macro_rules! stages {
     ($($name:ident),+ $(,)?) => {
         $(
+            // Public in the documentation alone: the page of a module is the specification of its stage.
+            #[cfg(doc)]
+            pub mod $name;
+            #[cfg(not(doc))]
             pub(crate) mod $name;
+            #[doc(inline)]
             #[allow(unused_imports, unreachable_pub)] // Some stages have no parameters.
             pub use $name::*;
         )+

@@ -11,7 +11,7 @@ pub struct Surface {
     pub normal: [f32; 3],
     /// 0 to 1; kept in steps of 1/15.
     pub roughness: f32,
-    /// Surface id, folded by [`fold_id`]; 0 for the background.
+    /// Surface id, folded to 8 bits; 0 for the background.
     pub id: u8,
 }
 
