@@ -57,11 +57,20 @@ fn an_image_of_another_kind_is_named() {
     assert_names(engine.upload_ids("depth", &[1; PIXELS]).expect_err("ids"), &["`depth`", "R32_UINT", "floating-point"]);
     assert_names(engine.upload("surface_id", &[[1.0; 4]; PIXELS]).expect_err("floats"), &["`surface_id`", "unsigned integer"]);
     for name in ["instance_transforms", "denoised_radiance", "moments", "guide"] {
-        assert!(matches!(engine.upload(name, &[[1.0; 4]; PIXELS]), Err(Error::WrongKind { resource, .. }) if resource == name), "{name}");
-        assert!(matches!(engine.upload_ids(name, &[1; PIXELS]), Err(Error::WrongKind { resource, .. }) if resource == name), "{name}");
+        assert!(
+            matches!(engine.upload(name, &[[1.0; 4]; PIXELS]), Err(Error::WrongKind { resource, .. }) if resource == name),
+            "{name}"
+        );
+        assert!(
+            matches!(engine.upload_ids(name, &[1; PIXELS]), Err(Error::WrongKind { resource, .. }) if resource == name),
+            "{name}"
+        );
     }
     for name in ["depth", "statistics", "frame_constants"] {
-        assert!(matches!(engine.upload_buffer(name, &[0; 4096]), Err(Error::WrongKind { resource, .. }) if resource == name), "{name}");
+        assert!(
+            matches!(engine.upload_buffer(name, &[0; 4096]), Err(Error::WrongKind { resource, .. }) if resource == name),
+            "{name}"
+        );
     }
     assert_eq!(engine.unbind("moments"), Err(Error::WrongKind { resource: "moments".into(), needed: "an input" }));
 }
