@@ -1,5 +1,5 @@
 //! Scales outliers down before they reach the history, and spreads the light that this removes.
-//! [PSVGF], firefly filter.
+//! \[PSVGF\], firefly filter.
 //!
 #![doc = include_str!("specification.md")]
 

@@ -1,5 +1,5 @@
 //! Carries the points of a volume forward from the previous frame, for its own motion vectors.
-//! [PSVGF], volumes.
+//! \[PSVGF\], volumes.
 //!
 #![doc = include_str!("specification.md")]
 

@@ -1,4 +1,4 @@
-//! Takes in the light that a volume scatters towards the camera, and its places. [PSVGF], volumes.
+//! Takes in the light that a volume scatters towards the camera, and its places. \[PSVGF\], volumes.
 //!
 #![doc = include_str!("specification.md")]
 
