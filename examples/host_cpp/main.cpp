@@ -76,7 +76,6 @@ public:
     }
 
 private:
-    // docs: begin
     // The passes of a phase as passes of the engine's graph.
     void add_phase(uint32_t phase) {
         for (uint32_t index = 0; index < pass_count_; ++index) {
@@ -95,6 +94,7 @@ private:
                     }
                 },
                 [this, index, pass, handles](VkCommandBuffer cmd) {
+                    // docs: begin
                     std::vector<AtrousBinding> bindings(pass.use_count);
                     for (uint32_t i = 0; i < pass.use_count; ++i) {
                         const Physical* physical = handles[i].physical;
@@ -104,10 +104,10 @@ private:
                         bindings[i].buffer = physical->buffer, bindings[i].range = VK_WHOLE_SIZE;
                     }
                     check(atrous_record(denoiser_, &frame_, cmd, index, bindings.data(), pass.use_count), pass.name);
+                    // docs: end
                 });
         }
     }
-    // docs: end
 
     Handle handle(const AtrousUse& use) {
         auto& copies = resources_[use.resource];
