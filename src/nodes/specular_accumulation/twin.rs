@@ -1,10 +1,12 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
 use crate::nodes::temporal_accumulation::twin::{blend, fresh, worth_of, AlphaBounds, Reprojected};
+use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Per, Rule, Tolerance, Values};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
+use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
 use crate::reference::rules::{pixels, rule, HALF};
@@ -87,6 +89,8 @@ struct Scene<'a> {
 struct Centre {
     mirror: Mirror,
     reprojected: Reprojected,
+    /// What means are taken about: the luminance of this frame in the light of the previous one.
+    origin: f32,
 }
 
 /// Accumulates specular light along the motion of surfaces and of what is seen in them, whichever tells more.
@@ -148,6 +152,7 @@ impl Scene<'_> {
         Centre {
             mirror: self.motion.mirror(p, motion.motion),
             reprojected: Reprojected::new(self.frame, self.tuning, (surface, p), &motion, gradient),
+            origin: (texel_luminance(self.inputs.noisy.at(p)) / self.frame.exposure_ratio.max(1e-20)).min(LARGEST_HALF),
         }
     }
 
@@ -181,7 +186,7 @@ impl Scene<'_> {
         let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
         let worth = if self.inputs.has_holes { worth_of(noisy) } else { 1.0 };
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
-        let before = Moments { mean: past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
+        let before = Moments { mean: best.origin + past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
         blend(self.frame, (noisy, worth), past.irradiance, &before, bounds, [1.0; 3])
     }
 }

@@ -31,6 +31,7 @@ pub(super) struct Past {
     pub nearness: f32,
     pub roughness: f32,
     pub irradiance: [f32; 3],
+    /// Of luminance about the origin of the pixel: the difference of squares would cancel otherwise.
     pub mean: f32,
     pub second_moment: f32,
 }
@@ -39,6 +40,8 @@ pub(super) struct Past {
 #[derive(Clone, Copy)]
 pub(super) struct BestPast {
     pub past: Past,
+    /// What its mean is taken about.
+    pub origin: f32,
     /// How much of it comes from where the image was.
     pub image_share: f32,
     /// How sure it is that it shows what is seen now.
@@ -126,7 +129,7 @@ impl Scene<'_> {
             (Some(surface), Some(image)) => surface.blend(&image, image_share),
             (surface, image) => surface.or(image)?,
         };
-        Some(BestPast { past, image_share, steadiness })
+        Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }
 
     /// How sure it is that a past shows what is seen now, at most 1: of a mirror, whose image was followed, and of a picture that stands
@@ -165,13 +168,14 @@ impl Scene<'_> {
         let previous = &self.inputs.previous;
         let (moments, seen) = (unpack_moments(previous.moments.at(q)), unpack_reflection(previous.reflection.at(q)));
         let [r, g, b, _] = previous.history.at(q);
+        let mean = moments.mean - c.origin;
         Past {
             frames: moments.history_length,
             nearness: nearness(c.mirror.surface.linear_depth, seen.hit_distance),
             roughness: seen.roughness,
             irradiance: [r, g, b],
-            mean: moments.mean,
-            second_moment: moments.deviation * moments.deviation + moments.mean * moments.mean,
+            mean,
+            second_moment: moments.deviation * moments.deviation + mean * mean,
         }
     }
 
