@@ -3,9 +3,9 @@
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
-// SMOOTH: the luminance weight takes the deviation of 3x3 pixels. SHARED: a quarter of what it tolerates is by the deviation of the tap [ours]:
-// what was never hit by rare light takes some of what was, instead of refusing it as an outlier. VOLUME: steered by the depth of the surface behind alone, and
-// less strictly [PSVGF]; the background takes part.
+// OURS: the luminance weight is a Gauss curve over deviations of means, which taps share; some of what it refuses stays on the centre, so that
+// rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
+// background takes part.
 // With SPECULAR no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it, and by
 // hit distance [ours]; a mirror is not filtered at all.
 // variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1
@@ -18,8 +18,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const uint KERNEL = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
 layout(constant_id = 3) const bool ODD = false;
-layout(constant_id = 4) const bool SMOOTH = true;
-layout(constant_id = 5) const bool SHARED = false;
+layout(constant_id = 4) const bool OURS = false;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -61,7 +60,10 @@ const uint HEXAGON_KERNEL = 2u;
 const int RADIUS = KERNEL == SPLINE_KERNEL ? 2 : 1;
 const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 const float LUMINANCE_EPSILON = 1e-4;
-const float TAP_SHARE = 0.25;
+// Of the tolerated deviation by that of the tap: a pixel that rare light never hit takes some of what was hit.
+const float TAP_SHARE = 0.35;
+// Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
+const float KEPT_SHARE = 0.5;
 
 const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : KERNEL == BOX_KERNEL ? 1.0 / 9.0 : 1.0 / 7.0;
 
@@ -76,10 +78,19 @@ bool is_tap(ivec2 offset) {
     return offset != ivec2(0);
 }
 
+// Of the widest kernel: reflection knows no length that depends on a constant.
+const int TAPS = 25;
+
+int index_of(ivec2 offset) { return TAPS / 2 + 5 * offset.y + offset.x; }
+
+// Log2 of the weight of what does not exist or is background.
+const float REFUSED = -1e4;
+
 struct Sum {
     vec3 irradiance;
     float variance;
     float weight;
+    float kept;
 };
 
 struct Centre {
@@ -88,13 +99,44 @@ struct Centre {
     float sharpness;  // of luminance
 };
 
-// g3x3: a steadier deviation, for the luminance weight alone.
-vec2 tolerated_deviations(ivec2 p) {
-#if SIGNALS == 1
-    if (!SMOOTH) return vec2(imageLoad(input_0, p).a);
-#else
-    if (!SMOOTH) return vec2(imageLoad(input_0, p).a, imageLoad(input_1, p).a);
-#endif
+// log2(e) over the denominator of eq. 5.
+float luminance_sharpness(float deviation) { return LOG2_E / (push.sigma_l * deviation + LUMINANCE_EPSILON); }
+
+Centre centre_of(vec4 value, float variance) {
+    float deviation = sqrt(variance);
+    return Centre(luminance(value.rgb), deviation, luminance_sharpness(deviation));
+}
+
+// `geometry`: in powers of 2.
+void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
+    float difference = abs(luminance(value.rgb) - centre.luminance), weight;
+    if (OURS) {
+        // In the background the deviation is negative.
+        float x = difference * luminance_sharpness(mix(centre.deviation, max(value.a, 0.0), TAP_SHARE));
+        float share = exp2(-0.5 / LOG2_E * x * x), whole = kernel * exp2(geometry);
+        weight = whole * share;
+        sum.kept += KEPT_SHARE * (whole - weight);
+    } else {
+        weight = kernel * exp2(geometry - difference * centre.sharpness);
+    }
+    sum.irradiance += weight * value.rgb;
+    sum.variance += weight * weight * value.a * value.a;
+    sum.weight += weight;
+}
+
+Sum start(vec4 value) {
+    return Sum(CENTRE_KERNEL * value.rgb, CENTRE_KERNEL * CENTRE_KERNEL * value.a * value.a, CENTRE_KERNEL, 0.0);
+}
+
+vec4 result(Sum sum, vec4 centre) {
+    sum.irradiance += sum.kept * centre.rgb;
+    // Of the same sample as the centre's own weight: weights add up before they are squared.
+    sum.variance += sum.kept * (sum.kept + 2.0 * CENTRE_KERNEL) * centre.a * centre.a;
+    return storable(vec4(sum.irradiance, sqrt(sum.variance)) / (sum.weight + sum.kept));
+}
+
+// g3x3 of eq. 5, beside the pixel on every level: it steadies an estimate of one pixel.
+vec2 variances_beside(ivec2 p) {
     vec2 sum = vec2(0.0);
     float weight_sum = 0.0;
     [[unroll]] for (int y = -1; y <= 1; ++y)
@@ -111,28 +153,27 @@ vec2 tolerated_deviations(ivec2 p) {
 #endif
             weight_sum += weight;
         }
-    return sqrt(sum / max(weight_sum, 0.25));
+    return sum / max(weight_sum, 0.25);
 }
 
-// log2(e) over eq. 5's denominator.
-float luminance_sharpness(float deviation) { return LOG2_E / (push.sigma_l * deviation + LUMINANCE_EPSILON); }
-
-Centre centre_of(vec4 value, float deviation) { return Centre(luminance(value.rgb), deviation, luminance_sharpness(deviation)); }
-
-void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
-    // In the background the deviation is negative.
-    float sharpness = SHARED ? luminance_sharpness(mix(centre.deviation, max(value.a, 0.0), TAP_SHARE)) : centre.sharpness;
-    float weight = kernel * exp2(geometry - abs(luminance(value.rgb) - centre.luminance) * sharpness);
-    sum.irradiance += weight * value.rgb;
-    sum.variance += weight * weight * value.a * value.a;
-    sum.weight += weight;
+// g3x3 over the nine taps around the centre, by how far they show its surface: wider levels have estimates of their own.
+vec2 variances_of_taps(ivec2 p, float weights[TAPS], int step_size) {
+    vec2 sum = vec2(0.0);
+    float weight_sum = 0.0;
+    [[unroll]] for (int y = -1; y <= 1; ++y)
+        [[unroll]] for (int x = -1; x <= 1; ++x) {
+            float weight = exp2(weights[index_of(ivec2(x, y))]) / float(1 << (abs(x) + abs(y)));
+            ivec2 tap = nearest_inside(p + ivec2(x, y) * step_size);
+            float deviation = imageLoad(input_0, tap).a;
+            sum.x += weight * deviation * deviation;
+#if SIGNALS == 2
+            deviation = imageLoad(input_1, tap).a;
+            sum.y += weight * deviation * deviation;
+#endif
+            weight_sum += weight;
+        }
+    return sum / weight_sum;
 }
-
-Sum start(vec4 value) {
-    return Sum(CENTRE_KERNEL * value.rgb, CENTRE_KERNEL * CENTRE_KERNEL * value.a * value.a, CENTRE_KERNEL);
-}
-
-vec4 result(Sum sum) { return storable(vec4(sum.irradiance, sqrt(sum.variance)) / sum.weight); }
 
 #ifdef SPECULAR
 // What is seen in the centre of a window, and how much less a tap weighs, in powers of 2.
@@ -179,36 +220,47 @@ void main() {
 #ifdef SPECULAR
     Lobe lobe = lobe_of(p, packed, geometry.surface);
 #endif
-    vec2 deviations = tolerated_deviations(p);
     int step_size = step_of(push.level);
-    Centre centre_0 = centre_of(value_0, deviations.x);
+    // Of the geometry, in powers of 2.
+    float weights[TAPS];
+    weights[index_of(ivec2(0))] = 0.0;
+    [[unroll]] for (int y = 0; y <= RADIUS; ++y)
+        [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
+            if (y == 0 && x <= 0) continue;
+            ivec2 offset = ivec2(x, y) * step_size;
+            float sharpness = depth_sharpness(geometry, vec2(offset));
+            // The tap on the other side has the same tolerance of depth.
+            [[unroll]] for (int side = 1; side >= -1; side -= 2) {
+                ivec2 q = p + side * offset, tap = nearest_inside(q);
+                GuideBits packed_q = GuideBits(packed_at(guide, tap));
+                float weight = log2_weight(geometry, packed_q, sharpness);
+#ifdef SPECULAR
+                weight += log2_lobe_weight(lobe, offset, tap, packed_q);
+#endif
+                weights[index_of(side * ivec2(x, y))] = q == tap && is_filtered(packed_q) ? weight : REFUSED;
+            }
+        }
+    vec2 variances = OURS ? variances_of_taps(p, weights, step_size) : variances_beside(p);
+    Centre centre_0 = centre_of(value_0, variances.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
-    Centre centre_1 = centre_of(value_1, deviations.y);
+    Centre centre_1 = centre_of(value_1, variances.y);
     Sum sum_1 = start(value_1);
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
         [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
             if ((y == 0 && x <= 0) || !is_tap(ivec2(x, y))) continue;
-            ivec2 offset = ivec2(x, y) * step_size;
-            float sharpness = depth_sharpness(geometry, vec2(offset));
-            // The tap on the other side has the same kernel and the same tolerance of depth.
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
-                ivec2 q = p + side * offset, tap = nearest_inside(q);
-                GuideBits packed_q = GuideBits(packed_at(guide, tap));
-                float kernel = q == tap && is_filtered(packed_q) ? kernel_at(ivec2(x, y)) : 0.0;
-                float weight = log2_weight(geometry, packed_q, sharpness);
-#ifdef SPECULAR
-                weight += log2_lobe_weight(lobe, offset, tap, packed_q);
-#endif
+                ivec2 offset = side * ivec2(x, y), tap = nearest_inside(p + offset * step_size);
+                float weight = weights[index_of(offset)], kernel = kernel_at(offset);
                 add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
 #if SIGNALS == 2
                 add_tap(sum_1, imageLoad(input_1, tap), centre_1, weight, kernel);
 #endif
             }
         }
-    imageStore(output_0, p, result(sum_0));
+    imageStore(output_0, p, result(sum_0, value_0));
 #if SIGNALS == 2
-    imageStore(output_1, p, result(sum_1));
+    imageStore(output_1, p, result(sum_1, value_1));
 #endif
 }

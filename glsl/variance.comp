@@ -4,7 +4,7 @@
 // In:  guide, depth_gradient, new_moments. In place: filter_ping: accumulated irradiance, its alpha from history length to deviation, own
 //      pixel only. Out: moments, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
-// past alone. AVERAGED: half-way to the deviation of the accumulated mean (ours). VOLUME: weights by the depth of the surface behind alone; the background takes part.
+// past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours). VOLUME: weights by the depth of the surface behind alone; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -14,7 +14,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const uint ESTIMATOR = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
-layout(constant_id = 3) const bool AVERAGED = false;
 
 layout(push_constant) uniform Push {
     float sigma_n;
@@ -44,6 +43,7 @@ layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D moments_1;
 
 const bool FADE = ESTIMATOR == 1u;
 const bool TEMPORAL = ESTIMATOR == 2u;
+const bool OF_MEAN = ESTIMATOR == 3u;
 
 // Negative, so that a filter sees the background without the guide, and next to 0, so that it is no deviation to anyone else.
 const float BACKGROUND_DEVIATION = -1.0 / 16384.0;
@@ -104,9 +104,71 @@ float combined(float temporal, vec2 sums, float history_length) {
     return sqrt(mix(temporal * temporal, spatial * spatial, share));
 }
 
-// Half-way, in factors, from the deviation of a sample to that of the mean of so many, whose smallest weight is alpha.
-float averaging(float history_length) {
-    return AVERAGED ? sqrt(sqrt(max(1.0 / history_length, push.alpha / (2.0 - push.alpha)))) : 1.0;
+const int SIDE = 5;
+const int PIXELS = SIDE * SIDE;
+
+ivec2 pixel_of(ivec2 p, int i) { return nearest_inside(p + ivec2(i % SIDE, i / SIDE) - SIDE / 2); }
+
+// Geometry weights of 5x5 pixels.
+void weigh(ivec2 p, GuideBits packed, out float weights[PIXELS]) {
+    Geometry geometry = geometry_of(packed, texelFetch(depth_gradient, p, 0).x);
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) {
+        ivec2 offset = ivec2(i % SIDE, i / SIDE) - SIDE / 2, q = p + offset, tap = nearest_inside(q);
+        GuideBits packed_q = GuideBits(packed_at(guide, tap));
+        float weight = exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
+        weights[i] = i == PIXELS / 2 ? 1.0 : q == tap && is_filtered(packed_q) ? weight : 0.0;
+    }
+}
+
+// Estimates from 5x5 pixels of how the luminance of one of them varies.
+struct Surroundings {
+    float within;  // variance of the samples that a mean was made of
+    float noise;   // variance of the means, without what is smooth
+    float doubt;   // relative standard error of a variance that was seen in so few pixels
+};
+
+Surroundings surroundings_of(vec2 moments[PIXELS], float weights[PIXELS]) {
+    float sum = 0.0, mean = 0.0, within = 0.0;
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) {
+        sum += weights[i];
+        mean += weights[i] * moments[i].x;
+        within += weights[i] * moments[i].y * moments[i].y;
+    }
+    mean /= sum;
+    float spread = 0.0, fourth = 0.0, curvature = 0.0, triples = 0.0;
+    [[unroll]] for (int i = 0; i < PIXELS; ++i) {
+        float square = (moments[i].x - mean) * (moments[i].x - mean);
+        spread += weights[i] * square;
+        fourth += weights[i] * square * square;
+        // Along x and y: what is a slope has none.
+        [[unroll]] for (int step = 1; step <= SIDE; step += SIDE - 1) {
+            int place = step == 1 ? i % SIDE : i / SIDE;
+            if (place == 0 || place == SIDE - 1) continue;
+            float weight = weights[i - step] * weights[i] * weights[i + step];
+            float bend = moments[i - step].x - 2.0 * moments[i].x + moments[i + step].x;
+            curvature += weight * bend * bend;
+            triples += weight;
+        }
+    }
+    spread /= sum;
+    float kurtosis = fourth / max(sum * spread * spread, 1e-36);
+    // White noise bends by six times its variance.
+    float noise = triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
+    return Surroundings(within / sum, noise, sqrt(max(kurtosis - 1.0, 0.0) / sum));
+}
+
+// How much wider a variance is that is in doubt.
+const float DOUBT = 3.0;
+// Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
+const float SEEN_NOISE = 1.75;
+
+// Standard deviation of the accumulated mean: never below the noise of neighbouring means.
+float deviation_of_mean(Moments m, Surroundings around) {
+    float share = min(push.spatial_variance_frames / m.history_length, 1.0);
+    float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / m.history_length);
+    float of_sample = mix(m.deviation * m.deviation, spatial, share);
+    float averaging = max(1.0 / m.history_length, push.alpha / (2.0 - push.alpha));
+    return sqrt(max(of_sample * averaging, SEEN_NOISE * around.noise));
 }
 
 bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || history_length < push.spatial_variance_frames); }
@@ -130,13 +192,22 @@ void main() {
 #endif
     if (background) {
         deviations = vec2(BACKGROUND_DEVIATION);
+    } else if (OF_MEAN) {
+        float weights[PIXELS];
+        weigh(p, packed, weights);
+        vec2 moments[PIXELS];
+        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_moments(packed_at(new_moments_0, pixel_of(p, i)).x);
+        deviations.x = deviation_of_mean(m, surroundings_of(moments, weights));
+#if SIGNALS == 2
+        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_moments(packed_at(new_moments_1, pixel_of(p, i)).x);
+        deviations.y = deviation_of_mean(m_1, surroundings_of(moments, weights));
+#endif
     } else if (needs_neighbours(min(lengths.x, lengths.y))) {
         vec2 sums[2];
         spatial_moments(p, packed, means, sums);
         if (needs_neighbours(lengths.x)) deviations.x = combined(deviations.x, sums[0], lengths.x);
         if (needs_neighbours(lengths.y)) deviations.y = combined(deviations.y, sums[1], lengths.y);
     }
-    if (AVERAGED && !background) deviations *= vec2(averaging(lengths.x), averaging(lengths.y));
     deviations = min(deviations, 65504.0);
     imageStore(irradiance_0, p, vec4(value_0.rgb, deviations.x));
 #if SIGNALS == 2

@@ -67,8 +67,7 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
-        SpecialisationConstant { name: Cow::Borrowed("SHARED"), id: 5, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 4, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -94,8 +93,7 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
-        SpecialisationConstant { name: Cow::Borrowed("SHARED"), id: 5, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 4, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
@@ -121,8 +119,7 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 4, scalar: Scalar::Bool, default: 1 },
-        SpecialisationConstant { name: Cow::Borrowed("SHARED"), id: 5, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 4, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -824,7 +821,6 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("AVERAGED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
@@ -851,7 +847,6 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("AVERAGED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {

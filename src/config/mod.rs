@@ -153,9 +153,9 @@ impl Config {
         self.conventions.validate()
     }
 
-    /// À-trous levels: those of the configuration, or those of the preset.
+    /// À-trous levels: those of the configuration, or those of the preset for the allocated extent.
     pub fn levels(&self) -> u32 {
-        self.levels.unwrap_or(self.preset.levels())
+        self.levels.unwrap_or(self.preset.levels(self.allocated_extent))
     }
 
     /// Whether a volume is filtered.
@@ -174,6 +174,17 @@ pub(crate) fn check_extent(what: &'static str, given: [u32; 2]) -> Result<(), Er
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_footprint_of_the_filter_grows_with_the_picture() {
+        let levels = |preset, extent| Config { preset, ..Config::new(extent) }.levels();
+        let sizes = [[320, 180], [640, 360], [1280, 720], [720, 1280], [1920, 1080], [3840, 2160]];
+        for preset in [Preset::Best, Preset::Fast] {
+            assert_eq!(sizes.map(|size| levels(preset, size)), [4, 5, 6, 6, 6, 7], "{preset}");
+        }
+        assert_eq!(sizes.map(|size| levels(Preset::Svgf, size)), [5; 6]);
+        assert_eq!(Config { levels: Some(3), ..Config::new([1280, 720]) }.levels(), 3);
+    }
 
     #[test]
     fn levels_are_those_of_the_preset_unless_a_number_is_asked_for() {

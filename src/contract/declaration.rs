@@ -93,8 +93,9 @@ impl Declaration {
     }
 
     /// The same graph for images of a different extent. It equals the declaration that you would
-    /// get by building the graph for that extent. Shapes hold divisors of the extent, and no pass
-    /// depends on it.
+    /// get by building the graph for that extent with the same number of levels, which
+    /// [`crate::Config::levels`] chooses by the extent. Shapes hold divisors of the extent, and no
+    /// pass depends on it.
     ///
     /// # Errors
     /// [`Error::Extent`], as [`Config::declare`] and [`crate::graph::Graph::finish`] give it.

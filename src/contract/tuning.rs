@@ -99,19 +99,20 @@ tuning! {
     /// Pixels with a shorter history take their variance from a 7×7 neighbourhood (SVGF 4.2). Raising it blurs longer after a
     /// disocclusion.
     spatial_variance_frames: "frames", 1.0 ..= 64.0, 4.0;
-    /// Luminance edge stopping: tolerated difference in standard deviations (SVGF eq. 5). Raising it blurs more.
+    /// Luminance edge stopping: tolerated difference in standard deviations of the accumulated mean; in the presets svgf, eaw and
+    /// volume of a sample (SVGF eq. 5). Raising it blurs more.
     sigma_l: "standard deviations", 0.0 ..= 128.0, 3.0;
     /// Normal edge stopping: sharpness of exp(−σ (1 − cos)), which is the exponent of the cosine of SVGF eq. 4 for small angles.
     /// Raising it keeps finer relief and leaves more noise on curved surfaces.
     sigma_n: "1", 0.0 ..= 1024.0, 32.0;
     /// Depth edge stopping: tolerated departure from the local plane (SVGF eq. 3). Raising it blurs across depth steps.
-    sigma_z: "depth gradients", 0.0 ..= 64.0, 1.5;
+    sigma_z: "depth gradients", 0.0 ..= 64.0, 1.0;
     /// Largest relative difference between expected and stored depth of a pixel's history. Raising it keeps more history and risks
     /// ghosts.
     depth_tolerance: "1", 0.0 ..= 1.0, 0.1;
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy
     /// surfaces.
-    normal_tolerance: "1", -1.0 ..= 1.0, 0.4;
+    normal_tolerance: "1", -1.0 ..= 1.0, 0.7;
     /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 +
     /// edge_falloff · depth) (PSVGF). Raising it blurs more far away. It counts in units of the
     /// scene: for example, 0.05 in metres equals 0.0005 in centimetres.
@@ -212,18 +213,16 @@ impl Tuning {
     ///
     /// | preset | differences from [`Preset::Best`], whose numbers the fields document |
     /// | --- | --- |
-    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
-    /// | [`Preset::Asvgf`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
-    /// | [`Preset::Stabilize`] | `sigma_l` 2.75, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
-    /// | [`Preset::Percentile`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
-    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
-    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
-    /// | [`Preset::Fast`] | `sigma_l` 4, `sigma_n` 128, `sigma_z` 1, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `specular_blur` 1 |
+    /// | [`Preset::Svgf`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Asvgf`] | `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Stabilize`] | `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Percentile`] | `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Eaw`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Volume`] | `alpha` 0.2, `alpha_moments` 0.2, `sigma_l` 4, `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.9, `specular_blur` 1 |
+    /// | [`Preset::Fast`] | `sigma_n` 128, `depth_tolerance` 0.02, `normal_tolerance` 0.5, `specular_blur` 1 |
     ///
     /// Presets that detect changes of light can react less by themselves, with an `alpha` of 0.1
-    /// (ASVGF). Light that is accumulated with a lower `alpha` has less noise for the same variance
-    /// of a sample, by the factor `sqrt(alpha / (2 - alpha))`. So A-SVGF has a `sigma_l` that is
-    /// lower by the same factor: 4 times 0.23 / 0.33.
+    /// (ASVGF).
     pub fn for_preset(preset: Preset) -> Self {
         let svgf = Self {
             alpha: 0.2,
@@ -236,12 +235,12 @@ impl Tuning {
             normal_tolerance: 0.9,
             ..Self::DOCUMENTED
         };
+        let adaptive = Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 3.0, ..svgf };
         match preset {
             Preset::Best => Self::DOCUMENTED,
             Preset::Svgf | Preset::Eaw | Preset::Volume => svgf,
-            Preset::Fast => Self { alpha: 0.1, alpha_moments: 0.1, normal_tolerance: 0.5, ..svgf },
-            Preset::Asvgf | Preset::Stabilize => Self { alpha: 0.1, alpha_moments: 0.1, sigma_l: 2.75, ..svgf },
-            Preset::Percentile => Self { alpha: 0.1, alpha_moments: 0.1, ..svgf },
+            Preset::Fast => Self { normal_tolerance: 0.5, ..adaptive },
+            Preset::Asvgf | Preset::Stabilize | Preset::Percentile => adaptive,
         }
     }
 

@@ -4,7 +4,7 @@ use super::specular::{compared, modulated, Specular};
 use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
 
 /// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
 /// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
@@ -21,20 +21,21 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Filtered);
+    let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     // Light that changes makes many histories short: the fading estimate costs as much for them as for long ones.
-    let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
+    let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let atrous = Atrous { levels: config.levels(), kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
+    let atrous =
+        Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) = modulated(
         g,
         guides,
         config,
         filtered.into(),
-        Specular { feedback: Feedback::Filtered, samples, confidence: Some(change.confidence), ..Specular::default() },
+        Specular { samples, confidence: Some(change.confidence), ..Specular::default() },
     );
     let known = Known {
         history: Some(history),

@@ -4,7 +4,9 @@ use super::specular::{compared, modulated, Specular};
 use super::{gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, Variance};
+use crate::nodes::{
+    Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, LuminanceWeight, Variance,
+};
 
 /// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
 /// `docs/lab/quality.md` measures the worth of each.
@@ -23,11 +25,11 @@ pub struct Best {
     /// Whether history is read by a cubic: [`Accumulation::sharp`], [`super::Specular::sharp`].
     /// Default: true.
     pub sharp: bool,
-    /// Default: [`Estimator::Fading`], of a deviation half-way to that of the mean.
+    /// Default: [`Estimator::OfMean`].
     pub variance: Variance,
     /// Spatial filter of all light but a separate specular signal; `feedback` sets its own.
-    /// Default: the levels of the configuration with 9 taps, and deviations that taps share;
-    /// specular light shares them too.
+    /// Default: the levels of the configuration with 9 taps, and [`LuminanceWeight::OfMeans`], which
+    /// specular light takes too.
     pub spatial: Atrous,
 }
 
@@ -40,8 +42,13 @@ impl Best {
             firefly_filter: true,
             feedback: Feedback::Accumulated,
             sharp: true,
-            variance: Variance { estimator: Estimator::Fading, averaged: true, ..Variance::default() },
-            spatial: Atrous { levels: config.levels(), kernel: Kernel::Box, shared_deviation: true, ..Atrous::default() },
+            variance: Variance { estimator: Estimator::OfMean, ..Variance::default() },
+            spatial: Atrous {
+                levels: config.levels(),
+                kernel: Kernel::Box,
+                luminance_weight: LuminanceWeight::OfMeans,
+                ..Atrous::default()
+            },
         }
     }
 }
@@ -92,7 +99,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let specular = Specular {
         feedback,
         variance,
-        shared_deviation: spatial.shared_deviation,
+        luminance_weight: spatial.luminance_weight,
         sharp: best.sharp,
         samples,
         confidence: Some(unscaled),

@@ -4,7 +4,7 @@ use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
 
 /// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the
 /// history. Take it if you count every microsecond. `docs/lab/performance.md` compares its cost and
@@ -12,35 +12,29 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
 ///
 /// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
-    fast_with(g, guides, config, Atrous { levels: config.levels(), kernel: Kernel::Box, ..Atrous::default() })
+    fast_with(g, guides, config, fast_filter(config))
 }
 
-/// [`fast`] with a different spatial filter of all light but a separate specular signal. Its first
-/// level always writes the history.
+/// The spatial filter of [`fast`].
+pub fn fast_filter(config: &Config) -> Atrous {
+    Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() }
+}
+
+/// [`fast`] with a different spatial filter of all light but a separate specular signal.
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
     let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Filtered);
+    let history = g.history(&irradiance, Feedback::Accumulated);
     let difference = g.block_difference(guides, &irradiance, &history);
     let confidence = g.change_test(&difference);
     let accumulation = Accumulation { confidence: Some(confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let estimate = g.variance(guides, &accumulated, &history, Variance::default());
-    let filtered = g.atrous(guides, &estimate, Atrous { feedback: Some(history), ..spatial });
-    let (radiance, reflection) = modulated(
-        g,
-        guides,
-        config,
-        filtered.into(),
-        Specular {
-            feedback: Feedback::Filtered,
-            variance: Variance::default(),
-            difference: Some(difference),
-            ..Specular::default()
-        },
-    );
+    let estimate = g.variance(guides, &accumulated, &history, Variance { estimator: Estimator::OfMean, ..Variance::default() });
+    let filtered = g.atrous(guides, &estimate, spatial);
+    let (radiance, reflection) =
+        modulated(g, guides, config, filtered.into(), Specular { difference: Some(difference), ..Specular::default() });
     let known = Known {
         history: Some(history),
         reflection,

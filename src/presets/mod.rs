@@ -20,7 +20,7 @@ mod volume;
 pub use asvgf::asvgf;
 pub use best::{best, best_with, Best};
 pub use eaw::eaw;
-pub use fast::{fast, fast_with};
+pub use fast::{fast, fast_filter, fast_with};
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
 pub use specular::{specular, Specular};

@@ -4,7 +4,7 @@ use super::specular::{modulated, Specular};
 use super::{noisy, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
 /// \[PSVGF\]
@@ -16,7 +16,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
     let irradiance = g.firefly(guides, &irradiance, &percentiles);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
-    let history = g.history(&irradiance, Feedback::Filtered);
+    let history = g.history(&irradiance, Feedback::Accumulated);
     let (confidence, difference) = match config.adaptive_rule {
         AdaptiveRule::Percentiles => (g.percentile_rule(guides, &percentiles, &history), None),
         AdaptiveRule::ChangeTest => {
@@ -26,18 +26,14 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     };
     let accumulation = Accumulation { confidence: Some(confidence), repair: true, ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
-    let variance = Variance { estimator: Estimator::Fading, ..Variance::default() };
+    let variance = Variance { estimator: Estimator::OfMean, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     // The 3x3 box costs 9 taps of 25 and pays for the statistics; on the flickering box it is no worse.
-    let atrous = Atrous { levels: config.levels(), kernel: Kernel::Box, feedback: Some(history), ..Atrous::default() };
+    let atrous =
+        Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
     let filtered = g.atrous(guides, &estimate, atrous);
-    let (radiance, reflection) = modulated(
-        g,
-        guides,
-        config,
-        filtered.into(),
-        Specular { feedback: Feedback::Filtered, confidence: Some(confidence), difference, ..Specular::default() },
-    );
+    let (radiance, reflection) =
+        modulated(g, guides, config, filtered.into(), Specular { confidence: Some(confidence), difference, ..Specular::default() });
     let known = Known {
         history: Some(history),
         reflection,

@@ -3,7 +3,8 @@
 use crate::config::{Config, Signals};
 use crate::graph::{Confidence, Difference, Feedback, Gradient, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
 use crate::nodes::{
-    Albedo, Atrous, Demodulate, Estimator, GradientAtrous, Gradients, Kernel, Modulate, SpecularAccumulation, Variance,
+    Albedo, Atrous, Demodulate, Estimator, GradientAtrous, Gradients, Kernel, LuminanceWeight, Modulate, SpecularAccumulation,
+    Variance,
 };
 
 /// Parameters of [`specular`], which differ from preset to preset.
@@ -15,8 +16,8 @@ pub struct Specular {
     pub variance: Variance,
     /// Kernel of the wavelet levels.
     pub kernel: Kernel,
-    /// Whether the deviation of taps counts when luminance is compared.
-    pub shared_deviation: bool,
+    /// Weight by luminance.
+    pub luminance_weight: LuminanceWeight,
     /// Whether history is read by a cubic: [`SpecularAccumulation::sharp`].
     pub sharp: bool,
     /// Confidence in the history, which no ratio of light scales.
@@ -37,9 +38,9 @@ impl Default for Specular {
     fn default() -> Self {
         Self {
             feedback: Feedback::Accumulated,
-            variance: Variance { estimator: Estimator::Fading, ..Variance::default() },
+            variance: Variance { estimator: Estimator::OfMean, ..Variance::default() },
             kernel: Kernel::Box,
-            shared_deviation: false,
+            luminance_weight: LuminanceWeight::OfMeans,
             sharp: false,
             confidence: None,
             difference: None,
@@ -55,7 +56,7 @@ impl Default for Specular {
 /// It reads `sampling` and `levels` of the configuration.
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
-    let Specular { feedback, variance, kernel, shared_deviation, sharp, samples, .. } = specular;
+    let Specular { feedback, variance, kernel, luminance_weight, sharp, samples, .. } = specular;
     let gradient = specular.gradients.map(|source| own_gradient(g, guides, &noisy, source));
     let demodulate = Demodulate { albedo: Albedo::Specular, gradient, samples, sampling: config.sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
@@ -74,7 +75,7 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
     let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);
     let estimate = g.variance(guides, &found.accumulated, &history.history, variance);
     let feedback = (feedback == Feedback::Filtered).then_some(history.history);
-    let shape = Atrous { levels: config.levels(), kernel, shared_deviation, ..Atrous::default() };
+    let shape = Atrous { levels: config.levels(), kernel, luminance_weight, ..Atrous::default() };
     let atrous = Atrous { feedback, reflection: Some(found.reflection), ..shape };
     (g.atrous(guides, &estimate, atrous).into(), found.reflection)
 }

@@ -4,7 +4,7 @@ use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, LuminanceWeight, Variance};
 
 /// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
 ///
@@ -23,7 +23,13 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         guides,
         config,
         filtered.into(),
-        Specular { feedback: Feedback::Filtered, kernel: Kernel::Spline, variance: Variance::default(), ..Specular::default() },
+        Specular {
+            feedback: Feedback::Filtered,
+            kernel: Kernel::Spline,
+            variance: Variance::default(),
+            luminance_weight: LuminanceWeight::Published,
+            ..Specular::default()
+        },
     );
     Denoised { radiance, known: Known { history: Some(history), reflection, deviation: true, percentiles, ..Known::new(&noisy) } }
 }

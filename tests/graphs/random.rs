@@ -237,12 +237,12 @@ impl Filter<'_> {
                 (g.eaw(guides, &accumulated, eaw), false)
             }
             _ => {
-                let estimator = dice.one_of(&[Estimator::Switched, Estimator::Fading]);
+                let estimator = dice.one_of(&[Estimator::Switched, Estimator::Fading, Estimator::OfMean]);
                 let estimate = estimate(g, estimator);
                 let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box, Kernel::Hexagon]);
                 let sigma_l = dice.one_of(&[Value::Own, Value::Fixed(1.5), Value::Tunable("volume_sigma_l")]);
-                let (smooth_deviation, shared_deviation) = (dice.coin(), dice.coin());
-                let shape = Atrous { levels: levels(dice), kernel, smooth_deviation, shared_deviation, ..Atrous::default() };
+                let luminance_weight = dice.one_of(&[LuminanceWeight::Published, LuminanceWeight::OfMeans]);
+                let shape = Atrous { levels: levels(dice), kernel, luminance_weight, ..Atrous::default() };
                 let atrous = Atrous { feedback: fed_back, sigma_l, ..shape };
                 if dice.coin() {
                     self.other_kernel(g, dice, &estimate, kernel);

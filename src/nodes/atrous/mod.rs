@@ -11,6 +11,18 @@ use crate::shaders::{self, Shader};
 mod kernel;
 pub use kernel::Kernel;
 
+/// How far a tap of another luminance counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LuminanceWeight {
+    /// `exp(−x)` by the deviation of 3×3 pixels, \[SVGF\] eq. 5: for deviations of samples.
+    #[default]
+    Published,
+    /// `exp(−x²/2)` by deviations of means, which taps share. A part of the weight that a tap loses
+    /// stays on the centre, so that rare light keeps its mean. For [`super::Estimator::OfMean`].
+    OfMeans,
+}
+
 /// Parameters of the node `atrous`.
 #[derive(Clone, Copy, Debug)]
 pub struct Atrous {
@@ -18,13 +30,8 @@ pub struct Atrous {
     pub levels: u32,
     /// Default: [`Kernel::Spline`].
     pub kernel: Kernel,
-    /// Whether the deviation by which luminance is compared is that of 3×3 pixels (`g3x3` of \[SVGF\] eq. 5), which is steadier,
-    /// rather than the pixel's own. Default: true.
-    pub smooth_deviation: bool,
-    /// Whether a quarter of the tolerated difference of luminance comes from the deviation of the
-    /// tap instead of the centre. Where light is rare, pixels that it never hit then accept some of
-    /// their lit neighbours instead of refusing them as outliers. Default: false, as in \[SVGF\].
-    pub shared_deviation: bool,
+    /// The weight by luminance. Default: [`LuminanceWeight::Published`].
+    pub luminance_weight: LuminanceWeight,
     /// The history that the first level writes: one with [`crate::graph::Feedback::Filtered`]. Default: none.
     pub feedback: Option<History>,
     /// Reflections of the surfaces, for one signal of specular light. It is filtered no wider than
@@ -44,8 +51,7 @@ impl Default for Atrous {
         Self {
             levels: 5,
             kernel: Kernel::default(),
-            smooth_deviation: true,
-            shared_deviation: false,
+            luminance_weight: LuminanceWeight::default(),
             feedback: None,
             reflection: None,
             sigma_l,
@@ -89,8 +95,7 @@ impl Graph {
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
-                .constant("SMOOTH", u32::from(atrous.smooth_deviation))
-                .constant("SHARED", u32::from(atrous.shared_deviation))
+                .constant("OURS", u32::from(atrous.luminance_weight == LuminanceWeight::OfMeans))
                 // Of no other kernel, so that its levels share their pipelines.
                 .constant("ODD", if atrous.kernel == Kernel::Hexagon { level % 2 } else { 0 })
                 .value("sigma_l", atrous.sigma_l)

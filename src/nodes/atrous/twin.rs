@@ -1,6 +1,7 @@
 //! The stage `atrous` \[SVGF 4.3, eq. 1 to 5\]: one level of the edge-avoiding wavelet filter, of irradiance and of its variance.
 
 use super::kernel::Kernel;
+use super::LuminanceWeight;
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
@@ -22,8 +23,10 @@ mod tests;
 
 /// Tolerated difference of luminance where the variance is 0.
 pub(crate) const LUMINANCE_EPSILON: f32 = 1e-4;
-/// Share of the tap's deviation in the tolerance, where it has one.
-const TAP_SHARE: f32 = 0.25;
+/// Of the tolerated deviation by that of the tap: a pixel that rare light never hit takes some of what was hit.
+const TAP_SHARE: f32 = 0.35;
+/// Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
+const KEPT_SHARE: f32 = 0.5;
 
 /// Inputs of [`atrous`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -46,17 +49,15 @@ pub(crate) struct AtrousLevel {
     pub number: u32,
     /// Kernel.
     pub kernel: Kernel,
-    /// Whether luminance is compared by the deviation of 3×3 pixels.
-    pub smooth_deviation: bool,
-    /// Whether a quarter of the tolerance is by the deviation of the tap.
-    pub shared_deviation: bool,
+    /// Weight by luminance.
+    pub luminance_weight: LuminanceWeight,
 }
 
 impl AtrousLevel {
     /// A level of \[SVGF\].
     #[cfg(test)]
     pub(crate) fn new(number: u32) -> Self {
-        Self { number, kernel: Kernel::Spline, smooth_deviation: true, shared_deviation: false }
+        Self { number, kernel: Kernel::Spline, luminance_weight: LuminanceWeight::Published }
     }
 }
 
@@ -94,13 +95,21 @@ fn filter(
     let mut filtered = Vec::with_capacity(irradiance.len());
     for pair in irradiance.chunks(2) {
         let texels = Image::compute(geometry.extent(), frame.render_extent, |p| {
-            let mut sums: [Sum; 2] = std::array::from_fn(|i| Sum::new(geometry, rect, level, pair.get(i).copied(), p));
+            let centre = |i: usize| pair.get(i).map_or([0.0; 4], |image| image.at(p));
             if geometry.is_background(p) {
-                return sums.map(|sum| sum.centre);
+                return [centre(0), centre(1)];
             }
+            let shown = |q| geometry.weight(p, q) * lobes.map_or(1.0, |lobes| lobes.weight(p, q));
+            let mut sums: [Sum; 2] = std::array::from_fn(|i| {
+                let variance = pair.get(i).map_or(0.0, |image| match level.luminance_weight {
+                    LuminanceWeight::Published => variance_beside(rect, image, p),
+                    LuminanceWeight::OfMeans => variance_of_taps(rect, image, p, step, shown),
+                });
+                Sum::new(centre(i), variance.sqrt(), level.luminance_weight, geometry.sigma_l)
+            });
             for (offset, q) in rect.window(p, level.kernel.radius(), step) {
                 let Some(h) = level.kernel.weight(level.number, offset.x, offset.y) else { continue };
-                let weight = h * geometry.weight(p, q) * lobes.map_or(1.0, |lobes| lobes.weight(p, q));
+                let weight = h * shown(q);
                 if weight > 0.0 {
                     sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
                 }
@@ -117,63 +126,84 @@ fn filter(
 struct Sum {
     centre: [f32; 4],
     luminance: f32,
-    /// Deviation by which taps are compared, and the share of it that is theirs.
+    /// Deviation by which taps are compared.
     deviation: f32,
-    tap_share: f32,
+    luminance_weight: LuminanceWeight,
     sigma_l: f32,
     weight: f32,
     irradiance: [f32; 3],
     variance: f32,
+    /// Weight of the centre, and what stays on it besides.
+    centre_weight: f32,
+    kept: f32,
 }
 
 impl Sum {
-    fn new(geometry: &Geometry, rect: RenderRect, level: AtrousLevel, image: Option<&Image<[f32; 4]>>, p: IVec2) -> Self {
-        let Some(image) = image else { return Self::default() };
-        let centre = image.at(p);
-        if geometry.is_background(p) {
-            return Self { centre, ..Self::default() };
-        }
-        let deviation = if level.smooth_deviation { blurred_deviation(rect, image, p) } else { centre[3] };
-        Self {
-            centre,
-            luminance: texel_luminance(centre),
-            deviation,
-            tap_share: if level.shared_deviation { TAP_SHARE } else { 0.0 },
-            sigma_l: geometry.sigma_l,
-            ..Self::default()
-        }
+    fn new(centre: [f32; 4], deviation: f32, luminance_weight: LuminanceWeight, sigma_l: f32) -> Self {
+        Self { centre, luminance: texel_luminance(centre), deviation, luminance_weight, sigma_l, ..Self::default() }
     }
 
     fn add(&mut self, geometry_weight: f32, is_centre: bool, texel: [f32; 4]) {
-        // [SVGF eq. 5]
-        let deviation = self.deviation + self.tap_share * (texel[3] - self.deviation);
-        let tolerance = self.sigma_l * deviation + LUMINANCE_EPSILON;
-        let weight_l = if is_centre { 1.0 } else { (-(self.luminance - texel_luminance(texel)).abs() / tolerance).exp() };
-        let weight = geometry_weight * weight_l;
+        let share = if is_centre { 1.0 } else { self.share_of(texel) };
+        if is_centre {
+            self.centre_weight = geometry_weight;
+        }
+        if self.luminance_weight == LuminanceWeight::OfMeans {
+            self.kept += KEPT_SHARE * geometry_weight * (1.0 - share);
+        }
+        self.add_weighted(geometry_weight * share, texel);
+    }
+
+    /// The share of its weight that luminance leaves a tap \[SVGF eq. 5\].
+    fn share_of(&self, texel: [f32; 4]) -> f32 {
+        let difference = (self.luminance - texel_luminance(texel)).abs();
+        let tolerance = |deviation: f32| self.sigma_l * deviation + LUMINANCE_EPSILON;
+        match self.luminance_weight {
+            LuminanceWeight::Published => (-difference / tolerance(self.deviation)).exp(),
+            LuminanceWeight::OfMeans => {
+                let x = difference / tolerance(self.deviation + TAP_SHARE * (texel[3] - self.deviation));
+                (-0.5 * x * x).exp()
+            }
+        }
+    }
+
+    fn add_weighted(&mut self, weight: f32, texel: [f32; 4]) {
         self.weight += weight;
         (0..3).for_each(|i| self.irradiance[i] += weight * texel[i]);
         self.variance += weight * weight * texel[3] * texel[3];
     }
 
-    fn mean(&self) -> [f32; 4] {
+    fn mean(mut self) -> [f32; 4] {
         if self.weight == 0.0 {
             return [0.0; 4];
         }
+        let own = self.centre_weight;
+        self.add_weighted(self.kept, self.centre);
+        // Weights of the same sample add up before they are squared.
+        self.variance += 2.0 * own * self.kept * self.centre[3] * self.centre[3];
         let [r, g, b] = self.irradiance.map(|c| store(c / self.weight));
         [r, g, b, store(self.variance.sqrt() / self.weight)]
     }
 }
 
-/// `sqrt(g3x3(σ²))` without the background, whose deviation is negative: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
-fn blurred_deviation(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
-    let (mut sum, mut variance) = (0.0, 0.0);
-    for (offset, q) in rect.window(p, 1, 1).filter(|(_, q)| image.at(*q)[3] >= 0.0) {
-        let weight = 0.25 / (1 << offset.abs().element_sum()) as f32;
-        let deviation = image.at(q)[3];
-        sum += weight;
-        variance += weight * deviation * deviation;
-    }
-    (variance / f32::max(sum, 0.25)).sqrt()
+/// `g3x3(σ²)` without the background, whose deviation is negative: neighbours at distance 1 on every level, since it steadies an estimate of one pixel.
+fn variance_beside(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> f32 {
+    let (sum, variance) = blurred_variance(rect, image, p, 1, |q| if image.at(q)[3] >= 0.0 { 1.0 } else { 0.0 });
+    variance / f32::max(sum, 0.25)
+}
+
+/// The same over the taps around, by how far they show the surface of the centre.
+fn variance_of_taps(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, step: i32, shown: impl Fn(IVec2) -> f32) -> f32 {
+    let (sum, variance) = blurred_variance(rect, image, p, step, shown);
+    variance / sum
+}
+
+/// Sums of weights and of weighted variances with the kernel g3x3.
+fn blurred_variance(rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, step: i32, weight: impl Fn(IVec2) -> f32) -> (f32, f32) {
+    rect.window(p, 1, step).fold((0.0, 0.0), |(sum, variance), (offset, q)| {
+        let weight = weight(q) * 0.25 / (1 << offset.abs().element_sum()) as f32;
+        (sum + weight, variance + weight * image.at(q)[3] * image.at(q)[3])
+    })
 }
 
 /// How what it writes is compared with the GPU.
@@ -187,8 +217,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         false => Geometry::new(b.frame, b.tuning, guide, b.uint("depth_gradient")?),
     };
     let kernel = Kernel::try_from(b.constant("KERNEL")?)?;
-    let (smooth_deviation, shared_deviation) = (b.is_on("SMOOTH")?, b.is_on("SHARED")?);
-    let level = AtrousLevel { number: b.level, kernel, smooth_deviation, shared_deviation };
+    let luminance_weight = if b.is_on("OURS")? { LuminanceWeight::OfMeans } else { LuminanceWeight::Published };
+    let level = AtrousLevel { number: b.level, kernel, luminance_weight };
     let reflection = b.has("reflection").then(|| b.uint("reflection")).transpose()?;
     let lobes = reflection.map(|reflection| Lobes::new(b.frame, b.tuning, guide, reflection));
     let filtered = filter(b.frame, &geometry, lobes.as_ref(), level, &b.colours("input")?);

@@ -21,6 +21,9 @@ pub enum Estimator {
     /// The past of the pixel alone, for a graph that accumulates and does not filter. The deviation
     /// of a pixel without a past is 0.
     Temporal,
+    /// Of the accumulated mean instead of a sample: from the past and from 5×5 pixels, whose smooth
+    /// structure does not count. It is never below the noise that neighbouring means still show.
+    OfMean,
 }
 
 /// Parameters of the node `variance`.
@@ -28,10 +31,6 @@ pub enum Estimator {
 pub struct Variance {
     /// Default: [`Estimator::Switched`].
     pub estimator: Estimator,
-    /// Whether the deviation is moved half-way, in factors, from that of a sample to that of the
-    /// mean of N samples with the smallest weight α: times max(1/N, α/(2 − α))^¼. Default: false,
-    /// the deviation of a sample, as in \[SVGF\].
-    pub averaged: bool,
     /// Pixels with a shorter history look at their surroundings. Default: [`crate::Tuning::spatial_variance_frames`].
     pub spatial_variance_frames: Value,
 }
@@ -42,7 +41,6 @@ impl Graph {
         let node = self.node("variance", &self.label_of(accumulated));
         let pass = pass(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
             .constant("ESTIMATOR", variance.estimator as u32)
-            .constant("AVERAGED", u32::from(variance.averaged))
             .value("spatial_variance_frames", variance.spatial_variance_frames)
             .value("volume_sigma_z", UNREAD)
             .bind("guide", guides.guide)

@@ -11,8 +11,11 @@ use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
+mod of_mean;
 #[cfg(test)]
 mod tests;
+
+use of_mean::deviation_of_mean;
 
 /// Radius of the neighbourhood of \[SVGF\], pixels: 7×7.
 const RADIUS: i32 = 3;
@@ -107,11 +110,6 @@ fn spatial_variance(
     variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
 }
 
-/// Half-way, in factors, from the deviation of a sample to that of the mean of so many, whose smallest weight is α.
-fn averaging(tuning: &Tuning, history_length: f32) -> f32 {
-    (1.0 / history_length).max(tuning.alpha / (2.0 - tuning.alpha)).sqrt().sqrt()
-}
-
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
@@ -133,12 +131,8 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let deviation: Deviation = match b.constant("ESTIMATOR")? {
         0 => deviation,
         1 => faded_deviation,
+        3 => deviation_of_mean,
         _ => |_, _, _, moments, p| moments.at(p).deviation,
-    };
-    let averaged = b.is_on("AVERAGED")?;
-    let deviation = |frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2| {
-        let factor = if averaged { averaging(tuning, moments.at(p).history_length) } else { 1.0 };
-        factor * deviation(frame, tuning, geometry, moments, p)
     };
     let (irradiance, new_moments) = (b.colours("irradiance")?, b.uints("new_moments")?);
     let moments: Vec<_> = irradiance.iter().zip(new_moments).map(|(irradiance, new)| join_moments(irradiance, new)).collect();

@@ -5,7 +5,7 @@ use super::super::*;
 use super::*;
 use crate::nodes::atrous::twin::*;
 use crate::nodes::volume_points::twin::*;
-use crate::nodes::Kernel;
+use crate::nodes::{Kernel, LuminanceWeight};
 use crate::Counter;
 
 const EXTENT: [u32; 2] = [12, 9];
@@ -99,15 +99,14 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
     let level = AtrousLevel::new(1);
     let surfaces = |level| atrous(&frame, &tuning, level, &inputs).remove(0);
     let expected = [
-        ([0, 0, 1, 0], surfaces(level)),
-        ([1, 0, 1, 0], surfaces(AtrousLevel { kernel: Kernel::Box, ..level })),
-        ([2, 0, 1, 0], surfaces(AtrousLevel { kernel: Kernel::Hexagon, ..level })),
-        ([0, 0, 0, 0], surfaces(AtrousLevel { smooth_deviation: false, ..level })),
-        ([0, 0, 1, 1], surfaces(AtrousLevel { shared_deviation: true, ..level })),
-        ([0, 1, 1, 0], volume_atrous(&frame, &tuning, level, &scene.guide, &image)),
+        ([0, 0, 0], surfaces(level)),
+        ([1, 0, 0], surfaces(AtrousLevel { kernel: Kernel::Box, ..level })),
+        ([2, 0, 0], surfaces(AtrousLevel { kernel: Kernel::Hexagon, ..level })),
+        ([0, 0, 1], surfaces(AtrousLevel { luminance_weight: LuminanceWeight::OfMeans, ..level })),
+        ([0, 1, 0], volume_atrous(&frame, &tuning, level, &scene.guide, &image)),
     ];
-    for ([kernel, volume, smooth, shared], expected) in expected {
-        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("SMOOTH", smooth), ("SHARED", shared)];
+    for ([kernel, volume, ours], expected) in expected {
+        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("OURS", ours)];
         assert_eq!(run(&constants), Texels::Colour(expected), "{constants:?}");
     }
 }

@@ -10,8 +10,6 @@ use atrous::{Config, Declaration, Error, Tuning};
 pub struct Spatial {
     pub kernel: Kernel,
     pub levels: u32,
-    /// Whether the deviation is blurred over 3×3 pixels before luminance is compared by it.
-    pub smooth: bool,
 }
 
 /// A point.
@@ -25,10 +23,8 @@ pub struct Filter {
 }
 
 /// What the presets have that are varied.
-const OWN: [(Preset, Spatial); 2] = [
-    (Preset::Best, Spatial { kernel: Kernel::Box, levels: 4, smooth: true }),
-    (Preset::Fast, Spatial { kernel: Kernel::Box, levels: 4, smooth: true }),
-];
+const OWN: [(Preset, Spatial); 2] =
+    [(Preset::Best, Spatial { kernel: Kernel::Box, levels: 4 }), (Preset::Fast, Spatial { kernel: Kernel::Box, levels: 4 })];
 
 const PRESETS: [Preset; 5] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best];
 
@@ -37,9 +33,9 @@ pub fn all() -> Vec<Filter> {
     let mut all: Vec<_> = PRESETS.map(preset).into();
     for (preset, own) in OWN {
         for (kernel, taps) in [(Kernel::Spline, 25), (Kernel::Box, 9), (Kernel::Hexagon, 7)] {
-            for (levels, smooth) in (3..=5).flat_map(|levels| [true, false].map(|smooth| (levels, smooth))) {
-                let spatial = Spatial { kernel, levels, smooth };
-                let name = format!("{preset} {taps}×{levels}{}", if smooth { "" } else { " sharp" });
+            for levels in 3..=5 {
+                let spatial = Spatial { kernel, levels };
+                let name = format!("{preset} {taps}×{levels}");
                 all.extend((spatial != own).then_some(Filter { name, preset, spatial: Some(spatial) }));
             }
         }
@@ -64,14 +60,14 @@ impl Filter {
 
 /// [`presets::best`] or [`presets::fast`], with another spatial filter.
 fn varied(config: &Config, spatial: Spatial) -> Result<Declaration, Error> {
-    let Spatial { kernel, levels, smooth } = spatial;
-    let varied = |atrous: Atrous| Atrous { kernel, levels, smooth_deviation: smooth, ..atrous };
+    let Spatial { kernel, levels } = spatial;
+    let varied = |atrous: Atrous| Atrous { kernel, levels, ..atrous };
     let graph = config.graph_with(|g, guides, config| match config.preset {
         Preset::Best => {
             let best = Best::new(config);
             presets::best_with(g, guides, config, Best { spatial: varied(best.spatial), ..best })
         }
-        _ => presets::fast_with(g, guides, config, varied(Atrous::default())),
+        _ => presets::fast_with(g, guides, config, varied(presets::fast_filter(config))),
     });
     graph?.finish()
 }

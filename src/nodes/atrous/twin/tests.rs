@@ -29,8 +29,10 @@ fn with_deviation(image: &Image<[f32; 4]>, deviation: f32) -> Image<[f32; 4]> {
 #[test]
 fn a_constant_image_is_a_fixed_point() {
     let constant = Image::new(EXTENT, [0.3, 7.0, 65504.0, 0.5].map(crate::reference::round_to_half));
-    for level in 0..10 {
-        let output = run(&frame(EXTENT), level, &flat(EXTENT), &constant);
+    for (level, output) in (0..10).flat_map(|level| {
+        let published = run(&frame(EXTENT), level, &flat(EXTENT), &constant);
+        [(level, published), (level, of_means(level, &constant))]
+    }) {
         for (given, kept) in output.texels().iter().zip(constant.texels()) {
             assert_eq!(given[..3], kept[..3], "level {level}");
             assert!(given[3] <= kept[3]);
@@ -38,22 +40,61 @@ fn a_constant_image_is_a_fixed_point() {
     }
 }
 
-#[test]
-fn rare_light_reaches_pixels_that_it_never_hit_only_where_deviations_are_shared() {
-    let rare = paint(EXTENT, |x, y| if (x, y) == (10, 8) { [9.0, 9.0, 9.0, 3.0] } else { [0.0; 4] });
-    let scene = flat(EXTENT);
+fn of_means(level: u32, image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+    let scene = flat(image.extent());
     let inputs =
-        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[&rare] };
-    let light = |shared_deviation| {
-        let level = AtrousLevel { smooth_deviation: false, shared_deviation, ..AtrousLevel::new(0) };
-        let output = atrous(&frame(EXTENT), &svgf_tuning(), level, &inputs).remove(0);
-        (output.get(11, 8).expect("inside")[0], output.texels().iter().map(|texel| texel[0]).sum::<f32>())
+        AtrousInputs { guide: &scene.guide, depth_gradient: &scene.depth_gradient, reflection: None, irradiance: &[image] };
+    let level = AtrousLevel { luminance_weight: LuminanceWeight::OfMeans, ..AtrousLevel::new(level) };
+    atrous(&frame(image.extent()), &svgf_tuning(), level, &inputs).remove(0)
+}
+
+fn light(image: &Image<[f32; 4]>) -> f32 {
+    image.texels().iter().map(|texel| texel[0]).sum()
+}
+
+#[test]
+fn rare_light_keeps_more_of_its_mean_by_deviations_of_means() {
+    // Neighbours that it never hit know nothing of it.
+    let rare = paint(EXTENT, |x, y| if (x, y) == (10, 8) { [9.0, 9.0, 9.0, 3.0] } else { [0.0; 4] });
+    let published = run(&frame(EXTENT), 0, &flat(EXTENT), &rare);
+    let ours = of_means(0, &rare);
+    assert!(light(&ours) > 1.25 * light(&published), "{} of 9 for {}", light(&ours), light(&published));
+    // A pixel that was not hit takes some.
+    assert!(ours.get(11, 8).expect("inside")[0] > 0.05);
+}
+
+#[test]
+fn what_luminance_refuses_stays_in_part_on_the_centre() {
+    // So far off that no tap takes from it: half of the 55/64 that are refused are kept beside the centre's own 9/64.
+    let far = paint(EXTENT, |x, y| if (x, y) == (10, 8) { [900.0, 900.0, 900.0, 1.0] } else { [0.0, 0.0, 0.0, 1.0] });
+    let [l, .., deviation] = *of_means(0, &far).get(10, 8).expect("inside");
+    assert!((l - 900.0).abs() < 0.5, "{l}");
+    // All of it is the noise of the centre.
+    assert!((deviation - 1.0).abs() < 1e-2, "{deviation}");
+}
+
+#[test]
+fn small_differences_are_filtered_and_large_ones_kept_by_deviations_of_means() {
+    let step = |height: f32| paint(EXTENT, move |x, _| if x < 10 { [0.0, 0.0, 0.0, 0.1] } else { [height, height, height, 0.1] });
+    let beside = |height: f32| of_means(0, &step(height)).get(9, 8).expect("inside")[0] / height;
+    // Half of a standard deviation is noise; twenty are an edge.
+    assert!(beside(0.05) > 0.25, "{}", beside(0.05));
+    assert!(beside(2.0) < 1e-3, "{}", beside(2.0));
+}
+
+#[test]
+fn wider_levels_tolerate_by_the_deviations_of_their_own_taps() {
+    // Certain beside itself, uncertain where its taps are.
+    let image = |away: f32| {
+        paint(EXTENT, move |x, y| {
+            let near = (x - 10).abs() <= 1 && (y - 8).abs() <= 1;
+            let l = if (x, y) == (10, 8) { 1.0 } else { 0.0 };
+            [l, l, l, if near { 0.0 } else { away }]
+        })
     };
-    let ((refused, lost), (taken, kept)) = (light(false), light(true));
-    assert_eq!(refused, 0.0);
-    // A sixth of nine times exp(-9 / (4 * 3 / 4)).
-    assert!((0.04..0.09).contains(&taken), "{taken}");
-    assert!(kept > lost + 0.5, "{kept} of 9 are left, without sharing {lost}");
+    let taken = |away: f32| 1.0 - of_means(2, &image(away)).get(10, 8).expect("inside")[0];
+    assert!(taken(0.0) < 1e-3, "{}", taken(0.0));
+    assert!(taken(1.0) > 0.4, "{}", taken(1.0));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::measure::Scores;
 use crate::Result;
 use atrous::config::{Preset, Signals};
 use atrous::graph::Feedback;
-use atrous::nodes::{Estimator, Kernel};
+use atrous::nodes::{Estimator, Kernel, LuminanceWeight};
 use atrous::presets::{best_with, Best};
 use atrous::{Config, Declaration};
 use atrous_engine::denoiser::GraphOfConfig;
@@ -26,15 +26,14 @@ const MEASURED: u32 = 4;
 const BOUND: f64 = 1.02;
 
 /// What is left out or replaced in the graph.
-const PARTS: [(&str, GraphOfConfig); 9] = [
+const PARTS: [(&str, GraphOfConfig); 8] = [
     ("no ratio of light", |config| with(config, |best| best.light_ratio = false)),
     ("no change test", |config| with(config, |best| best.change_test = false)),
     ("no firefly filter", |config| with(config, |best| best.firefly_filter = false)),
     ("history filtered", |config| with(config, |best| best.feedback = Feedback::Filtered)),
     ("history looked up by 2x2 pixels", |config| with(config, |best| best.sharp = false)),
-    ("deviation of a sample", |config| with(config, |best| best.variance.averaged = false)),
-    ("variance switched, not fading", |config| with(config, |best| best.variance.estimator = Estimator::Switched)),
-    ("deviation of the centre alone", |config| with(config, |best| best.spatial.shared_deviation = false)),
+    ("deviation of a sample", |config| with(config, |best| best.variance.estimator = Estimator::Fading)),
+    ("published luminance weight", |config| with(config, |best| best.spatial.luminance_weight = LuminanceWeight::Published)),
     ("25 taps instead of 9", |config| with(config, |best| best.spatial.kernel = Kernel::Spline)),
 ];
 /// Numbers that are those of A-SVGF.

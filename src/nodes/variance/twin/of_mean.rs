@@ -1,0 +1,78 @@
+//! The deviation of the accumulated mean, from the past of a pixel and from 5×5 pixels around it.
+
+use super::{Moments, FADING_RADIUS};
+use crate::reference::geometry_weights::Geometry;
+use crate::reference::{render_rect::RenderRect, Image};
+use crate::{FrameConstants, Tuning};
+use glam::IVec2;
+
+#[cfg(test)]
+mod tests;
+
+/// How much wider a variance is that is in doubt.
+const DOUBT: f32 = 3.0;
+
+/// Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
+const SEEN_NOISE: f32 = 1.75;
+
+/// White noise bends by six times its variance: `(l₊ − 2l + l₋)²`.
+const BEND_OF_NOISE: f32 = 6.0;
+
+/// Estimates from 5×5 pixels of how the luminance of one of them varies.
+struct Surroundings {
+    /// Variance of the samples that a mean was made of.
+    within: f32,
+    /// Variance of the means, without what is smooth.
+    noise: f32,
+    /// Relative standard error of a variance that was seen in so few pixels.
+    doubt: f32,
+}
+
+/// Standard deviation of the accumulated mean: never below the noise of neighbouring means.
+pub(super) fn deviation_of_mean(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    moments: &Image<Moments>,
+    p: IVec2,
+) -> f32 {
+    let centre = moments.at(p);
+    let around = surroundings(frame, geometry, moments, p);
+    let share = (tuning.spatial_variance_frames / centre.history_length).min(1.0);
+    let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / centre.history_length);
+    let of_sample = share * spatial + (1.0 - share) * centre.deviation * centre.deviation;
+    let averaging = (1.0 / centre.history_length).max(tuning.alpha / (2.0 - tuning.alpha));
+    (of_sample * averaging).max(SEEN_NOISE * around.noise).sqrt()
+}
+
+fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> Surroundings {
+    let rect = RenderRect::new(frame.render_extent);
+    let window: Vec<(f32, Moments)> =
+        rect.window(p, FADING_RADIUS, 1).map(|(_, q)| (geometry.weight(p, q), moments.at(q))).collect();
+    let sum: f32 = window.iter().map(|(weight, _)| weight).sum();
+    let mean_of = |value: &dyn Fn(&Moments) -> f32| window.iter().map(|(weight, m)| weight * value(m)).sum::<f32>() / sum;
+    let within = mean_of(&|m| m.deviation * m.deviation);
+    let mean = mean_of(&|m| m.mean);
+    let spread = mean_of(&|m| (m.mean - mean).powi(2));
+    let kurtosis = mean_of(&|m| (m.mean - mean).powi(4)) / (spread * spread).max(1e-36);
+    let noise = bend(rect, geometry, moments, p).map_or(spread, |bend| spread.min(bend / BEND_OF_NOISE));
+    Surroundings { within, noise, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
+}
+
+/// Mean of the squared second differences of neighbours along x and y, all of the surface of the centre; none where there are too few.
+fn bend(rect: RenderRect, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> Option<f32> {
+    let (mut sum, mut count) = (0.0, 0.0);
+    let middles = rect.window(p, FADING_RADIUS, 1).flat_map(|(offset, q)| [(offset, q, IVec2::X), (offset, q, IVec2::Y)]);
+    for (offset, q, axis) in middles {
+        let (before, behind) = (q - axis, q + axis);
+        let in_window = (offset * axis).abs().element_sum() < FADING_RADIUS;
+        if !in_window || !rect.contains(before) || !rect.contains(behind) {
+            continue;
+        }
+        let weight = geometry.weight(p, before) * geometry.weight(p, q) * geometry.weight(p, behind);
+        let bend = moments.at(before).mean - 2.0 * moments.at(q).mean + moments.at(behind).mean;
+        sum += weight * bend * bend;
+        count += weight;
+    }
+    (count > 0.5).then(|| sum / count)
+}

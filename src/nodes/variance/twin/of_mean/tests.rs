@@ -1,0 +1,77 @@
+//! The deviation of means against noise that is known, and against structure that is none.
+
+use super::*;
+use crate::reference::test_scene::*;
+
+const EXTENT: [u32; 2] = [48, 48];
+
+/// Deviation of the uniform noise of the test scenes.
+const UNIFORM: f32 = 0.288_675;
+
+fn deviations(guides: &Guides, moments: &Image<Moments>) -> Vec<f32> {
+    let tuning = Tuning::default();
+    let frame = frame(moments.extent());
+    let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
+    let inner = (4..EXTENT[1] as i32 - 4).flat_map(|y| (4..EXTENT[0] as i32 - 4).map(move |x| IVec2::new(x, y)));
+    inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, moments, p)).collect()
+}
+
+fn flat() -> Guides {
+    guides(EXTENT, |_, _| surface(4.0))
+}
+
+fn of(mean: f32, deviation: f32, history_length: f32) -> Moments {
+    Moments { mean, deviation, history_length, reason: 0 }
+}
+
+fn root_mean_square(values: &[f32]) -> f32 {
+    (values.iter().map(|value| value * value).sum::<f32>() / values.len() as f32).sqrt()
+}
+
+#[test]
+fn white_noise_has_the_standard_error_of_its_mean() {
+    for length in [1.0_f32, 4.0, 9.0] {
+        let error = UNIFORM / length.sqrt();
+        let within = UNIFORM * (1.0 - 1.0 / length).sqrt();
+        let moments = noise(EXTENT, 5).map(|t| of(0.5 + (t[0] - 0.5) / length.sqrt(), within, length));
+        let seen = root_mean_square(&deviations(&flat(), &moments)) / error;
+        // A variance from so few pixels is widened by its doubt, and what neighbours show counts 1.75 times.
+        assert!((1.0..1.75).contains(&seen), "{length} frames: {seen} of the standard error");
+    }
+}
+
+#[test]
+fn what_is_smooth_is_no_noise() {
+    let slope = paint(EXTENT, |x, y| of(0.25 * x as f32 + 0.125 * y as f32, 0.0, 8.0));
+    assert!(deviations(&flat(), &slope).iter().all(|deviation| *deviation < 1e-4));
+    let rough = paint(EXTENT, |x, y| of(((x * 7 + y * 3) % 5) as f32, 0.0, 8.0));
+    assert!(deviations(&flat(), &rough).iter().all(|deviation| *deviation > 0.5));
+}
+
+#[test]
+fn a_mean_is_no_surer_than_its_neighbours_agree() {
+    // Noise that came again in every frame: to itself each pixel is certain.
+    let repeated = noise(EXTENT, 7).map(|t| of(t[0], 0.0, 10.0));
+    let seen = root_mean_square(&deviations(&flat(), &repeated)) / UNIFORM;
+    assert!((1.0..1.5).contains(&seen), "{seen} of the deviation of neighbours");
+}
+
+#[test]
+fn a_variance_that_few_pixels_tell_is_in_doubt() {
+    // The same variance in all pixels, and in one of sixteen.
+    let even = paint(EXTENT, |x, y| of(if (x + y) % 2 == 0 { 1.0 } else { -1.0 }, 0.0, 1.0));
+    let rare = paint(EXTENT, |x, y| of(if x % 4 == 0 && y % 4 == 0 { 4.13 } else { 0.0 }, 0.0, 1.0));
+    let (even, rare) = (deviations(&flat(), &even), deviations(&flat(), &rare));
+    let widened = root_mean_square(&rare) / root_mean_square(&even);
+    assert!((1.1..2.2).contains(&widened), "{widened}");
+    let longer = paint(EXTENT, |x, y| of(if x % 4 == 0 && y % 4 == 0 { 4.13 } else { 0.0 }, 0.0, 64.0));
+    assert!(root_mean_square(&deviations(&flat(), &longer)) < 0.75 * root_mean_square(&rare));
+}
+
+#[test]
+fn another_surface_says_nothing() {
+    let edge = guides(EXTENT, |x, _| surface(if x < 24 { 4.0 } else { 9.0 }));
+    let moments = paint(EXTENT, |x, _| of(if x < 24 { 0.0 } else { 100.0 }, 0.0, 1.0));
+    assert!(deviations(&edge, &moments).iter().all(|deviation| *deviation < 1e-3));
+    assert!(deviations(&flat(), &moments).iter().any(|deviation| *deviation > 10.0));
+}
