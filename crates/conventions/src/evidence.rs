@@ -52,6 +52,7 @@ pub(super) struct Scene<'a> {
     pair: &'a Pair<'a>,
     constants: [FrameConstants; 2],
     projections: [Projections; 2],
+    depth_scale: f32,
     setup: Setup,
 }
 
@@ -98,7 +99,8 @@ impl<'a> Scene<'a> {
         let first = state.begin(&setup(pair.previous), &frame(&geometry.previous), &Tuning::default())?.constants;
         let second = state.begin(&setup(pair.current), &frame(&geometry.current), &Tuning::default())?.constants;
         let projections = [Projections::new(&first), Projections::new(&second)];
-        Ok(Self { pair, constants: [first, second], projections, setup: setup(pair.current) })
+        let depth_scale = geometry.depth_scale;
+        Ok(Self { pair, constants: [first, second], projections, depth_scale, setup: setup(pair.current) })
     }
 
     /// Linear depth; 0 where there is no surface.
@@ -108,7 +110,8 @@ impl<'a> Scene<'a> {
         if guides.id(p) == Some(0) {
             return 0.0;
         }
-        self.projections[frame].linear_depth(p.into(), at(guides.depth, p)[0], background).0
+        let (depth, scale) = (at(guides.depth, p)[0], self.depth_scale);
+        self.projections[frame].linear_depth(p.into(), depth * scale, background * scale).0
     }
 
     pub fn point(&self, p: IVec2) -> Point {

@@ -4,6 +4,9 @@ use atrous::config::{Conventions, DepthEncoding, ViewForward};
 use atrous::FrameParams;
 use glam::{Mat4, Vec4};
 
+/// Factors between units of length: metres, centimetres, millimetres, decimetres, feet, inches.
+const UNITS: [f32; 10] = [0.01, 100.0, 0.001, 1000.0, 0.1, 10.0, 0.3048, 3.280_84, 0.0254, 39.370_08];
+
 /// Depth and matrices as a host declares them, or as it should have.
 #[derive(Clone, Debug)]
 pub(super) struct Geometry {
@@ -12,13 +15,22 @@ pub(super) struct Geometry {
     /// The remedy.
     pub remedy: String,
     pub conventions: Conventions,
+    /// Factor of the depth, where that is no depth buffer's.
+    pub depth_scale: f32,
     pub previous: FrameParams,
     pub current: FrameParams,
 }
 
 impl Geometry {
     pub fn declared(conventions: &Conventions, previous: &FrameParams, current: &FrameParams) -> Self {
-        Self { mistake: "", remedy: String::new(), conventions: *conventions, previous: *previous, current: *current }
+        Self {
+            mistake: "",
+            remedy: String::new(),
+            conventions: *conventions,
+            depth_scale: 1.0,
+            previous: *previous,
+            current: *current,
+        }
     }
 
     /// Every geometry that is one mistake away, the likelier ones first.
@@ -45,7 +57,14 @@ impl Geometry {
                 Self { mistake, remedy: format!("depth: {depth:?}"), conventions, ..self.clone() }
             })
             .collect();
-        if self.conventions.depth == DepthEncoding::Device {
+        if self.conventions.depth != DepthEncoding::Device {
+            all.extend(UNITS.map(|scale| Self {
+                mistake: "the depth is in another unit than the matrices",
+                remedy: format!("multiply the depth by {scale}"),
+                depth_scale: scale,
+                ..self.clone()
+            }));
+        } else {
             all.push(self.with_clip(
                 "the depth buffer runs the other way than clip_from_view",
                 "give the projection that the depth was rendered with; reversed where the depth is 1 near and 0 far",

@@ -57,13 +57,15 @@ pub struct Finding {
     pub remedy: String,
     /// The answer in numbers.
     pub evidence: Vec<Evidence>,
+    /// What the depth or the motion has to be multiplied by, where its unit is another one.
+    pub factor: Option<f32>,
     /// Mistakes that these two frames would not show.
     pub untested: Vec<String>,
 }
 
 impl Finding {
     pub(super) fn new(verdict: Verdict, mistake: impl Into<String>) -> Self {
-        Self { verdict, mistake: mistake.into(), remedy: String::new(), evidence: Vec::new(), untested: Vec::new() }
+        Self { verdict, mistake: mistake.into(), remedy: String::new(), evidence: Vec::new(), factor: None, untested: Vec::new() }
     }
 }
 

@@ -11,6 +11,20 @@ use atrous::Error;
 /// Motion below this many pixels is not called motion.
 const MOVES: f32 = 0.25;
 
+/// The part of the moving pixels that a constant factor has to explain, up to this share of their motion.
+const SCALED: f32 = 0.8;
+const SCALED_SLACK: f32 = 0.02;
+
+/// Four digits.
+fn rounded(v: f32) -> f32 {
+    let unit = 10.0_f32.powf(3.0 - v.abs().log10().floor());
+    if unit.is_finite() {
+        (v * unit).round() / unit
+    } else {
+        v
+    }
+}
+
 /// A geometry with its residuals. Those of motion and normals are by the readings that fit best, so that a mistake there is not
 /// blamed on it.
 pub(super) struct Trial<'a> {
@@ -117,6 +131,9 @@ impl<'a> Trial<'a> {
             let is_zero = self.pair.pixels.iter().all(|p| self.scene.motion_texel(*p).is_none_or(|m| m == glam::Vec2::ZERO));
             let what = if is_zero { "the motion is 0 everywhere, though the camera moves" } else { "no unit, sign or axis fits" };
             finding = Finding::new(Verdict::Unexplained, what);
+            if let Some((reading, factor)) = self.motion_factor(declared).filter(|_| !is_zero) {
+                return (self.scaled_motion(declared, reading, factor, &moving), reading);
+            }
         } else if finding.verdict == Verdict::Inconclusive {
             finding = self.nothing_tells();
         }
@@ -124,6 +141,38 @@ impl<'a> Trial<'a> {
             finding.evidence.push(self.agreement(Measure::Motion, &moving));
         }
         (finding, candidates[contest.champion].0)
+    }
+
+    /// The sign and the axes by which the motion is that of what stands still but for a constant factor,
+    /// and that factor: the motion has to be multiplied by it.
+    fn motion_factor(&self, declared: MotionReading) -> Option<(MotionReading, f32)> {
+        let signs = declared.all().into_iter().filter(|m| m.unit == declared.unit && m.jittered == declared.jittered);
+        let fits = signs.filter_map(|reading| {
+            let affine = self.scene.affine(reading);
+            let zero = affine.read(glam::Vec2::ZERO);
+            let read = |p| self.scene.motion_texel(p).map(|texel| affine.read(texel) - zero);
+            let pixels = self.pair.pixels.iter().zip(&self.points).filter(|(_, point)| point.motion.length() > MOVES);
+            let pairs: Vec<_> = pixels.filter_map(|(p, point)| Some((read(*p)?, point.motion - zero))).collect();
+            let ratios = pairs.iter().filter(|(host, _)| host.length() > 0.0);
+            let factor = median(ratios.map(|(host, true_motion)| host.dot(*true_motion) / host.length_squared()));
+            let slack = |motion: glam::Vec2| MOTION.explains + SCALED_SLACK * motion.length();
+            let explained = pairs.iter().filter(|(host, motion)| (*host * factor - *motion).length() <= slack(*motion)).count();
+            let is_most = pairs.len() >= contest::LEAST && explained as f32 >= SCALED * pairs.len() as f32;
+            (is_most && factor > 0.0 && factor.is_finite()).then_some((reading, factor, explained))
+        });
+        fits.max_by_key(|(.., explained)| *explained).map(|(reading, factor, _)| (reading, factor))
+    }
+
+    fn scaled_motion(&self, declared: MotionReading, reading: MotionReading, factor: f32, moving: &Residuals) -> Finding {
+        let (mut mistakes, mut remedies) = declared.changes(reading);
+        mistakes.push(format!("the motion is {} times as long as in {}", rounded(1.0 / factor), declared.unit));
+        remedies.push(format!("multiply the motion by {}", rounded(factor)));
+        Finding {
+            remedy: remedies.join("; "),
+            factor: Some(rounded(factor)),
+            evidence: vec![self.agreement(Measure::Motion, moving)],
+            ..Finding::new(Verdict::Mistake, mistakes.join("; "))
+        }
     }
 
     /// Votes of the pixels where a host that means one of the two would be read otherwise by the other one.
@@ -235,14 +284,19 @@ pub(super) fn geometry_finding<'t, 'a>(declared: &Trial<'a>, alternatives: &'t [
             Evidence { measure, declared, fitting: Some(fitting), pixels: votes.voters() }
         });
         let remedy = fitting.geometry.remedy.clone();
-        let finding = Finding { remedy, evidence: evidence.collect(), ..Finding::new(Verdict::Mistake, fitting.geometry.mistake) };
+        let factor = Some(fitting.geometry.depth_scale).filter(|scale| *scale != 1.0);
+        let finding =
+            Finding { remedy, factor, evidence: evidence.collect(), ..Finding::new(Verdict::Mistake, fitting.geometry.mistake) };
         return (finding, Some(fitting));
     }
     let mut finding = if explained(DEPTH, &declared.depth).is_some_and(|part| part < 0.5) {
         Finding::new(Verdict::Unexplained, "the depth of the previous frame is not where depth and matrices of this one put it")
     } else if outcomes.contains(&Outcome::First) {
         let undecided = alternatives.iter().zip(&outcomes[1..]).filter(|(_, o)| **o == Outcome::Undecided);
-        Finding { untested: undecided.map(|(t, _)| t.geometry.mistake.to_owned()).collect(), ..Finding::new(Verdict::Agrees, "") }
+        let mut untested: Vec<String> = undecided.map(|(t, _)| t.geometry.mistake.to_owned()).collect();
+        // Units are many alternatives of one mistake.
+        untested.dedup();
+        Finding { untested, ..Finding::new(Verdict::Agrees, "") }
     } else {
         declared.nothing_tells()
     };
