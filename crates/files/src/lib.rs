@@ -6,7 +6,7 @@
 mod publish;
 mod regular;
 
-pub use publish::{check_writable, publish, Existing};
+pub use publish::{check_writable, publish, remove_abandoned, Existing};
 pub use regular::{check_regular, open_regular, read_regular, read_text};
 
 #[cfg(test)]

@@ -6,6 +6,10 @@ use std::io::{Error, ErrorKind, Result};
 use std::path::Path;
 use tempfile::{Builder, NamedTempFile};
 
+/// Names of temporary files begin and end so.
+const PREFIX: &str = ".atrous-";
+const SUFFIX: &str = ".part";
+
 /// The treatment of a file that has the name already.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Existing {
@@ -34,6 +38,36 @@ pub fn publish(path: &Path, existing: Existing, write: impl FnOnce(&mut File) ->
     persisted.map(drop).map_err(|e| e.error)
 }
 
+/// Removes the temporary files of runs that ended before they could: those that nobody writes to.
+///
+/// What cannot be removed stays: it hurts nobody.
+pub fn remove_abandoned(folder: &Path) {
+    let Ok(entries) = std::fs::read_dir(folder) else { return };
+    for path in entries.flatten().map(|entry| entry.path()) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let is_part = name.starts_with(PREFIX) && name.ends_with(SUFFIX);
+        // A link in its place is not followed.
+        let is_file = path.symlink_metadata().is_ok_and(|meta| meta.is_file());
+        if is_part && is_file && File::open(&path).is_ok_and(|file| lock(&file)) {
+            let _ = std::fs::remove_file(&path);
+        }
+    }
+}
+
+/// Locks a file as long as it is open. Whether nobody else had it locked.
+fn lock(file: &File) -> bool {
+    #[cfg(unix)]
+    {
+        rustix::fs::flock(file, rustix::fs::FlockOperation::NonBlockingLockExclusive).is_ok()
+    }
+    // Elsewhere a file that is open cannot be removed.
+    #[cfg(not(unix))]
+    {
+        let _ = file;
+        true
+    }
+}
+
 /// Proves that files can be made in a folder.
 ///
 /// # Errors
@@ -44,11 +78,13 @@ pub fn check_writable(folder: &Path) -> Result<()> {
 
 fn temporary(folder: &Path) -> Result<NamedTempFile> {
     let mut builder = Builder::new();
-    builder.prefix(".atrous-").suffix(".part");
+    builder.prefix(PREFIX).suffix(SUFFIX);
     // What comes out is for others to read, as far as the user's mask lets them.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     // The kind alone: the user never heard of the temporary name that the crate tells besides.
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    builder.tempfile_in(folder).map_err(|error| error.kind().into())
+    let file = builder.tempfile_in(folder).map_err(|error| Error::from(error.kind()))?;
+    lock(file.as_file());
+    Ok(file)
 }

@@ -45,6 +45,24 @@ fn files_are_read_up_to_their_limit() {
 #[cfg(unix)]
 mod unix {
     use super::*;
+
+    #[test]
+    fn what_a_killed_run_left_is_removed_and_what_is_being_written_is_not() {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::write(folder.path().join(".atrous-killed.part"), "half").expect("written");
+        std::fs::write(folder.path().join("kept.part"), "whole").expect("written");
+        symlink("kept.part", folder.path().join(".atrous-link.part")).expect("a link");
+        publish(&folder.path().join("a"), Existing::Kept, |_| {
+            remove_abandoned(folder.path());
+            assert_eq!(names(folder.path()).iter().filter(|name| name.starts_with(".atrous-")).count(), 2);
+            Ok(())
+        })
+        .expect("written");
+        let mut left = names(folder.path());
+        left.sort();
+        assert_eq!(left, [".atrous-link.part", "a", "kept.part"]);
+    }
+
     use std::os::unix::fs::{symlink, PermissionsExt};
 
     #[test]
