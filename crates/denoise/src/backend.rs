@@ -99,7 +99,12 @@ const TRANSFORMS: &str = "instance_transforms";
 impl Passes {
     /// The passes on a Vulkan device, by index or part of its name.
     pub fn gpu(device: Option<String>, config: &Config) -> Result<Self> {
-        Self::on(Arc::new(HeadlessDevice::new(&HeadlessOptions { device, ..HeadlessOptions::default() })?), config)
+        let options = HeadlessOptions { device, ..HeadlessOptions::default() };
+        let device = HeadlessDevice::new(&options).map_err(|error| match error {
+            Error::NoDevice(_) => ToolError::NoDevice(error),
+            other => other.into(),
+        })?;
+        Self::on(Arc::new(device), config)
     }
 
     /// The passes on a device that is open.

@@ -37,6 +37,8 @@ pub struct Camera {
 /// The content of `sequence.json`.
 #[derive(Clone, Debug, Default)]
 pub struct SequenceFile {
+    /// The file.
+    pub path: PathBuf,
     /// Cameras by frame number.
     pub cameras: BTreeMap<u64, Camera>,
     /// Conventions, as for `--convention`.
@@ -115,6 +117,8 @@ pub fn find(given: Option<&Path>, folder: &Path) -> Result<Option<(PathBuf, Sequ
 /// Reads the text of a `sequence.json`.
 pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     let problem = |problem: String| ToolError::Json { path: path.to_owned(), problem };
+    // Some editors begin a text with a byte order mark.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let json: Json = serde_json::from_str(text).map_err(|e| problem(format!("is not a sequence description: {e}")))?;
     let mut cameras = BTreeMap::new();
     for (index, frame) in json.frames.iter().enumerate() {
@@ -136,5 +140,13 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     let text_of = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
     let checksum = crc32fast::hash(text.as_bytes());
-    Ok(SequenceFile { cameras, conventions, config: json.config, tuning: json.tuning, checksum, verbatim: json.verbatim })
+    Ok(SequenceFile {
+        path: path.to_owned(),
+        cameras,
+        conventions,
+        config: json.config,
+        tuning: json.tuning,
+        checksum,
+        verbatim: json.verbatim,
+    })
 }

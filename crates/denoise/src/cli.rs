@@ -3,7 +3,7 @@
 use crate::conventions::keys;
 use crate::roles::Role;
 use crate::sampling::Pattern;
-use crate::setup::Options;
+use crate::setup::{Made, Options};
 use atrous::config::{Preset, Signals};
 use atrous::Tuning;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -67,6 +67,10 @@ pub struct Cli {
     #[arg(long)]
     pub float: bool,
 
+    /// Keep the other layers and parts of the input in the result, such as cryptomattes
+    #[arg(long)]
+    pub keep_layers: bool,
+
     /// Overwrite existing frames, pictures and scores
     #[arg(long, conflicts_with = "resume")]
     pub force: bool,
@@ -121,6 +125,10 @@ pub struct Cli {
     #[arg(long = "convention", value_name = "KEY=VALUE", value_parser = key_value, long_help = format!("Encoding of a guide, where it differs from what the layout usually means: {}", keys()))]
     pub conventions: Vec<(String, String)>,
 
+    /// How far the numbers of two frames are apart; default: 1
+    #[arg(long, value_name = "N")]
+    pub step: Option<u64>,
+
     /// Print nothing but errors, warnings and scores
     #[arg(short, long)]
     pub quiet: bool,
@@ -168,6 +176,11 @@ impl Cli {
         self.output.as_deref().unwrap_or(Path::new("."))
     }
 
+    /// Whether the CPU engine filters.
+    pub fn is_reference(&self) -> bool {
+        self.device.as_deref() == Some("reference")
+    }
+
     /// The options for the setup.
     pub fn options(&self) -> Options {
         Options {
@@ -181,6 +194,14 @@ impl Cli {
             stratum_size: self.stratum_size,
             sampling: self.sampling,
             tunables: self.tunables.clone(),
+            step: self.step,
+            made: Made {
+                reference: self.is_reference(),
+                float: self.float,
+                preview: self.png.then_some(self.exposure),
+                views: self.views,
+                keeps_layers: self.keep_layers,
+            },
         }
     }
 }

@@ -14,12 +14,46 @@ use serde_json::{Map, Value};
 const ATROUS_BACKGROUND: f32 = 1e4;
 const BLENDER_BACKGROUND: f32 = 1e9;
 
+/// Factors that bring guides to the unit of the matrices, and of the conventions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales {
+    /// Of depth, unless it is that of a depth buffer.
+    pub depth: f32,
+    /// Of motion.
+    pub motion: f32,
+}
+
+impl Default for Scales {
+    fn default() -> Self {
+        Self { depth: 1.0, motion: 1.0 }
+    }
+}
+
+impl Scales {
+    /// Changes one. None: there is none of this name.
+    ///
+    /// # Errors
+    /// A value that is no factor.
+    pub fn set(&mut self, key: &str, value: &str) -> Option<Result<(), String>> {
+        let field = match key {
+            "depth_scale" => &mut self.depth,
+            "motion_scale" => &mut self.motion,
+            _ => return None,
+        };
+        let factor = value.parse::<f32>().ok().filter(|factor| factor.is_normal() && *factor > 0.0);
+        Some(factor.map(|factor| *field = factor).ok_or_else(|| format!("`{value}` is no number above 0")))
+    }
+}
+
 /// The conventions of a layout.
 pub fn of_layout(mapping: &Mapping) -> Conventions {
     let mut c = Conventions { motion_unit: MotionUnit::Pixels, ..Conventions::default() };
     match mapping.layout {
         Layout::Atrous => {
-            c.background_depth = ATROUS_BACKGROUND;
+            // The background has the id 0; without ids only its depth tells it.
+            if !mapping.has(Role::Id) {
+                c.background_depth = ATROUS_BACKGROUND;
+            }
             c.roughness = RoughnessEncoding::Alpha;
             if mapping.has(Role::PreviousDepth) {
                 c.motion_depth = MotionDepth::Absolute;
@@ -47,10 +81,12 @@ pub fn keys() -> String {
     }
     [
         ("depth", names::<DepthEncoding>()),
+        ("depth_scale", "NUMBER".to_owned()),
         ("background_depth", "NUMBER".to_owned()),
         ("normal", names::<NormalEncoding>()),
         ("normal_space", names::<NormalSpace>()),
         ("motion_unit", names::<MotionUnit>()),
+        ("motion_scale", "NUMBER".to_owned()),
         ("motion_direction", names::<MotionDirection>()),
         ("motion_y", "down|up".to_owned()),
         ("motion_jittered", "true|false".to_owned()),
@@ -73,4 +109,15 @@ pub fn set(c: &mut Conventions, key: &str, value: &str) -> std::result::Result<(
     fields.insert(key.to_owned(), value);
     *c = serde_json::from_value(fields.into())?;
     Ok(())
+}
+
+/// Keys and values in which conventions differ from others, as [`set`] takes them.
+pub fn changes(from: &Conventions, to: &Conventions) -> Vec<(String, String)> {
+    let fields = |c: &Conventions| match serde_json::to_value(c) {
+        Ok(Value::Object(fields)) => fields,
+        _ => Map::new(),
+    };
+    let (from, to) = (fields(from), fields(to));
+    let text = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    to.iter().filter(|(key, value)| from.get(*key) != Some(*value)).map(|(key, value)| (key.clone(), text(value))).collect()
 }

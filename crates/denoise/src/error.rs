@@ -28,8 +28,11 @@ pub enum ToolError {
     #[error("{}: no channel `{channel}`; the file has: {known}", path.display())]
     NoChannel { path: PathBuf, channel: String, known: String },
     /// A file with nothing to denoise in it.
-    #[error("{}: no colour to denoise was recognised; name it with --channel noisy=LAYER. The file has: {known}", path.display())]
-    NoColour { path: PathBuf, known: String },
+    #[error("{}: no colour to denoise was recognised; {remedy}. The file has: {known}", path.display())]
+    NoColour { path: PathBuf, known: String, remedy: String },
+    /// A file in which several layers could be the picture.
+    #[error("{}: several layers could be the picture; choose one with {}", path.display(), layers.join(" or "))]
+    SeveralColours { path: PathBuf, layers: Vec<String> },
     /// No file fits FRAMES.
     #[error("{}: no EXR frames there{hint}", path.display())]
     NoFrames { path: PathBuf, hint: String },
@@ -37,8 +40,8 @@ pub enum ToolError {
     #[error("{}: {problem}", path.display())]
     Sequence { path: PathBuf, problem: String },
     /// Holes in the numbering.
-    #[error("missing frame{}: {}{}; temporal filters need consecutive frames. Render them, or name a consecutive part of the sequence", if *count == 1 { "" } else { "s" }, names.join(", "), if *count > names.len() { format!(" and {} more", count - names.len()) } else { String::new() })]
-    MissingFrames { names: Vec<String>, count: usize },
+    #[error("missing frame{}: {}{}; temporal filters need consecutive frames. Render them, or name a consecutive part of the sequence{}", if *count == 1 { "" } else { "s" }, names.join(", "), if *count > names.len() { format!(" and {} more", count - names.len()) } else { String::new() }, regular.map_or(String::new(), |step| format!("; where the numbers are {step} apart, give --step {step}")))]
+    MissingFrames { names: Vec<String>, count: usize, regular: Option<u64> },
     /// An output that is already there.
     #[error("{}: exists already; --force overwrites it, --resume keeps finished frames and makes the missing ones", path.display())]
     Exists { path: PathBuf },
@@ -60,6 +63,9 @@ pub enum ToolError {
     /// Pictures and figures that make no page.
     #[error("the report cannot be made: {0}")]
     Page(#[from] atrous_lab::pages::PageError),
+    /// There is no device, or none as asked for.
+    #[error("{0}; or filter on the CPU, slowly, with --device reference")]
+    NoDevice(atrous::Error),
     /// The library refused.
     #[error(transparent)]
     Denoise(#[from] atrous::Error),

@@ -1,6 +1,7 @@
-//! Reads channels of an EXR file into planes that cover its display window.
+//! Reads channels of an EXR file into planes that cover the picture: its display window and overscan.
 
 use crate::error::{Result, ToolError};
+use crate::exr_compression;
 use crate::exr_header::{from_exr, open, Channel, ExrHeader};
 use crate::panics::caught;
 use exr::block::chunk::Chunk;
@@ -64,9 +65,11 @@ pub fn read(path: &Path, mut wanted: impl FnMut(&Channel) -> bool) -> Result<Pla
 }
 
 fn decode(path: &Path, meta: &MetaData, chunks: Vec<Chunk>, mut insert: impl FnMut(UncompressedBlock)) -> Result<()> {
-    let one = |chunk: Chunk| match caught(|| UncompressedBlock::decompress_chunk(chunk, meta, false)) {
+    let one = |chunk: Chunk| match exr_compression::check(&chunk, &meta.headers)
+        .and_then(|()| caught(|| UncompressedBlock::decompress_chunk(chunk, meta, false)))
+    {
         Ok(block) => block.map_err(|e| from_exr(path, e)),
-        Err(panic) => Err(ToolError::exr(path, panic)),
+        Err(problem) => Err(ToolError::exr(path, problem)),
     };
     let bytes: usize = chunks.iter().map(chunk_bytes).sum();
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(chunks.len());
@@ -122,7 +125,7 @@ struct Plane {
 struct Target {
     width: i64,
     height: i64,
-    /// Display window relative to each part's data window.
+    /// Picture relative to each part's data window.
     offsets: Vec<[i64; 2]>,
     /// (part, channel in the part) to plane.
     index: BTreeMap<(usize, usize), usize>,
@@ -133,13 +136,13 @@ struct Target {
 
 impl Target {
     fn new(header: &ExrHeader, picked: &[Channel]) -> Self {
-        let window = header.shared.display_window.position;
+        let window = header.window.position;
         let area = header.extent[0] as usize * header.extent[1] as usize;
         let offset = |at: Vec2<i32>| [i64::from(at.0) - i64::from(window.0), i64::from(at.1) - i64::from(window.1)];
         let plane = |c: &Channel| Plane {
             samples: if c.sample_type == SampleType::U32 { Samples::Uint(vec![0; area]) } else { Samples::Float(vec![0.0; area]) },
             filled: 0,
-            expected: header.part_sizes[c.part][0] * header.part_sizes[c.part][1],
+            expected: header.part_windows[c.part].size.area(),
         };
         Self {
             width: i64::from(header.extent[0]),
@@ -165,7 +168,7 @@ impl Target {
             plane.filled += line.location.sample_count;
             let x0 = line.location.position.0 as i64 + self.offsets[part][0];
             let y = line.location.position.1 as i64 + self.offsets[part][1];
-            // Only the part of the line that is inside the display window.
+            // Only the part of the line that is inside the picture.
             let (from, to) = ((-x0).max(0), (self.width - x0).min(line.location.sample_count as i64));
             if !(0..self.height).contains(&y) || from >= to {
                 continue;

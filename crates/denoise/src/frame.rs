@@ -7,16 +7,24 @@ use crate::frame_files::FrameFiles;
 use crate::frame_images::{rgb, Channels, Texels};
 use crate::frame_source::{self, First};
 use crate::memory;
+use crate::negative;
+use crate::range::Excess;
 use crate::roles::Role;
+use crate::sampling::Pattern;
 use crate::setup::{is_about_previous, Setup};
+use crate::smooth::smooth;
 use atrous::config::Preset;
 use atrous::reference::InstanceTransform;
-use atrous::{FrameParams, Tuning};
+use atrous::{FrameParams, ResetReason, Tuning};
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::ErrorKind;
 use std::path::Path;
 
 /// Largest file with transforms that is read: ten million instances.
 const MAX_TRANSFORMS: u64 = 10_000_000 * size_of::<InstanceTransform>() as u64;
+
+/// Images with the noise that is filtered.
+const NOISY: [&str; 5] = ["noisy_radiance", "noisy_direct", "noisy_indirect", "noisy_diffuse", "noisy_specular"];
 
 /// Inputs of a frame.
 #[derive(Debug)]
@@ -43,77 +51,153 @@ pub struct FrameInputs {
     pub reference: Option<Vec<[f32; 3]>>,
     /// Values that were not finite and became 0, by role.
     pub replaced: BTreeMap<Role, usize>,
+    /// Light that is beyond the range of the filter.
+    pub excess: Excess,
+    /// Pixels with negative light.
+    pub negative: usize,
     /// Header of the file with the colour.
     pub header: ExrHeader,
 }
 
-/// Reads a frame.
-pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
+/// The channels of a frame that the setup takes.
+pub fn channels<'a>(files: &FrameFiles, setup: &'a Setup) -> Result<(Channels<'a>, ExrHeader)> {
     let reshaded = setup.config.preset.has_gradients();
-    let wanted: BTreeSet<&str> =
-        setup.mapping.roles.iter().filter(|r| reshaded || !is_about_previous(*r.0)).flat_map(|r| r.1).map(String::as_str).collect();
+    let is_wanted = |role: Role| reshaded || !is_about_previous(role);
+    let roles = setup.mapping.roles.iter().filter(|(role, _)| is_wanted(**role));
+    let wanted: BTreeSet<&str> = roles.flat_map(|(_, names)| names).map(String::as_str).collect();
     let first = First { extent: setup.config.allocated_extent, reading: memory::reading_limit(setup) };
     let planes = frame_source::read(files, &first, |name| wanted.contains(name))?;
     // The reference may be sparse: rendering it takes long.
     let optional = |role: Role| is_about_previous(role) || role == Role::Reference;
     setup.mapping.check(&files.colour, &planes.header, optional)?;
-    let mut channels = Channels { setup, samples: planes.samples, replaced: BTreeMap::new() };
+    Ok((Channels { setup, samples: planes.samples, replaced: BTreeMap::new() }, planes.header))
+}
+
+/// Reads a frame.
+pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
+    let (mut channels, header) = channels(files, setup)?;
     let camera = setup.camera(files.number);
     let mut images = BTreeMap::new();
-    channels.lighting(&mut images);
-    channels.guides(camera, &mut images);
-    if reshaded {
-        channels.reshaded(&mut images);
-        channels.gradients(&mut images);
+    fill(&mut channels, camera, &mut images);
+    for (_, texels) in images.iter_mut().filter(|(name, _)| setup.smoothed.contains(*name)) {
+        *texels = smooth(texels, setup.config.allocated_extent[0] as usize);
     }
-    if setup.config.volume || setup.config.preset == Preset::Volume {
-        images.extend(channels.vectors(Role::Volume).map(|v| ("noisy_volume", v)));
-        images.extend(channels.vectors(Role::ScatteringDepth).map(|d| ("scattering_depth", d)));
-    }
-    if setup.config.visibility {
-        images.extend(channels.vectors(Role::Visibility).map(|v| ("noisy_visibility", v)));
-        images.extend(channels.vectors(Role::OccluderDistance).map(|d| ("occluder_distance", d)));
-        images.extend(channels.vectors(Role::UnshadowedDirect).map(|l| ("unshadowed_direct", l)));
-    }
+    let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
     let surface_id = channels.ids(&images);
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
     let reference = channels.vectors(Role::Reference).map(rgb);
     let replaced = channels.replaced;
-    let params = params(setup, camera);
     if noisy.len() != setup.pixels() {
         return Err(ToolError::exr(&files.colour, "its channels do not cover the picture"));
     }
-    let (number, tuning, instance_transforms) = (files.number, setup.tuning(files.number)?, transforms(&files.colour)?);
+    let far = setup.config.conventions.background_depth;
+    let is_background = |i: usize| {
+        let depth = images.get("depth").and_then(|depth: &Texels| depth.get(i)).map_or(1.0, |d| d[0]);
+        surface_id.as_ref().is_some_and(|ids| ids.get(i) == Some(&0)) || depth.is_nan() || depth <= 0.0 || depth >= far
+    };
+    let background: Vec<bool> = (0..setup.pixels()).map(is_background).collect();
+    let excess = match setup.is_verbatim() {
+        true => Excess::default(),
+        false => setup.range.scale(&mut images, |i| background[i]),
+    };
     let mut inputs = FrameInputs {
-        number,
-        index: camera.map_or(number, |camera| camera.index),
-        params,
-        tuning,
-        instance_transforms,
+        number: files.number,
+        index: camera.map_or(files.number / setup.step, |camera| camera.index),
+        params: params(setup, camera),
+        tuning: setup.tuning(files.number)?,
+        instance_transforms: transforms(&files.colour)?,
         images,
         surface_id,
         noisy,
         alpha,
         reference,
         replaced,
-        header: planes.header,
+        excess,
+        negative,
+        header,
     };
     if let Some(pattern) = setup.sampling {
-        pattern.drop_samples(&mut inputs, setup.config.allocated_extent[0] as usize);
+        drop_samples(pattern, &mut inputs, setup.config.allocated_extent[0] as usize);
     }
     Ok(inputs)
+}
+
+/// Evens out negative light. Returns the number of its pixels, in the image that has most.
+fn even_out(images: &mut BTreeMap<&'static str, Texels>, setup: &Setup) -> usize {
+    let width = setup.config.allocated_extent[0] as usize;
+    let noisy = images.iter_mut().filter(|(name, _)| NOISY.contains(name));
+    noisy.map(|(_, texels)| negative::even_out(texels, width)).max().unwrap_or_default()
+}
+
+fn fill(channels: &mut Channels<'_>, camera: Option<&Camera>, images: &mut BTreeMap<&'static str, Texels>) {
+    let config = &channels.setup.config;
+    channels.lighting(images);
+    channels.guides(camera, images);
+    if config.preset.has_gradients() {
+        channels.reshaded(images);
+        channels.gradients(images);
+    }
+    if config.volume || config.preset == Preset::Volume {
+        images.extend(channels.volume().map(|v| ("noisy_volume", v)));
+        images.extend(channels.vectors(Role::ScatteringDepth).map(|d| ("scattering_depth", d)));
+    }
+    if config.visibility {
+        images.extend(channels.vectors(Role::Visibility).map(|v| ("noisy_visibility", v)));
+        images.extend(channels.vectors(Role::OccluderDistance).map(|d| ("occluder_distance", d)));
+        images.extend(channels.vectors(Role::UnshadowedDirect).map(|l| ("unshadowed_direct", l)));
+    }
+}
+
+/// Brings the result of the filter back to what the file holds.
+pub fn finish(inputs: &FrameInputs, setup: &Setup, radiance: &mut [[f32; 3]]) {
+    if setup.is_verbatim() {
+        return;
+    }
+    setup.range.restore(radiance, &inputs.excess);
+    // Where nothing was rendered, nothing is, whatever the filter let in from beside.
+    if inputs.alpha_is_coverage() {
+        for ((pixel, noisy), alpha) in radiance.iter_mut().zip(&inputs.noisy).zip(inputs.alpha.iter().flatten()) {
+            if *alpha == 0.0 && *noisy == [0.0; 3] {
+                *pixel = [0.0; 3];
+            }
+        }
+    }
+}
+
+impl FrameInputs {
+    /// Whether there is no light where alpha is 0. Some write 0 everywhere.
+    fn alpha_is_coverage(&self) -> bool {
+        let Some(alpha) = &self.alpha else { return false };
+        let is_lit = |noisy: &[f32; 3]| noisy.iter().any(|v| *v > 0.0);
+        let open: Vec<bool> = self.noisy.iter().zip(alpha).filter(|(_, a)| **a == 0.0).map(|(n, _)| is_lit(n)).collect();
+        100 * open.iter().filter(|lit| **lit).count() <= open.len() && alpha.iter().any(|a| *a > 0.0)
+    }
+}
+
+/// Takes the samples of the pixels that a pattern does not trace out of a frame. Re-shaded samples
+/// stay: they are as dense as the renderer likes.
+fn drop_samples(pattern: Pattern, inputs: &mut FrameInputs, width: usize) {
+    let index = inputs.index;
+    let dropped = |i: &usize| !pattern.keeps(index, (i % width) as u64, (i / width) as u64);
+    for (_, texels) in inputs.images.iter_mut().filter(|(name, _)| NOISY.contains(name)) {
+        (0..texels.len()).filter(dropped).for_each(|i| texels[i] = [f32::NAN; 4]);
+    }
+    (0..inputs.noisy.len()).filter(dropped).for_each(|i| inputs.noisy[i] = [0.0; 3]);
 }
 
 fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
     let mut params = FrameParams::new(setup.config.allocated_extent);
     if let Some(camera) = camera {
         params.view_from_world = camera.view_from_world;
-        params.clip_from_view = camera.clip_from_view;
+        params.clip_from_view = setup.projection(camera.clip_from_view);
         params.jitter = camera.jitter;
         params.exposure_ratio = camera.exposure_ratio;
         params.reset = camera.reset;
         params.reshaded = camera.reshaded;
+    }
+    if setup.stills {
+        params.reset = params.reset.or(Some(ResetReason::CameraCut));
     }
     params
 }
@@ -124,7 +208,8 @@ fn transforms(colour: &Path) -> Result<Option<Vec<InstanceTransform>>> {
     let path = colour.with_file_name(format!("{stem}_instance_transforms.f32"));
     let bytes = match atrous_files::read_regular(&path, MAX_TRANSFORMS) {
         Ok(bytes) => bytes,
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+        // No file can have a name that is too long for one.
+        Err(e) if matches!(e.kind(), ErrorKind::NotFound | ErrorKind::InvalidFilename) => return Ok(None),
         Err(source) => return Err(ToolError::Read { path, source }),
     };
     if bytes.len() % size_of::<InstanceTransform>() != 0 {

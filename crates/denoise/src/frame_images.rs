@@ -5,7 +5,7 @@ use crate::exr_read::Samples;
 use crate::layouts::Layout;
 use crate::roles::Role;
 use crate::setup::Setup;
-use atrous::config::{MotionDepth, NormalSpace, Signals, ViewForward};
+use atrous::config::{DepthEncoding, MotionDepth, NormalSpace, Signals, ViewForward};
 use std::collections::BTreeMap;
 
 /// Texels of an image.
@@ -43,6 +43,9 @@ impl Channels<'_> {
         }
         let count = bad.iter().filter(|b| **b).count();
         if count > 0 {
+            if let Some(white) = role.stand_in() {
+                texels.iter_mut().zip(&bad).filter(|(_, bad)| **bad).for_each(|(texel, _)| *texel = [white; 4]);
+            }
             self.replaced.insert(role, count);
         }
         Some(texels)
@@ -52,16 +55,20 @@ impl Channels<'_> {
         self.vectors(role).map(|texels| texels.into_iter().map(|t| t[0]).collect())
     }
 
-    fn emission(&mut self) -> Option<Texels> {
-        let (emission, environment) = (self.vectors(Role::Emission), self.vectors(Role::Environment));
-        match (emission, environment) {
-            (Some(a), Some(b)) => Some(combine(&a, &b, |a, b| a + b)),
-            (a, b) => a.or(b),
-        }
+    /// Emitters and what is seen behind everything.
+    pub fn emission(&mut self) -> Option<Texels> {
+        let parts = (self.vectors(Role::Emission), self.vectors(Role::Environment));
+        sum(parts)
+    }
+
+    /// Light of a medium.
+    pub fn volume(&mut self) -> Option<Texels> {
+        let parts = (self.vectors(Role::Volume), self.vectors(Role::VolumeIndirect));
+        sum(parts)
     }
 
     /// Direct light: as it is, or from its demodulated form.
-    fn direct(&mut self) -> Option<Texels> {
+    pub fn direct(&mut self) -> Option<Texels> {
         if self.setup.mapping.has(Role::Direct) {
             return self.vectors(Role::Direct);
         }
@@ -70,7 +77,7 @@ impl Channels<'_> {
     }
 
     /// Specular light: as it is, or from its demodulated form.
-    fn specular(&mut self) -> Option<Texels> {
+    pub fn specular(&mut self) -> Option<Texels> {
         if self.setup.mapping.has(Role::Specular) {
             return self.vectors(Role::Specular);
         }
@@ -79,55 +86,68 @@ impl Channels<'_> {
         Some(combine(&combine(&direct, &indirect, |a, b| a + b), &colour, |a, b| a * b))
     }
 
-    pub fn lighting(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
-        let emission = self.emission();
-        let rest = |total: &Texels, part: &Option<Texels>| match part {
-            Some(part) => combine(total, part, |a, b| (a - b).max(0.0)),
-            None => total.clone(),
+    /// The picture without what is not filtered with it, and that: parts are never more than the
+    /// whole, so that their sum is the picture also where a renderer left one of them out of it.
+    fn whole(&mut self) -> (Option<Texels>, Option<Texels>) {
+        let (noisy, emission) = (self.vectors(Role::Noisy), self.emission());
+        let Some(noisy) = noisy.filter(|_| !self.setup.mapping.has(Role::Lighting)) else {
+            return (None, emission);
         };
-        if self.setup.config.signals == Signals::Specular {
-            let (noisy, specular) = (self.vectors(Role::Noisy), self.specular());
-            let diffuse = self.vectors(Role::Diffuse).or_else(|| noisy.map(|noisy| rest(&rest(&noisy, &emission), &specular)));
-            images.extend(diffuse.map(|d| ("noisy_diffuse", d)));
-            images.extend(specular.map(|s| ("noisy_specular", s)));
-            images.extend(emission.map(|e| ("emission", e)));
-            return;
+        let is_verbatim = self.setup.is_verbatim();
+        let emission = emission.map(|emission| if is_verbatim { emission } else { within(&emission, &noisy) });
+        let mut left = without(&noisy, &emission);
+        if self.setup.config.volume && self.setup.mapping.layout == Layout::Blender {
+            let volume = self.volume().map(|volume| within(&volume, &left));
+            left = without(&left, &volume);
         }
-        let both = self.setup.mapping.has(Role::Direct) && self.setup.mapping.has(Role::Indirect);
+        (Some(left), emission)
+    }
+
+    /// The images of light.
+    pub fn lighting(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
+        let (whole, emission) = self.whole();
+        let has = |role: Role| self.setup.mapping.has(role);
+        let both = has(Role::Direct) && has(Role::Indirect);
         match (self.setup.config.signals, both) {
+            (Signals::Specular, _) => {
+                let (diffuse, specular) = (self.vectors(Role::Diffuse), self.specular());
+                let specular = match (&diffuse, &whole) {
+                    (None, Some(whole)) => specular.map(|specular| within(&specular, whole)),
+                    _ => specular,
+                };
+                let diffuse = diffuse.or_else(|| whole.map(|whole| without(&whole, &specular)));
+                images.extend(diffuse.map(|d| ("noisy_diffuse", d)));
+                images.extend(specular.map(|s| ("noisy_specular", s)));
+            }
             (Signals::Apart, true) => {
                 images.extend(self.vectors(Role::Direct).map(|d| ("noisy_direct", d)));
                 images.extend(self.vectors(Role::Indirect).map(|d| ("noisy_indirect", d)));
             }
             // What is neither emission nor direct is called indirect, so that nothing is lost.
             (Signals::Apart, false) => {
-                let (noisy, direct) = (self.vectors(Role::Noisy), self.direct());
-                images.extend(noisy.map(|n| ("noisy_indirect", rest(&rest(&n, &emission), &direct))));
-                images.extend(direct.map(|d| ("noisy_direct", d)));
+                let direct = self.direct();
+                if let Some(whole) = whole {
+                    let direct = direct.map(|direct| within(&direct, &whole));
+                    images.insert("noisy_indirect", without(&whole, &direct));
+                    images.extend(direct.map(|d| ("noisy_direct", d)));
+                }
             }
             (_, true) => {
                 let parts = (self.vectors(Role::Direct), self.vectors(Role::Indirect));
-                if let (Some(direct), Some(indirect)) = parts {
-                    images.insert("noisy_radiance", combine(&direct, &indirect, |a, b| a + b));
-                }
+                images.extend(sum(parts).map(|both| ("noisy_radiance", both)));
             }
-            (_, false) if self.setup.mapping.has(Role::Lighting) => {
+            (_, false) if has(Role::Lighting) => {
                 images.extend(self.vectors(Role::Lighting).map(|l| ("noisy_radiance", l)));
             }
-            (_, false) => {
-                let noisy = self.vectors(Role::Noisy);
-                images.extend(noisy.map(|n| ("noisy_radiance", rest(&n, &emission))));
-            }
+            (_, false) => images.extend(whole.map(|whole| ("noisy_radiance", whole))),
         }
         images.extend(emission.map(|e| ("emission", e)));
     }
 
     pub fn guides(&mut self, camera: Option<&Camera>, images: &mut BTreeMap<&'static str, Texels>) {
         let pixels = self.setup.pixels();
-        // A renderer's albedo for denoisers has the coat in it, which specular light apart has no use for.
         let is_specular = self.setup.config.signals == Signals::Specular;
-        let base = if is_specular { self.vectors(Role::DiffuseColour) } else { None };
-        images.extend(base.or_else(|| self.vectors(Role::Albedo)).map(|a| ("albedo", a)));
+        images.extend(self.albedo(is_specular).map(|a| ("albedo", a)));
         images.extend(self.vectors(Role::Roughness).map(|r| ("roughness", r)));
         if is_specular {
             images.extend(self.vectors(Role::SpecularAlbedo).map(|a| ("specular_albedo", a)));
@@ -136,21 +156,35 @@ impl Channels<'_> {
         let normal = self.vectors(Role::Normal).unwrap_or_else(|| vec![[0.0, 0.0, 1.0, 0.0]; pixels]);
         images.insert("normal", normal);
         images.extend(self.vectors(Role::ObjectNormal).map(|n| ("object_normal", n)));
-        let depth = self.vectors(Role::Depth).or_else(|| self.depth_of_positions(camera));
+        let mut depth = self.vectors(Role::Depth).or_else(|| self.depth_of_positions(camera));
+        if self.setup.config.conventions.depth != DepthEncoding::Device {
+            depth.iter_mut().flatten().for_each(|z| z[0] *= self.setup.scales.depth);
+        }
         images.insert("depth", depth.unwrap_or_else(|| vec![[1.0; 4]; pixels]));
         if let Some(motion) = self.motion(camera.is_some()) {
             images.insert("motion", motion);
         }
     }
 
+    /// The reflectance of what is filtered with it. A renderer's albedo for denoisers has the light in it
+    /// that glass and hair pass on, and the coat, which specular light apart has no use for.
+    fn albedo(&mut self, is_specular: bool) -> Option<Texels> {
+        let albedo = self.vectors(Role::Albedo);
+        let parts = (self.vectors(Role::DiffuseColour), self.vectors(Role::SpecularAlbedo));
+        match (albedo, parts) {
+            (Some(all), (Some(base), coat)) if is_specular => {
+                let bare = coat.map_or_else(|| all.clone(), |coat| combine(&all, &coat, |all, coat| all - coat));
+                Some(combine(&bare, &base, f32::max))
+            }
+            (albedo, (base, _)) => albedo.or(base),
+        }
+    }
+
     /// The previous frame's samples in the scene of this frame; absent in the first frame.
     pub fn reshaded(&mut self, images: &mut BTreeMap<&'static str, Texels>) {
         let parts = (self.vectors(Role::ReshadeDirect), self.vectors(Role::ReshadeIndirect));
-        let sum = match parts {
-            (Some(direct), Some(indirect)) => Some(combine(&direct, &indirect, |a, b| a + b)),
-            (direct, indirect) => direct.or(indirect).or_else(|| self.vectors(Role::Reshaded)),
-        };
-        images.extend(sum.map(|s| ("reshaded_radiance", s)));
+        let both = sum(parts).or_else(|| self.vectors(Role::Reshaded));
+        images.extend(both.map(|s| ("reshaded_radiance", s)));
     }
 
     /// Inputs by which a host reports changes itself, and the picture that is stabilized.
@@ -187,6 +221,8 @@ impl Channels<'_> {
             return still();
         }
         let mut motion = self.vectors(Role::Motion)?;
+        let [x, y] = self.setup.motion_scale();
+        motion.iter_mut().for_each(|m| (m[0], m[1]) = (m[0] * x, m[1] * y));
         let depth = match self.setup.config.conventions.motion_depth {
             MotionDepth::None => None,
             MotionDepth::Difference => self.scalars(Role::MotionDepth),
@@ -235,6 +271,26 @@ impl Channels<'_> {
             sum = combine(&sum, &combine(&seen, light, |v, l| v * l), |a, b| a + b);
         }
         rgb(sum)
+    }
+}
+
+fn sum(parts: (Option<Texels>, Option<Texels>)) -> Option<Texels> {
+    match parts {
+        (Some(a), Some(b)) => Some(combine(&a, &b, |a, b| a + b)),
+        (a, b) => a.or(b),
+    }
+}
+
+/// A part of the light, no more than the whole has.
+fn within(part: &Texels, whole: &Texels) -> Texels {
+    combine(part, whole, |part, whole| part.min(whole.max(0.0)))
+}
+
+fn without(whole: &Texels, part: &Option<Texels>) -> Texels {
+    match part {
+        // Negative light stays: the part is not more than the whole.
+        Some(part) => combine(whole, part, |whole, part| (whole - part).max(whole.min(0.0))),
+        None => whole.clone(),
     }
 }
 

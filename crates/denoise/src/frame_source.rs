@@ -1,7 +1,7 @@
 //! The channels of a frame, whether they are in one file or in several.
 
 use crate::error::{Result, ToolError};
-use crate::exr_header::{Channel, ExrHeader};
+use crate::exr_header::{Channel, ExrHeader, ELSEWHERE};
 use crate::exr_read::{self, Planes};
 use crate::frame_files::FrameFiles;
 use std::path::Path;
@@ -12,6 +12,11 @@ fn prefixed(layer: &str, name: &str) -> String {
         return name.to_owned();
     }
     format!("{layer}.{}", name.rsplit('.').next().unwrap_or(name))
+}
+
+/// A channel of a file of its own, among those of the colour.
+fn elsewhere(layer: &str, channel: Channel) -> Channel {
+    Channel { name: prefixed(layer, &channel.name), part: ELSEWHERE, ..channel }
 }
 
 /// Facts of the first frame that hold for all others.
@@ -42,7 +47,7 @@ pub fn header(files: &FrameFiles) -> Result<ExrHeader> {
         check_extent(path, guide.extent, all.extent)?;
         // One file is read after the other.
         all.reading = all.reading.max(guide.reading);
-        all.channels.extend(guide.channels.into_iter().map(|c| Channel { name: prefixed(layer, &c.name), ..c }));
+        all.channels.extend(guide.channels.into_iter().map(|c| elsewhere(layer, c)));
     }
     Ok(all)
 }
@@ -52,17 +57,17 @@ pub fn read(files: &FrameFiles, first: &First, wanted: impl Fn(&str) -> bool) ->
     // Before the pixels are read: a larger frame may be one that does not fit into memory.
     for path in std::iter::once(&files.colour).chain(files.guides.iter().map(|g| &g.1)) {
         let header = exr_read::read_header(path)?;
-        check_extent(path, header.extent, first.extent)?;
         if header.reading > first.reading {
             let (claim, limit) = (mib(header.reading), mib(first.reading));
             return Err(ToolError::TooLarge { path: path.clone(), claim, limit: format!("{limit}, by the first frame") });
         }
+        check_extent(path, header.extent, first.extent)?;
     }
     let mut all = exr_read::read(&files.colour, |c| wanted(&c.name))?;
     for (layer, path) in &files.guides {
         let guide = exr_read::read(path, |c| wanted(&prefixed(layer, &c.name)))?;
         all.samples.extend(guide.samples.into_iter().map(|(name, samples)| (prefixed(layer, &name), samples)));
-        all.header.channels.extend(guide.header.channels.into_iter().map(|c| Channel { name: prefixed(layer, &c.name), ..c }));
+        all.header.channels.extend(guide.header.channels.into_iter().map(|c| elsewhere(layer, c)));
     }
     Ok(all)
 }

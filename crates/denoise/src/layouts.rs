@@ -68,7 +68,12 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::Noisy, &[Atrous], &["noisy"], RGB),
     // `Noisy Image` is the unfiltered render where Blender's own denoiser has already been over `Combined`.
     entry(Role::Noisy, &[Blender], &["noisy image", "combined"], RGB),
-    entry(Role::Noisy, &[], &["", "color", "colour", "hdr", "beauty", "rgba", "img", "image", "my_image"], RGB),
+    entry(
+        Role::Noisy,
+        &[],
+        &["", "color", "colour", "hdr", "beauty", "rgba", "img", "image", "my_image", "combined", "noisy"],
+        RGB,
+    ),
     entry(Role::Lighting, &[Atrous], &["lighting"], RGB),
     entry(Role::Direct, &[Atrous], &["direct"], RGB),
     entry(Role::Indirect, &[Atrous], &["indirect"], RGB),
@@ -110,6 +115,8 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::SparseGradient, &[Atrous], &["sparse_gradient"], XY),
     entry(Role::Confidence, &[Atrous], &["confidence"], DEPTH),
     entry(Role::Volume, &[Atrous], &["volume"], RGB),
+    entry(Role::Volume, &[Blender], &["volumedir", "volume direct"], RGB),
+    entry(Role::VolumeIndirect, &[Blender], &["volumeind", "volume indirect"], RGB),
     entry(Role::ScatteringDepth, &[Atrous], &["scattering_depth"], DEPTH),
     entry(Role::Visibility, &[Atrous], &["visibility"], DEPTH),
     entry(Role::OccluderDistance, &[Atrous], &["occluder_distance"], DEPTH),
@@ -117,19 +124,113 @@ pub const ENTRIES: &[Entry] = &[
     entry(Role::OtherDenoised, &[], &["other_denoised"], RGB),
 ];
 
-/// The layout of these channels. `layers` are in lower case.
-pub fn recognise(layers: &[String], channels: &[String]) -> Layout {
-    let layer = |wanted: &[&str]| layers.iter().any(|l| wanted.iter().any(|w| l == w || l.ends_with(&format!(".{w}"))));
-    let channel = |wanted: &[&str]| channels.iter().any(|c| wanted.contains(&c.as_str()));
-    if layer(&["noisy"]) {
-        Atrous
-    } else if layers.iter().any(|l| l.ends_with(".combined") || l == "combined") {
-        Blender
-    } else if layer(&["ns"]) || channel(&["dzdx", "p.x", "dudx"]) {
-        Pbrt
-    } else if layer(&["sh_normal", "nn", "geo_normal", "shape_index", "dd", "prim_index"]) || channel(&["depth.t"]) {
-        Mitsuba
-    } else {
-        Plain
-    }
+/// What tells a layout: last parts of layers, whole channels, and the start of an attribute's text.
+/// One of them proves nothing: names are copied, and `P` is a position to many.
+struct Marks {
+    layout: Layout,
+    /// Without one of these layers it is another layout. Empty: none is needed.
+    needed: &'static [&'static str],
+    layers: &'static [&'static str],
+    channels: &'static [&'static str],
+    attribute: &'static str,
+}
+
+const MARKS: &[Marks] = &[
+    Marks {
+        layout: Atrous,
+        needed: &["noisy"],
+        layers: &[
+            "noisy",
+            "lighting",
+            "direct",
+            "indirect",
+            "diffuse",
+            "specular",
+            "specular_albedo",
+            "emission",
+            "albedo",
+            "normal",
+            "object_normal",
+            "depth",
+            "prevz",
+            "mv",
+            "id",
+            "roughness",
+            "hitdist",
+            "ref",
+            "visibility",
+            "volume",
+        ],
+        channels: &[],
+        attribute: "",
+    },
+    Marks {
+        layout: Blender,
+        needed: &["combined", "noisy image"],
+        layers: &[
+            "combined",
+            "noisy image",
+            "depth",
+            "normal",
+            "vector",
+            "position",
+            "mist",
+            "indexob",
+            "indexma",
+            "diffdir",
+            "diffind",
+            "diffcol",
+            "glossdir",
+            "glossind",
+            "glosscol",
+            "transdir",
+            "transind",
+            "transcol",
+            "volumedir",
+            "volumeind",
+            "emit",
+            "env",
+            "ao",
+            "denoising albedo",
+            "denoising normal",
+            "denoising depth",
+            "object index",
+            "diffuse direct",
+            "diffuse color",
+            "glossy direct",
+            "glossy color",
+            "emission",
+            "environment",
+        ],
+        channels: &[],
+        attribute: "BlenderMultiChannel",
+    },
+    Marks {
+        layout: Pbrt,
+        needed: &[],
+        layers: &["ns", "variance", "relativevariance"],
+        channels: &["u", "v", "dzdx", "dzdy", "dudx", "dudy", "dvdx", "dvdy"],
+        attribute: "",
+    },
+    Marks {
+        layout: Mitsuba,
+        needed: &[],
+        layers: &["sh_normal", "nn", "geo_normal", "shape_index", "prim_index", "dd", "dd.y", "dp_du", "dp_dv", "duv_dx"],
+        channels: &["depth.t", "dd.t", "dd.y.t"],
+        attribute: "generatedBy=Mitsuba",
+    },
+];
+
+/// The layout of these channels: more than one mark tells it. `layers` and `channels` are in lower
+/// case; `attributes` are `name=text`.
+pub fn recognise(layers: &[String], channels: &[String], attributes: &[String]) -> Layout {
+    let has_layer = |w: &str| layers.iter().any(|l| l == w || l.strip_suffix(w).is_some_and(|rest| rest.ends_with('.')));
+    let fits = |marks: &&Marks| {
+        let layers = marks.layers.iter().filter(|w| has_layer(w)).count();
+        let channels = marks.channels.iter().filter(|w| channels.iter().any(|c| c == *w)).count();
+        let told = !marks.attribute.is_empty() && attributes.iter().any(|a| a.starts_with(marks.attribute));
+        let is_possible = marks.needed.is_empty() || marks.needed.iter().any(|w| has_layer(w));
+        is_possible && layers + channels + usize::from(told) > 1
+    };
+    MARKS.iter().find(fits).map_or(Plain, |marks| marks.layout)
 }

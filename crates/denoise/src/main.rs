@@ -2,7 +2,7 @@
 
 #![forbid(unsafe_code)]
 
-use atrous_denoise::{cli::Cli, tool};
+use atrous_denoise::{cli::Cli, terminal, tool};
 use clap::Parser;
 use std::process::ExitCode;
 
@@ -10,7 +10,7 @@ fn main() -> ExitCode {
     match tool::run(&Cli::parse()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            terminal::tell(&format!("error: {error}"));
             ExitCode::FAILURE
         }
     }

@@ -4,7 +4,7 @@ use crate::error::{Result, ToolError};
 use crate::exr_header::{Channel, ExrHeader};
 use crate::layouts::{recognise, Entry, Layout, ENTRIES};
 use crate::roles::{Kind, Role};
-use exr::meta::attribute::SampleType;
+use exr::meta::attribute::{AttributeValue, SampleType};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -23,30 +23,74 @@ pub struct Mapping {
 impl Mapping {
     /// Chooses channels. `view_layer` keeps only layers that begin with it.
     pub fn choose(path: &Path, header: &ExrHeader, named: &Named, view_layer: Option<&str>) -> Result<Self> {
-        let inside = |c: &&Channel| view_layer.is_none_or(|v| c.name.strip_prefix(v).is_some_and(|rest| rest.starts_with('.')));
+        let inside = |c: &&Channel| view_layer.is_none_or(|v| is_below(v, &c.name));
         let channels: Vec<&Channel> = header.channels.iter().filter(inside).collect();
-        let lower: Vec<String> = channels.iter().map(|c| c.name.to_lowercase()).collect();
-        let layers: Vec<String> = lower.iter().map(|name| split(name).0.to_owned()).collect();
-        let layout = recognise(&layers, &lower);
-        let names = Names { channels: &channels, lower: &lower };
+        let everything = Names::new(channels.iter().copied());
+        let layout = everything.layout(header);
+        let mut names = Names::new(channels.iter().copied().filter(|c| eye_of(header, &c.name).is_none()));
         let mut roles = BTreeMap::new();
         for role in Role::all() {
+            let beauty = roles.get(&Role::Noisy);
             let found = match named.iter().rev().find(|n| n.0 == role) {
                 Some((_, name)) if name.eq_ignore_ascii_case("none") => None,
-                Some((_, name)) => Some(names.asked_for(path, role, name, header)?),
-                None if role == Role::Alpha => names.alpha(roles.get(&Role::Noisy)),
-                None => names.known(role, layout, roles.get(&Role::Noisy)),
+                Some((_, name)) => Some(everything.asked_for(path, role, name, header)?),
+                None if role == Role::Alpha => names.alpha(beauty),
+                None if role == Role::Noisy => names.colour(path, layout)?,
+                None => names.known(role, layout, beauty),
             };
-            if let Some(found) = found {
-                roles.insert(role, found);
+            // The guides of one eye are no guides of the other.
+            if let Some(eye) = found.as_ref().filter(|_| role == Role::Noisy).and_then(|f| eye_of(header, &f[0])) {
+                names = Names::new(channels.iter().copied().filter(|c| is_below(eye, &c.name)));
             }
+            roles.extend(found.map(|found| (role, found)));
         }
         let mapping = Self { layout, roles };
         if !mapping.has_colour() {
-            return Err(ToolError::NoColour { path: path.to_owned(), known: list(header) });
+            return Err(ToolError::NoColour { path: path.to_owned(), known: list(header), remedy: everything.proposals() });
         }
         mapping.check_types(path, header)?;
         Ok(mapping)
+    }
+
+    /// Channels that no role takes, by layers: `albedo.R/G/B`.
+    pub fn unused(&self, header: &ExrHeader) -> Vec<String> {
+        let is_used = |c: &Channel| self.roles.values().flatten().any(|name| *name == c.name);
+        let mut layers: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+        for channel in header.channels.iter().filter(|c| !is_used(c)) {
+            let (layer, component) = split(&channel.name);
+            layers.entry(layer).or_default().push(component);
+        }
+        let told = |(layer, mut components): (&str, Vec<&str>)| {
+            components.sort_by_key(|c| (ORDER.find(&c.to_uppercase()).unwrap_or(ORDER.len()), c.to_string()));
+            format!("{layer}{}{}", if layer.is_empty() { "" } else { "." }, components.join("/"))
+        };
+        layers.into_iter().map(told).collect()
+    }
+
+    /// Each other eye of the file, with the layer of its picture.
+    pub fn other_eyes(&self, header: &ExrHeader) -> Vec<(String, String)> {
+        let Some(beauty) = self.roles.get(&Role::Noisy).and_then(|names| names.first()) else { return Vec::new() };
+        let own = eye_of(header, beauty);
+        let layer = split(beauty).0;
+        let bare = own.and_then(|eye| layer.strip_prefix(eye)).unwrap_or(layer).trim_start_matches('.');
+        let of = |eye: &String| {
+            let layer = if bare.is_empty() { eye.clone() } else { format!("{eye}.{bare}") };
+            (eye.clone(), layer)
+        };
+        header.eyes.iter().filter(|eye| Some(eye.as_str()) != own).map(of).collect()
+    }
+
+    /// Other view layers that have a picture of the name of the beauty.
+    pub fn other_view_layers(&self, header: &ExrHeader) -> Vec<String> {
+        let beauty = self.roles.get(&Role::Noisy).and_then(|names| names.first());
+        let Some((view, last)) = beauty.and_then(|name| split(name).0.rsplit_once('.')) else { return Vec::new() };
+        let layers = header.channels.iter().map(|c| split(&c.name).0);
+        let mut views: Vec<String> = layers
+            .filter_map(|layer| layer.rsplit_once('.').filter(|l| l.1 == last && l.0 != view))
+            .map(|l| l.0.to_owned())
+            .collect();
+        views.dedup();
+        views
     }
 
     /// Whether a role has channels.
@@ -105,9 +149,32 @@ impl Mapping {
     }
 }
 
+/// Components in the order in which they are told.
+const ORDER: &str = "RGBAXYZUVWID";
+
+/// Whether a channel is in a layer, or in one below it.
+fn is_below(layer: &str, channel: &str) -> bool {
+    channel.strip_prefix(layer).is_some_and(|rest| rest.starts_with('.'))
+}
+
+/// The eye that a channel is of, where it is not the first one.
+fn eye_of<'a>(header: &'a ExrHeader, channel: &str) -> Option<&'a str> {
+    header.eyes.iter().map(String::as_str).find(|eye| is_below(eye, channel))
+}
+
 /// Layer and last part of a channel name.
 pub fn split(name: &str) -> (&str, &str) {
     name.rsplit_once('.').unwrap_or(("", name))
+}
+
+/// A name as a shell takes it.
+fn quoted(name: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '.' | '_' | '-' | '/');
+    if name.chars().all(is_plain) {
+        name.to_owned()
+    } else {
+        format!("\"{name}\"")
+    }
 }
 
 /// Names of all channels, shortened where there are many.
@@ -118,12 +185,31 @@ pub fn list(header: &ExrHeader) -> String {
     format!("{}{}", names.join(", "), if more > 0 { format!(" and {more} more") } else { String::new() })
 }
 
+/// Channels to choose from.
 struct Names<'a> {
-    channels: &'a [&'a Channel],
-    lower: &'a [String],
+    channels: Vec<&'a Channel>,
+    lower: Vec<String>,
 }
 
-impl Names<'_> {
+impl<'a> Names<'a> {
+    fn new(channels: impl Iterator<Item = &'a Channel>) -> Self {
+        let channels: Vec<&Channel> = channels.collect();
+        let lower = channels.iter().map(|c| c.name.to_lowercase()).collect();
+        Self { channels, lower }
+    }
+
+    fn layout(&self, header: &ExrHeader) -> Layout {
+        let layers: Vec<String> = self.lower.iter().map(|name| split(name).0.to_owned()).collect();
+        let of_parts = header.parts.iter().flat_map(|part| &part.other);
+        let text = |value: &AttributeValue| match value {
+            AttributeValue::Text(text) => text.to_string(),
+            _ => String::new(),
+        };
+        let attributes: Vec<String> =
+            header.shared.other.iter().chain(of_parts).map(|(name, value)| format!("{name}={}", text(value))).collect();
+        recognise(&layers, &self.lower, &attributes)
+    }
+
     fn find(&self, lower: &str) -> Option<String> {
         self.lower.iter().position(|l| l == lower).map(|i| self.channels[i].name.clone())
     }
@@ -136,11 +222,7 @@ impl Names<'_> {
 
     fn known(&self, role: Role, layout: Layout, beauty: Option<&Vec<String>>) -> Option<Vec<String>> {
         let rows = ENTRIES.iter().filter(|e| e.role == role && (e.layouts.is_empty() || e.layouts.contains(&layout)));
-        let found = rows.flat_map(|e| e.layers.iter().map(move |l| (e, *l))).find_map(|(e, l)| self.entry(e, l, beauty));
-        match role {
-            Role::Noisy => found.or_else(|| self.only_rgba()),
-            _ => found,
-        }
+        rows.flat_map(|e| e.layers.iter().map(move |l| (e, *l))).find_map(|(e, l)| self.entry(e, l, beauty))
     }
 
     /// A layer that ends like the entry, in the same view layer as the beauty where there are several.
@@ -161,17 +243,61 @@ impl Names<'_> {
         preferred.and_then(|l| self.layer(l, entry.components)).or_else(whole)
     }
 
-    /// Mitsuba names the image after the nested integrator, so any name is possible: a layer with R, G, B and A.
-    fn only_rgba(&self) -> Option<Vec<String>> {
-        let mut layers = self.lower.iter().map(|name| split(name)).filter(|(_, last)| *last == "a").map(|(layer, _)| layer);
-        let layer = layers.next()?;
-        self.layer(layer, &[&["R", "G", "B"]])
+    /// Layers as they are written, of colours with these last components, but for cryptomattes.
+    fn colours(&self, components: &[&str]) -> Vec<&str> {
+        let has_all = |layer: &str| components.iter().all(|c| self.lower.iter().any(|l| split(l) == (layer, *c)));
+        let is_matte = |layer: &str| layer.rsplit('.').next().is_some_and(|last| last.contains("crypto"));
+        let mut found: Vec<&str> = Vec::new();
+        for (channel, lower) in self.channels.iter().zip(&self.lower) {
+            let layer = split(&channel.name).0;
+            if !found.contains(&layer) && !is_matte(split(lower).0) && has_all(split(lower).0) {
+                found.push(layer);
+            }
+        }
+        found
+    }
+
+    /// The picture: of a name that is known, or the only layer with R, G, B and A. Mitsuba names it
+    /// after the integrator, others as they like; of two, only the user knows.
+    fn colour(&self, path: &Path, layout: Layout) -> Result<Option<Vec<String>>> {
+        let known = self.known(Role::Noisy, layout, None);
+        if known.is_some() {
+            return Ok(known);
+        }
+        match self.colours(&["r", "g", "b", "a"])[..] {
+            [] => Ok(None),
+            [layer] => Ok(self.layer(&layer.to_lowercase(), &[&["R", "G", "B"]])),
+            ref several => Err(ToolError::SeveralColours {
+                path: path.to_owned(),
+                layers: several.iter().map(|layer| format!("--channel noisy={}", quoted(layer))).collect(),
+            }),
+        }
+    }
+
+    /// What the user can type where no colour was recognised.
+    fn proposals(&self) -> String {
+        let (mut colours, mut grey) = (self.colours(&["r", "g", "b"]), self.colours(&["y"]));
+        let is_guide = |layer: &&str| {
+            let last = layer.rsplit('.').next().unwrap_or_default().to_lowercase();
+            !last.is_empty() && ENTRIES.iter().any(|e| e.role != Role::Noisy && e.layers.contains(&last.as_str()))
+        };
+        colours.retain(|layer| !is_guide(layer));
+        grey.retain(|layer| !is_guide(layer));
+        let grey = grey.into_iter().map(|layer| if layer.is_empty() { "Y".to_owned() } else { format!("{layer}.Y") });
+        let all: Vec<String> = colours.into_iter().map(str::to_owned).chain(grey).collect();
+        match all.is_empty() {
+            true => "name it with --channel noisy=LAYER, or noisy=CHANNEL where it is grey".to_owned(),
+            false => {
+                let options: Vec<_> = all.iter().map(|name| format!("--channel noisy={}", quoted(name))).collect();
+                format!("name it with {}", options.join(" or "))
+            }
+        }
     }
 
     /// The alpha that belongs to the beauty.
     fn alpha(&self, beauty: Option<&Vec<String>>) -> Option<Vec<String>> {
         let layer = split(beauty?.first()?).0.to_lowercase();
-        self.layer(&layer, &[&["A"]])
+        self.layer(&layer, &[&["A"]]).or_else(|| self.layer("alpha", &[&["A"], &["R"], &["Y"], &["V"], &["X"]]))
     }
 
     fn asked_for(&self, path: &Path, role: Role, name: &str, header: &ExrHeader) -> Result<Vec<String>> {
@@ -184,8 +310,15 @@ impl Names<'_> {
         if parts.len() != 1 {
             return Err(missing());
         }
+        // One channel where there are three: grey.
+        let grey = |channel: &str| self.find(channel).map(|name| vec![name; 3]);
+        if let Some(grey) = grey(&name.to_lowercase()).filter(|_| role.kind() == Kind::Colour) {
+            return Ok(grey);
+        }
         let sets = ENTRIES.iter().filter(|e| e.role == role).map(|e| e.components);
         let layer = name.to_lowercase();
-        sets.into_iter().find_map(|s| self.layer(&layer, s)).ok_or_else(missing)
+        let found = sets.into_iter().find_map(|s| self.layer(&layer, s));
+        let is_colour = role.kind() == Kind::Colour;
+        found.or_else(|| grey(&format!("{layer}.y")).filter(|_| is_colour)).ok_or_else(missing)
     }
 }

@@ -3,7 +3,6 @@
 //! `tests/memory.rs` holds the sums against what is really allocated.
 
 use crate::error::{Result, ToolError};
-use crate::pipeline::QUEUE;
 use crate::roles::Role;
 use crate::setup::Setup;
 use atrous::config::{Preset, Signals};
@@ -11,6 +10,8 @@ use atrous::Config;
 use std::path::Path;
 use sysinfo::System;
 
+/// Frames that wait between two threads of the pipeline, where there is memory for them.
+pub const QUEUE: usize = 2;
 /// Frames in memory at once that do not wait: read, filtered, written.
 const AT_WORK: u64 = 3;
 /// Bytes of a texel as the tool has it: four floats.
@@ -42,6 +43,8 @@ pub struct Demands {
     pub pictures: bool,
     /// Debug views.
     pub views: bool,
+    /// Channels of the input that are read again for the result.
+    pub kept: usize,
 }
 
 /// Bytes that a run takes at most.
@@ -68,7 +71,7 @@ impl Need {
         let frame = TEXEL * images(setup) + COLOUR * (1 + has(Role::Reference)) + 4 * (has(Role::Id) + has(Role::Alpha));
         let planes = 4 * setup.mapping.roles.values().map(|names| names.len() as u64).sum::<u64>();
         // What roles are made of, one after the other.
-        let pieces = 4 * (TEXEL + 1);
+        let pieces = 7 * (TEXEL + 1);
         let outputs = if demands.filtered { COLOUR } else { 0 };
         let at_once = (AT_WORK + 2 * queue as u64).min(demands.frames as u64);
         Ok(Self {
@@ -204,7 +207,9 @@ fn writing(demands: &Demands) -> u64 {
     let pictures = 3 * 3 * 3;
     let views = 3 * 4 * atrous::DebugView::ALL.len() as u64;
     let of = |wanted: bool, bytes: u64| if wanted { bytes } else { 0 };
-    file + of(demands.score, score) + of(demands.pictures, pictures) + of(demands.views, views)
+    // As they are read, and as they are written.
+    let kept = 3 * 4 * demands.kept as u64;
+    file + kept + of(demands.score, score) + of(demands.pictures, pictures) + of(demands.views, views)
 }
 
 /// Memory that can be had.

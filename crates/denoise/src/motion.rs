@@ -17,17 +17,28 @@ pub struct SurfaceMotion {
     pub previous_depth: Vec<f32>,
     /// Depth in this camera.
     pub depth: Vec<f32>,
+    /// Whether a pixel shows a surface, and no background.
+    pub is_surface: Vec<bool>,
     /// Ids; 0 where there are none.
     pub id: Vec<u32>,
 }
 
 /// Computes all of it. `before` are the parameters of the previous frame.
 pub fn of_frame(frame: &FrameInputs, before: &FrameParams, c: &Conventions) -> SurfaceMotion {
+    with_motions(frame, before, c, frame.images.get("motion"))
+}
+
+/// The same for a world in which nothing moves by itself: by depth and matrices alone.
+pub fn of_still(frame: &FrameInputs, before: &FrameParams, c: &Conventions) -> SurfaceMotion {
+    with_motions(frame, before, c, None)
+}
+
+fn with_motions(frame: &FrameInputs, before: &FrameParams, c: &Conventions, motions: Option<&Vec<[f32; 4]>>) -> SurfaceMotion {
     let projection = Projection::new(frame, before, c);
     let mut result = SurfaceMotion::default();
     let pixels = frame.noisy.len();
     let width = frame.params.render_extent[0] as usize;
-    let (depths, motions) = (frame.images.get("depth"), frame.images.get("motion"));
+    let depths = frame.images.get("depth");
     for i in 0..pixels {
         let at = Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) + Vec2::from(frame.params.jitter);
         let z = projection.linear_depth(at, depths.map_or(1.0, |d| d[i][0]));
@@ -45,6 +56,8 @@ pub fn of_frame(frame: &FrameInputs, before: &FrameParams, c: &Conventions) -> S
         };
         result.motion_px.push(if motion.is_finite() { motion.into() } else { [0.0; 2] });
         result.previous_depth.push(if previous.is_finite() { previous } else { FAR });
+        let id = frame.surface_id.as_ref().map_or(1, |ids| ids[i]);
+        result.is_surface.push(z.is_finite() && z > 0.0 && z < c.background_depth && id != 0);
         result.depth.push(if z.is_finite() { z } else { FAR });
     }
     result.id = frame.surface_id.clone().unwrap_or_else(|| vec![0; pixels]);

@@ -1,8 +1,8 @@
 //! PNG: strips, plots, and how they are written.
 
 use crate::error::{Result, ToolError};
-use crate::frame::FrameInputs;
 use crate::score::{FrameScore, ScoreBook};
+use crate::shown::Views;
 use atrous_files::Existing;
 use atrous_lab::pages::HeatMap;
 use atrous_lab::pictures::{LinePlot, Picture, PictureError, Region, Strip};
@@ -27,21 +27,14 @@ pub fn save(path: &Path, existing: Existing, drawn: Drawn) -> Result<()> {
 }
 
 /// Noisy, denoised and, where there is one, reference and the error against it, side by side with a detail of each.
-pub fn strip(
-    title: &str,
-    frame: &FrameInputs,
-    radiance: &[[f32; 3]],
-    errors: Option<&HeatMap>,
-    score: Option<&FrameScore>,
-    exposure: f32,
-) -> Drawn {
-    let [width, height] = frame.params.render_extent;
+pub fn strip(title: &str, views: &Views<'_>, errors: Option<&HeatMap>, score: Option<&FrameScore>, exposure: f32) -> Drawn {
+    let [width, height] = views.extent;
     let picture = |pixels: &[[f32; 3]]| Picture::from_linear(width, height, pixels, exposure);
     let label = |name: &str, rmse: Option<f64>| rmse.map_or(name.to_owned(), |e| format!("{name}\nRMSE {e:.4}"));
-    let mut strip = Strip::new(format!("{title}, frame {}", frame.number))
-        .panel(label("noisy", score.map(|s| s.noisy.rmse)), picture(&frame.noisy)?)
-        .panel(label("denoised", score.map(|s| s.denoised.rmse)), picture(radiance)?);
-    if let (Some(reference), Some(errors)) = (&frame.reference, errors) {
+    let mut strip = Strip::new(format!("{title}, frame {}", views.number))
+        .panel(label("noisy", score.map(|s| s.noisy.rmse)), picture(&views.noisy)?)
+        .panel(label("denoised", score.map(|s| s.denoised.rmse)), picture(&views.denoised)?);
+    if let (Some(reference), Some(errors)) = (&views.reference, errors) {
         strip = strip.panel("reference", picture(reference)?);
         strip = strip.panel(format!("FLIP of denoised\nblack 0, light yellow {}", HeatMap::LARGEST_FLIP), errors.picture().clone());
     }

@@ -4,12 +4,10 @@
 use crate::backend::{Backend, FrameOutputs};
 use crate::error::{Result, ToolError};
 use crate::frame::{self, FrameInputs};
+use crate::loader::Loader;
 use crate::plan::{Action, Step};
 use crate::setup::Setup;
 use std::sync::mpsc::{sync_channel, Receiver, SyncSender};
-
-/// Frames that wait between two threads, where there is memory for them.
-pub const QUEUE: usize = 2;
 
 /// A frame that was filtered, or that is finished already (`None`).
 pub struct Finished {
@@ -35,7 +33,7 @@ pub fn run(steps: &[Step], setup: &Setup, backend: &mut dyn Backend, views: bool
         let (finished_in, finished) = sync_channel(queue);
         let loader = scope.spawn(move || load(steps, setup, &loaded_in));
         let saver = scope.spawn(move || save(finished, sink));
-        let filtered = filter(loaded, backend, views, finished_in);
+        let filtered = filter(loaded, setup, backend, views, finished_in);
         let loaded = loader.join().map_err(|_| ToolError::Thread("loading"));
         let saved = saver.join().map_err(|_| ToolError::Thread("saving")).and_then(|r| r);
         // An error of the saver ended the others, so it comes first.
@@ -46,8 +44,9 @@ pub fn run(steps: &[Step], setup: &Setup, backend: &mut dyn Backend, views: bool
 type Loaded = (Step, Result<FrameInputs>);
 
 fn load(steps: &[Step], setup: &Setup, queue: &SyncSender<Loaded>) {
+    let mut loader = Loader::new(setup);
     for step in steps {
-        let inputs = frame::load(&step.files, setup);
+        let inputs = loader.load(&step.files);
         let failed = inputs.is_err();
         // A closed queue means that another thread failed, and says why.
         if queue.send((step.clone(), inputs)).is_err() || failed {
@@ -56,12 +55,22 @@ fn load(steps: &[Step], setup: &Setup, queue: &SyncSender<Loaded>) {
     }
 }
 
-fn filter(queue: Receiver<Loaded>, backend: &mut dyn Backend, views: bool, done: SyncSender<Finished>) -> Result<()> {
+fn filter(
+    queue: Receiver<Loaded>,
+    setup: &Setup,
+    backend: &mut dyn Backend,
+    views: bool,
+    done: SyncSender<Finished>,
+) -> Result<()> {
     for (step, inputs) in queue {
         let inputs = inputs?;
         let outputs = match step.action {
             Action::Read => None,
-            Action::Write | Action::KeepHistory => Some(backend.denoise(&inputs, views && step.action == Action::Write)?),
+            Action::Write | Action::KeepHistory => {
+                let mut outputs = backend.denoise(&inputs, views && step.action == Action::Write)?;
+                frame::finish(&inputs, setup, &mut outputs.radiance);
+                Some(outputs)
+            }
         };
         if done.send(Finished { step, inputs, outputs }).is_err() {
             return Ok(());

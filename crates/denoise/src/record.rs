@@ -1,10 +1,9 @@
 //! The options that a frame was made with, in the header of its file: `--resume` mixes no two of them.
 
-use crate::cli::Cli;
 use crate::error::{Result, ToolError};
 use crate::exr_header::ExrHeader;
 use crate::sampling::Pattern;
-use crate::setup::Setup;
+use crate::setup::{Options, Setup};
 use exr::meta::attribute::AttributeValue;
 use exr::prelude::Text;
 use serde_json::{json, Map, Value};
@@ -21,12 +20,13 @@ impl Record {
     ///
     /// # Errors
     /// [`ToolError::Usage`] for what JSON cannot hold.
-    pub fn new(setup: &Setup, cli: &Cli) -> Result<Self> {
+    pub fn new(setup: &Setup, options: &Options) -> Result<Self> {
         let config = serde_json::to_value(setup.config).map_err(|e| ToolError::Usage(e.to_string()))?;
         let channels: Map<String, Value> =
             setup.mapping.roles.iter().map(|(role, names)| (role.name().to_owned(), json!(names.join(",")))).collect();
-        let set: Map<String, Value> = cli.tunables.iter().map(|(name, value)| (name.clone(), json!(value))).collect();
-        let engine = if cli.device.as_deref() == Some("reference") { "reference" } else { "vulkan" };
+        let set: Map<String, Value> = options.tunables.iter().map(|(name, value)| (name.clone(), json!(value))).collect();
+        let made = options.made;
+        let engine = if made.reference { "reference" } else { "vulkan" };
         let fields = json!({
             "version": env!("CARGO_PKG_VERSION"),
             "engine": engine,
@@ -34,11 +34,18 @@ impl Record {
             "set": set,
             "channel": channels,
             "sequence.json, checksum": setup.sequence.as_ref().map(|s| s.checksum),
-            "sampling": cli.sampling.map(Pattern::name),
-            "float": cli.float,
-            "png": cli.png,
-            "exposure": cli.png.then_some(cli.exposure),
-            "views": cli.views,
+            "sampling": options.sampling.map(Pattern::name),
+            "float": made.float,
+            "png": made.preview.is_some(),
+            "exposure": made.preview,
+            "views": made.views,
+            "keep_layers": made.keeps_layers,
+            "scaled by 2^": setup.range.exponent,
+            "depth_scale": setup.scales.depth,
+            "motion_scale": setup.scales.motion,
+            "stills": setup.stills,
+            "smoothed": setup.smoothed,
+            "depth looked up": setup.carries_depth,
         });
         Ok(Self(fields.as_object().cloned().unwrap_or_default()))
     }
@@ -57,10 +64,17 @@ impl Record {
         Some((Text::new_or_none(ATTRIBUTE)?, AttributeValue::Text(Text::new_or_none(ascii)?)))
     }
 
+    /// The part that holds the result of a run: the one with its record, or the first one.
+    pub fn part(header: &ExrHeader) -> usize {
+        let name = Text::new_or_none(ATTRIBUTE);
+        let has_record = |part: &exr::prelude::LayerAttributes| name.as_ref().is_some_and(|name| part.other.contains_key(name));
+        header.parts.iter().position(has_record).unwrap_or_default()
+    }
+
     /// What is wrong with keeping a file beside files of this record, if anything is.
     pub fn objection(&self, header: &ExrHeader) -> Option<String> {
-        let attribute = header.parts.first().and_then(|part| part.other.get(&Text::new_or_none(ATTRIBUTE)?));
-        let earlier = match attribute {
+        let part = header.parts.get(Self::part(header));
+        let earlier = match part.and_then(|part| part.other.get(&Text::new_or_none(ATTRIBUTE)?)) {
             Some(AttributeValue::Text(text)) => serde_json::from_str(&text.to_string()).ok(),
             _ => None,
         };

@@ -1,8 +1,8 @@
 //! The report of a run as one HTML file: pictures of a frame to compare, errors, every metric over the frames.
 
 use crate::error::{Result, ToolError};
-use crate::frame::FrameInputs;
 use crate::score::{FrameScore, Metrics, ScoreBook};
+use crate::shown::Views;
 use atrous_files::Existing;
 use atrous_lab::pages::{Comparison, Curves, HeatMap, Page, PageError};
 use atrous_lab::pictures::Picture;
@@ -13,8 +13,8 @@ use std::path::Path;
 ///
 /// # Errors
 /// Pictures with values that are not finite.
-pub fn errors(frame: &FrameInputs, radiance: &[[f32; 3]]) -> Result<Option<HeatMap>> {
-    frame.reference.as_ref().map(|reference| heat_map(frame.params.render_extent, radiance, reference)).transpose()
+pub fn errors(views: &Views<'_>) -> Result<Option<HeatMap>> {
+    views.reference.as_ref().map(|reference| heat_map(views.extent, &views.denoised, reference)).transpose()
 }
 
 fn heat_map([width, height]: [u32; 2], radiance: &[[f32; 3]], reference: &[[f32; 3]]) -> Result<HeatMap> {
@@ -29,15 +29,15 @@ fn heat_map([width, height]: [u32; 2], radiance: &[[f32; 3]], reference: &[[f32;
 ///
 /// # Errors
 /// Pictures with values that are not finite.
-pub fn comparison(frame: &FrameInputs, radiance: &[[f32; 3]], errors: Option<&HeatMap>, exposure: f32) -> Result<Comparison> {
-    let extent = frame.params.render_extent;
+pub fn comparison(views: &Views<'_>, errors: Option<&HeatMap>, exposure: f32) -> Result<Comparison> {
+    let extent = views.extent;
     let picture = |pixels: &[[f32; 3]]| Picture::from_linear(extent[0], extent[1], pixels, exposure).map_err(PageError::from);
-    let mut comparison = Comparison::new(format!("Frame {}", frame.number));
-    comparison.picture("noisy", &picture(&frame.noisy)?)?;
-    comparison.picture("denoised", &picture(radiance)?)?;
-    if let (Some(reference), Some(errors)) = (&frame.reference, errors) {
+    let mut comparison = Comparison::new(format!("Frame {}", views.number));
+    comparison.picture("noisy", &picture(&views.noisy)?)?;
+    comparison.picture("denoised", &picture(&views.denoised)?)?;
+    if let (Some(reference), Some(errors)) = (&views.reference, errors) {
         comparison.picture("reference", &picture(reference)?)?;
-        comparison.heat_map("FLIP of noisy", &heat_map(extent, &frame.noisy, reference)?)?;
+        comparison.heat_map("FLIP of noisy", &heat_map(extent, &views.noisy, reference)?)?;
         comparison.heat_map("FLIP of denoised", errors)?;
     }
     comparison.start("noisy", "denoised")?;

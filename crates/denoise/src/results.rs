@@ -7,6 +7,7 @@ use crate::exr_write::OutputChannels;
 use crate::frame_files::FrameFiles;
 use crate::record::Record;
 use atrous::DebugView;
+use exr::prelude::Vec2;
 use std::path::{Path, PathBuf};
 
 /// Files that a run writes beside the frames.
@@ -34,10 +35,19 @@ pub fn preview(frame: &Path) -> PathBuf {
     frame.with_extension("png")
 }
 
-/// A view of a frame: `views/STEM_history_length.png`, ...
+/// The longest name that a file can have, bytes.
+const LONGEST_NAME: usize = 255;
+
+/// A view of a frame: `views/STEM_history_length.png`, ... Of a stem too long for that, its end, which
+/// has the number.
 pub fn view(frame: &Path, view: DebugView) -> PathBuf {
     let stem = frame.file_stem().unwrap_or_default().to_string_lossy();
-    frame.with_file_name("views").join(format!("{stem}_{}.png", view.name()))
+    let ending = format!("_{}.png", view.name());
+    let mut start = (stem.len() + ending.len()).saturating_sub(LONGEST_NAME);
+    while !stem.is_char_boundary(start) {
+        start += 1;
+    }
+    frame.with_file_name("views").join(format!("{}{ending}", &stem[start..]))
 }
 
 /// Noisy, denoised and reference of a frame.
@@ -74,8 +84,8 @@ impl Extras {
 /// The frames that a run writes, to be compared with what an earlier one left.
 #[derive(Clone, Debug)]
 pub struct Expected {
-    /// Width and height.
-    pub extent: [u32; 2],
+    /// Width and height of the display window.
+    pub display: Vec2<usize>,
     /// Channels.
     pub channels: OutputChannels,
     /// Options.
@@ -95,11 +105,13 @@ impl Expected {
         let Ok(header) = exr_read::read_header(path) else { return Ok(false) };
         match self.record.objection(&header) {
             Some(problem) => Err(ToolError::OtherOptions { path: path.to_owned(), problem }),
-            None => Ok(header.extent == self.extent && self.has_channels(&header) && exr_read::read(path, |_| true).is_ok()),
+            None => Ok(self.fits(&header) && exr_read::read(path, |_| true).is_ok()),
         }
     }
 
-    fn has_channels(&self, header: &ExrHeader) -> bool {
-        self.channels.colours.iter().flatten().all(|name| header.channels.iter().any(|c| c.name == *name))
+    fn fits(&self, header: &ExrHeader) -> bool {
+        let part = Record::part(header);
+        let has = |name: &String| header.channels.iter().any(|c| c.part == part && c.own_name == *name);
+        header.shared.display_window.size == self.display && self.channels.colours.iter().flatten().all(has)
     }
 }

@@ -73,6 +73,8 @@ pub enum Role {
     OtherDenoised,
     /// Light that a medium scattered towards the eye, apart from the surfaces.
     Volume,
+    /// A further part of it that is added to the first (Blender's `VolumeInd`).
+    VolumeIndirect,
     /// Depth at which it did.
     ScatteringDepth,
     /// Visibility of one light, apart from the paths.
@@ -151,6 +153,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::Confidence, "confidence", Kind::Scalar, ""),
     (Role::OtherDenoised, "other_denoised", Kind::Colour, ""),
     (Role::Volume, "volume", Kind::Colour, ""),
+    (Role::VolumeIndirect, "volume_indirect", Kind::Colour, ""),
     (Role::ScatteringDepth, "scattering_depth", Kind::Scalar, ""),
     (Role::Visibility, "visibility", Kind::Scalar, ""),
     (Role::OccluderDistance, "occluder_distance", Kind::Scalar, ""),
@@ -181,6 +184,11 @@ impl Role {
     /// The loss without the role.
     pub fn loss(self) -> &'static str {
         self.row().3
+    }
+
+    /// The value of pixels that have none, where that is not 0: white takes nothing out of the light.
+    pub fn stand_in(self) -> Option<f32> {
+        matches!(self, Self::Albedo | Self::DiffuseColour | Self::SpecularAlbedo).then_some(1.0)
     }
 
     /// A role by its name.

@@ -1,6 +1,5 @@
 //! Frames as a renderer would have made them that traces a share of the pixels alone.
 
-use crate::frame::FrameInputs;
 use atrous::config::Sampling;
 use clap::builder::PossibleValue;
 use clap::ValueEnum;
@@ -45,24 +44,13 @@ impl Pattern {
     }
 
     /// Whether a pixel is traced.
-    fn keeps(self, index: u64, x: u64, y: u64) -> bool {
+    pub fn keeps(self, index: u64, x: u64, y: u64) -> bool {
         let one_of = |side: u64| x % side == index % side && y % side == (index / side + index) % side;
         match self {
             Self::Checkerboard => (x + y + index).is_multiple_of(2),
             Self::OneOf2x2 => one_of(2),
             Self::OneOf4x4 => one_of(4),
         }
-    }
-
-    /// Takes the samples of all other pixels out of a frame. Re-shaded samples stay: they are as dense as the renderer likes.
-    pub fn drop_samples(self, inputs: &mut FrameInputs, width: usize) {
-        const NOISY: [&str; 5] = ["noisy_radiance", "noisy_direct", "noisy_indirect", "noisy_diffuse", "noisy_specular"];
-        let index = inputs.index;
-        let dropped = |i: &usize| !self.keeps(index, (i % width) as u64, (i / width) as u64);
-        for (_, texels) in inputs.images.iter_mut().filter(|(name, _)| NOISY.contains(name)) {
-            (0..texels.len()).filter(dropped).for_each(|i| texels[i] = [f32::NAN; 4]);
-        }
-        (0..inputs.noisy.len()).filter(dropped).for_each(|i| inputs.noisy[i] = [0.0; 3]);
     }
 }
 

@@ -2,20 +2,20 @@
 
 use crate::error::{Result, ToolError};
 use crate::exr_write::{self, Content, OutputChannels};
-use crate::layouts::Layout;
-use crate::mapping::Mapping;
 use crate::pictures;
 use crate::pipeline::{Finished, Sink};
 use crate::plan::Action;
+use crate::progress::Progress;
 use crate::record::Record;
 use crate::report;
 use crate::results;
 use crate::roles::Role;
 use crate::score::{FrameScore, ScoreBook};
+use crate::shown::{Shown, Views};
+use crate::terminal;
 use atrous_files::Existing;
 use atrous_lab::pages::Comparison;
 use atrous_lab::pictures::Picture;
-use indicatif::ProgressBar;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -42,12 +42,16 @@ pub struct Wanted {
     pub exposure: f32,
     /// Name of the preset, for titles.
     pub preset: String,
+    /// How light is shown.
+    pub shown_as: Shown,
+    /// Whether the other layers of the input are kept.
+    pub keeps_layers: bool,
 }
 
 /// Writes frames and collects the report for the end.
 pub struct Saver {
     wanted: Wanted,
-    progress: ProgressBar,
+    progress: Progress,
     /// Scores.
     pub book: ScoreBook,
     /// Pictures for the report.
@@ -58,6 +62,10 @@ pub struct Saver {
     pub replaced: BTreeMap<Role, usize>,
     /// Results that were not finite.
     pub bad_results: usize,
+    /// Pixels of surfaces that are brighter than the filter can take.
+    pub cut: usize,
+    /// Pixels with negative light.
+    pub negative: usize,
     /// Frames that came through.
     pub taken: usize,
     warned: usize,
@@ -68,36 +76,55 @@ const NAMED: usize = 8;
 
 impl Saver {
     /// A saver that moves a progress bar.
-    pub fn new(wanted: Wanted, book: ScoreBook, progress: ProgressBar) -> Self {
-        Self { wanted, progress, book, shown: None, written: 0, replaced: BTreeMap::new(), bad_results: 0, taken: 0, warned: 0 }
+    pub fn new(wanted: Wanted, book: ScoreBook, progress: Progress) -> Self {
+        Self {
+            wanted,
+            progress,
+            book,
+            shown: None,
+            written: 0,
+            replaced: BTreeMap::new(),
+            bad_results: 0,
+            cut: 0,
+            negative: 0,
+            taken: 0,
+            warned: 0,
+        }
     }
 
     /// Takes the progress bar away.
     pub fn finish(&self) {
-        self.progress.finish_and_clear();
+        self.progress.finish();
     }
 
     fn warn(&mut self, finished: &Finished) {
         let path = finished.step.files.colour.display();
         if let Some(loss) = finished.outputs.as_ref().and_then(|outputs| outputs.loss) {
-            self.progress.suspend(|| eprintln!("warning: {path}: {loss}: the option --check here"));
+            self.progress.suspend(|| terminal::tell(&format!("warning: {path}: {loss}: the option --check here")));
         }
+        self.cut += finished.inputs.excess.cut;
+        self.negative += finished.inputs.negative;
         for (role, count) in &finished.inputs.replaced {
             *self.replaced.entry(*role).or_default() += count;
             self.warned += 1;
             if self.warned <= NAMED {
-                self.progress
-                    .suspend(|| eprintln!("warning: {path}: {count} pixels of {} are not finite and became 0", role.name()));
+                let became = role.stand_in().unwrap_or_default();
+                let line = format!("warning: {path}: {count} pixels of {} are not finite and became {became}", role.name());
+                self.progress.suspend(|| terminal::tell(&line));
             }
         }
     }
 
     fn pictures(&self, finished: &Finished, radiance: &[[f32; 3]]) -> Result<()> {
-        let Wanted { existing, exposure, .. } = self.wanted;
+        let Wanted { existing, exposure, shown_as, .. } = self.wanted;
         let frame = &finished.step.output;
         let [width, height] = finished.inputs.params.render_extent;
         if self.wanted.png {
-            pictures::save(&results::preview(frame), existing, Picture::from_linear(width, height, radiance, exposure))?;
+            pictures::save(
+                &results::preview(frame),
+                existing,
+                Picture::from_linear(width, height, &shown_as.apply(radiance), exposure),
+            )?;
         }
         for (view, picture) in finished.outputs.iter().flat_map(|outputs| &outputs.views) {
             let path = results::view(frame, *view);
@@ -110,15 +137,16 @@ impl Saver {
 
     /// Draws a frame for the strip, the report, or both.
     fn show(&mut self, finished: &Finished, radiance: &[[f32; 3]], score: Option<&FrameScore>, shown: [bool; 2]) -> Result<()> {
-        let Wanted { folder, existing, preset, exposure, .. } = &self.wanted;
-        let errors = report::errors(&finished.inputs, radiance)?;
+        let Wanted { folder, existing, preset, exposure, shown_as, .. } = &self.wanted;
+        let views = Views::new(&finished.inputs, radiance, *shown_as);
+        let errors = report::errors(&views)?;
         let [in_strip, in_report] = shown;
         if in_strip {
-            let strip = pictures::strip(preset, &finished.inputs, radiance, errors.as_ref(), score, *exposure);
+            let strip = pictures::strip(preset, &views, errors.as_ref(), score, *exposure);
             pictures::save(&results::strip(folder), *existing, strip)?;
         }
         if in_report {
-            self.shown = Some(report::comparison(&finished.inputs, radiance, errors.as_ref(), *exposure)?);
+            self.shown = Some(report::comparison(&views, errors.as_ref(), *exposure)?);
         }
         Ok(())
     }
@@ -135,7 +163,8 @@ impl Sink for Saver {
                 self.bad_results += clean(&mut radiance);
                 let Wanted { channels, existing, record, .. } = &self.wanted;
                 let (header, alpha) = (&finished.inputs.header, finished.inputs.alpha.as_deref());
-                let content = Content { header, names: channels, record, radiance: &radiance, alpha };
+                let kept = self.wanted.keeps_layers.then_some(finished.step.files.colour.as_path());
+                let content = Content { header, names: channels, record, radiance: &radiance, alpha, kept };
                 exr_write::write(&finished.step.output, *existing, &content)?;
                 self.written += 1;
                 self.pictures(&finished, &radiance)?;
@@ -150,7 +179,7 @@ impl Sink for Saver {
             self.show(&finished, &radiance, score.as_ref(), [in_strip, in_report])?;
         }
         self.taken += 1;
-        self.progress.inc(1);
+        self.progress.advance();
         Ok(())
     }
 }
@@ -158,19 +187,4 @@ impl Sink for Saver {
 fn clean(radiance: &mut [[f32; 3]]) -> usize {
     let bad = radiance.iter_mut().filter(|p| p.iter().any(|v| !v.is_finite()));
     bad.map(|p| *p = [0.0; 3]).count()
-}
-
-/// The names of the input's beauty; `R`, `G`, `B` where it has none, and besides where the layout is this project's own, whose
-/// tools read these.
-pub fn output_channels(mapping: &Mapping, half: bool) -> OutputChannels {
-    let plain = ["R", "G", "B"].map(str::to_owned);
-    let mut colours = Vec::new();
-    if let Some([r, g, b]) = mapping.roles.get(&Role::Noisy).map(Vec::as_slice) {
-        colours.push([r.clone(), g.clone(), b.clone()]);
-    }
-    if colours.is_empty() || (mapping.layout == Layout::Atrous && colours[0] != plain) {
-        colours.push(plain);
-    }
-    let alpha = mapping.roles.get(&Role::Alpha).and_then(|a| a.first().cloned());
-    OutputChannels { colours, alpha, half }
 }

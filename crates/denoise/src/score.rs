@@ -3,6 +3,7 @@
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::motion::{self, SurfaceMotion};
+use crate::shown::Shown;
 use atrous::config::Conventions;
 use atrous::FrameParams;
 use atrous_files::Existing;
@@ -80,6 +81,8 @@ struct Previous {
 /// Collects scores in the order of frames.
 pub struct ScoreBook {
     conventions: Conventions,
+    shown: Shown,
+    step: u64,
     previous: Option<Previous>,
     /// Scores so far.
     pub frames: Vec<FrameScore>,
@@ -88,9 +91,9 @@ pub struct ScoreBook {
 }
 
 impl ScoreBook {
-    /// An empty one.
-    pub fn new(conventions: Conventions) -> Self {
-        Self { conventions, previous: None, frames: Vec::new(), without_reference: 0 }
+    /// An empty one. Frames are `step` apart; what an eye sees is measured as it is shown.
+    pub fn new(conventions: Conventions, shown: Shown, step: u64) -> Self {
+        Self { conventions, shown, step, previous: None, frames: Vec::new(), without_reference: 0 }
     }
 
     /// Scores the next frame. `None`: it has no reference.
@@ -100,12 +103,12 @@ impl ScoreBook {
             self.previous = None;
             return Ok(None);
         };
-        let previous = self.previous.take().filter(|p| p.number + 1 == frame.number);
+        let previous = self.previous.take().filter(|p| p.number + self.step == frame.number);
         let before = previous.as_ref().map_or(frame.params, |p| p.params);
         let surface = motion::of_frame(frame, &before, &self.conventions);
         let metrics = |image: &[[f32; 3]], of: fn(&Previous) -> &Vec<[f32; 3]>| {
             let pair = previous.as_ref().map(|p| (p, of(p).as_slice()));
-            measure(frame.params.render_extent, image, reference, pair, &surface)
+            measure(frame.params.render_extent, image, reference, pair, &surface, self.shown)
         };
         let problem = |e: QualityError| ToolError::Usage(format!("frame {} cannot be scored: {e}", frame.number));
         let denoised = metrics(image, |p| &p.image).map_err(problem)?;
@@ -154,18 +157,24 @@ impl ScoreBook {
     }
 }
 
+fn rgb(pixels: &[[f32; 3]], [width, height]: [u32; 2]) -> std::result::Result<Rgb<'_>, QualityError> {
+    Rgb::new(width, height, pixels)
+}
+
 fn measure(
-    [width, height]: [u32; 2],
+    extent: [u32; 2],
     image: &[[f32; 3]],
     reference: &[[f32; 3]],
     previous: Option<(&Previous, &[[f32; 3]])>,
     surface: &SurfaceMotion,
+    shown: Shown,
 ) -> std::result::Result<Metrics, QualityError> {
-    let rgb = |pixels| Rgb::new(width, height, pixels);
-    let (now, reference) = (rgb(image)?, rgb(reference)?);
+    let (linear, truth) = (rgb(image, extent)?, rgb(reference, extent)?);
+    let (image, reference) = (shown.apply(image), shown.apply(reference));
+    let (now, reference) = (rgb(&image, extent)?, rgb(&reference, extent)?);
     let mut metrics = Metrics {
-        rmse: rmse(now, reference)?,
-        rel_mse: rel_mse(now, reference)?,
+        rmse: rmse(linear, truth)?,
+        rel_mse: rel_mse(linear, truth)?,
         psnr: Some(psnr(now, reference)?).filter(|p| p.is_finite()),
         ssim: ssim(now, reference)?,
         flip: flip(now, reference)?,
@@ -179,7 +188,8 @@ fn measure(
             surface_id: &surface.id,
             previous_surface_id: &previous.surface.id,
         };
-        metrics.temporal_error = match temporal_error(now, rgb(image)?, reference, rgb(&previous.reference)?, &guides) {
+        let (before, truth_before) = (shown.apply(image), shown.apply(&previous.reference));
+        metrics.temporal_error = match temporal_error(now, rgb(&before, extent)?, reference, rgb(&truth_before, extent)?, &guides) {
             Ok(error) => Some(error),
             Err(QualityError::NoCommonSurface) => None,
             Err(other) => return Err(other),

@@ -1,42 +1,23 @@
 //! Decisions that are made on the first frame and hold for the whole sequence, and their report to the user.
 
 use crate::camera::{self, Camera, SequenceFile};
-use crate::conventions;
+use crate::conventions::{self, Scales};
 use crate::error::{Result, ToolError};
+use crate::exr_header::ExrHeader;
 use crate::frame_files::FrameFiles;
 use crate::frame_source;
-use crate::layouts::Layout;
 use crate::mapping::{Mapping, Named};
+use crate::missing::{describe, without};
+use crate::range::Range;
 use crate::roles::Role;
 use crate::sampling::Pattern;
-use atrous::config::{DepthEncoding, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, Preset, Signals};
+use crate::shown::Shown;
+use atrous::config::{GradientSource, MotionDepth, MotionUnit, Preset, Signals};
 use atrous::{Config, Tuning};
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
+use std::path::Path;
 
-/// Options of the user that the setup takes.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// Channels by role.
-    pub channels: Vec<(Role, String)>,
-    /// View layer to read alone.
-    pub view_layer: Option<String>,
-    /// Another `sequence.json`.
-    pub camera: Option<PathBuf>,
-    /// Conventions by key.
-    pub conventions: Vec<(String, String)>,
-    /// Signals, where not by what the file has.
-    pub signals: Option<Signals>,
-    /// À-trous levels, where not the default.
-    pub levels: Option<u32>,
-    /// Filter, where not that of a capture, or [`Preset::default`].
-    pub preset: Option<Preset>,
-    /// Side of the strata, where not the default.
-    pub stratum_size: Option<u32>,
-    /// Pixels whose samples are kept, where not all.
-    pub sampling: Option<Pattern>,
-    /// Tunables, on top of those of the sequence.
-    pub tunables: Vec<(String, f32)>,
-}
+pub use crate::options::{Made, Options};
 
 /// Settings that hold for all frames.
 #[derive(Clone, Debug)]
@@ -49,47 +30,79 @@ pub struct Setup {
     pub sequence: Option<SequenceFile>,
     /// Pixels whose samples are kept, where not all.
     pub sampling: Option<Pattern>,
-    /// Tunables by which every frame differs from its sequence.
-    tunables: Vec<(String, f32)>,
     /// Lines to print.
     pub report: Vec<String>,
     /// Bytes that decoding a file of the first frame takes.
     pub reading: u64,
+    /// Header of the first frame, with the channels of all its files.
+    pub header: ExrHeader,
+    /// Factors of depth and motion.
+    pub scales: Scales,
+    /// The range of light.
+    pub range: Range,
+    /// The way to pictures and scores.
+    pub shown: Shown,
+    /// Every frame is filtered by itself: the noise of all of them is the same.
+    pub stills: bool,
+    /// The depth in the previous frame, where motion leads, is looked up: the motion has none.
+    pub carries_depth: bool,
+    /// Guides with noise in them, by the names of the library, which are smoothed.
+    pub smoothed: BTreeSet<&'static str>,
+    /// The step of the numbers of frames.
+    pub step: u64,
+    options: Options,
+    /// Lines about the first frames, behind those of the channels.
+    notes: Vec<String>,
 }
 
 impl Setup {
-    /// Looks at the first frames.
+    /// Looks at the headers of the first frames.
     pub fn new(frames: &[FrameFiles], options: &Options) -> Result<Self> {
-        let Some(first) = frames.first() else { return Err(ToolError::Usage("no frames were given".into())) };
+        let Some(first) = frames.first() else {
+            return Err(ToolError::Usage("no frames were given".into()));
+        };
         let header = frame_source::header(first)?;
-        let mut mapping = Mapping::choose(&first.colour, &header, &options.channels, options.view_layer.as_deref())?;
-        // Channels about the previous frame are absent in the first.
-        if let Some(second) = frames.get(1) {
-            let later: Vec<_> = options.channels.iter().filter(|n| is_about_previous(n.0)).cloned().collect();
-            let later: &Named = &later;
-            if let Ok(second) =
-                Mapping::choose(&second.colour, &frame_source::header(second)?, later, options.view_layer.as_deref())
-            {
-                mapping.roles.extend(second.roles.into_iter().filter(|(role, _)| is_about_previous(*role)));
-            }
-        }
-        // References are dear: not every frame need have one.
-        if let (false, Some(with)) = (mapping.has(Role::Reference), frames.iter().find(|f| f.guides.iter().any(|g| g.0 == "ref"))) {
-            let named =
-                Mapping::choose(&with.colour, &frame_source::header(with)?, &options.channels, options.view_layer.as_deref())?;
-            mapping.roles.extend(named.roles.into_iter().filter(|(role, _)| *role == Role::Reference));
-        }
+        let mapping = choose(frames, &header, options)?;
         let folder = first.colour.parent().unwrap_or(Path::new("."));
         let sequence = camera::find(options.camera.as_deref(), folder)?;
-        let mut config = Config::new(header.extent);
+        if let Some((path, file)) = &sequence {
+            check_cameras(path, file, frames)?;
+        }
+        let mut setup = Self {
+            config: Config::new(header.extent),
+            mapping,
+            sampling: options.sampling,
+            report: Vec::new(),
+            reading: header.reading,
+            shown: Shown::new(&header, 0),
+            header,
+            scales: Scales::default(),
+            range: Range::default(),
+            stills: false,
+            carries_depth: false,
+            smoothed: BTreeSet::new(),
+            step: options.step.unwrap_or(1),
+            options: options.clone(),
+            notes: Vec::new(),
+            sequence: sequence.map(|(path, file)| SequenceFile { path, ..file }),
+        };
+        setup.notes = setup.notes_of_header(frames.len());
+        setup.decide()?;
+        Ok(setup)
+    }
+
+    /// Makes the configuration and the report of what is read.
+    fn decide(&mut self) -> Result<()> {
+        let (mapping, options) = (&self.mapping, &self.options);
+        let mut config = Config::new(self.header.extent);
         config.frames_in_flight = 1;
         config.surface_id = mapping.has(Role::Id);
         config.object_normal = mapping.has(Role::ObjectNormal);
-        config.gradient_source = gradient_source(&mapping);
-        if let Some((_, file)) = &sequence {
+        config.gradient_source = gradient_source(mapping);
+        if let Some(file) = &self.sequence {
             file.config.apply(&mut config);
         }
-        let captured = sequence.as_ref().and_then(|(_, file)| file.config.preset);
+        let captured = self.sequence.as_ref().and_then(|file| file.config.preset);
         config.levels = options.levels.or(config.levels);
         config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
         config.preset = options.preset.or(captured).unwrap_or_default();
@@ -97,38 +110,118 @@ impl Setup {
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.visibility = mapping.has(Role::Visibility) && mapping.has(Role::OccluderDistance);
-        config.signals = signals(&mapping, config.preset, options.signals)?;
-        config.conventions = conventions::of_layout(&mapping);
-        let mut report = describe(&mapping, &config);
-        if let Some((path, file)) = &sequence {
-            check_cameras(path, file, frames)?;
-            apply(&mut config, &file.conventions, |what| ToolError::Json { path: path.clone(), problem: what })?;
-            report.push(format!("  {:<16} {}", "camera", path.display()));
+        config.signals = signals(mapping, config.preset, options.signals)?;
+        config.conventions = conventions::of_layout(mapping);
+        let mut scales = Scales::default();
+        let mut report = describe(mapping, &config);
+        if let Some(file) = &self.sequence {
+            let problem = |what| ToolError::Json { path: file.path.clone(), problem: what };
+            apply(&mut config, &mut scales, &file.conventions, problem)?;
+            report.push(format!("  {:<16} {}", "camera", file.path.display()));
         }
-        apply(&mut config, &options.conventions, ToolError::Usage)?;
-        without(&mut config, &mapping, sequence.is_some(), &mut report);
+        apply(&mut config, &mut scales, &options.conventions, ToolError::Usage)?;
+        config.conventions.background_depth *= scales.depth;
+        without(&mut config, mapping, self.sequence.is_some(), &mut report);
+        if self.carries_depth {
+            config.conventions.motion_depth = MotionDepth::Absolute;
+        }
         config.validate()?;
-        if frames.len() == 1 && config.preset != Preset::Stabilize {
-            report.push(still_note(config.preset));
+        if config.preset == Preset::Stabilize {
+            self.notes.retain(|note| !note.contains(STILL));
         }
-        if header.windows_differ {
-            report.push("  note: the data window differs from the display window; the result covers the display window, and pixels without data are background".into());
+        report.extend(self.notes.iter().cloned());
+        (self.config, self.report, self.scales) = (config, report, scales);
+        Ok(())
+    }
+
+    /// Notes that the header gives rise to.
+    fn notes_of_header(&self, frames: usize) -> Vec<String> {
+        let (header, mapping) = (&self.header, &self.mapping);
+        let mut notes = Vec::new();
+        let unused = mapping.unused(header);
+        if !unused.is_empty() {
+            let more = unused.len().saturating_sub(UNUSED);
+            let more = if more > 0 { format!(" and {more} more layers") } else { String::new() };
+            notes.push(format!("  not used: {}{more}", unused[..unused.len().min(UNUSED)].join(", ")));
         }
-        Ok(Self {
-            mapping,
-            config,
-            sequence: sequence.map(|(_, file)| file),
-            sampling: options.sampling,
-            tunables: options.tunables.clone(),
-            report,
-            reading: header.reading,
-        })
+        for (eye, layer) in mapping.other_eyes(header) {
+            notes.push(format!(
+                "  note: a second eye, `{eye}`, is left out; filter it in a run of its own, with --channel noisy={layer}"
+            ));
+        }
+        for view in mapping.other_view_layers(header).iter().filter(|_| self.options.view_layer.is_none()) {
+            notes.push(format!("  note: another view layer, `{view}`, is left out; --view-layer takes it instead"));
+        }
+        if frames == 1 {
+            notes.push(still_note(self.options.preset.unwrap_or_default()));
+        }
+        if header.has_gaps {
+            notes.push("  note: some data window covers less than the picture; pixels without data are background".into());
+        }
+        notes
+    }
+
+    /// Whether the user named the channels of a role.
+    pub fn is_named(&self, role: Role) -> bool {
+        self.options.channels.iter().any(|named| named.0 == role)
+    }
+
+    /// Adds a line to the report.
+    pub fn note(&mut self, line: String) {
+        self.report.push(line.clone());
+        self.notes.push(line);
+    }
+
+    /// Leaves channels out that turned out to be of no use.
+    ///
+    /// # Errors
+    /// What cannot be filtered without them.
+    pub fn leave_out(&mut self, roles: &[Role]) -> Result<()> {
+        self.mapping.roles.retain(|role, _| !roles.contains(role));
+        self.decide()
+    }
+
+    /// Has the depths of the previous frame looked up.
+    ///
+    /// # Errors
+    /// None that [`Self::new`] did not have.
+    pub fn carry_depth(&mut self) -> Result<()> {
+        self.carries_depth = true;
+        self.decide()
     }
 
     /// Pixels of a frame.
     pub fn pixels(&self) -> usize {
         let [width, height] = self.config.allocated_extent;
         width as usize * height as usize
+    }
+
+    /// The display window's share of the picture, and its offset in it, in pixels.
+    fn display(&self) -> ([f32; 2], [f32; 2]) {
+        let (display, window) = (self.header.shared.display_window, self.header.window);
+        let [x, y] = [(display.size.0, window.size.0), (display.size.1, window.size.1)].map(|(d, w)| d as f32 / w as f32);
+        let offset = [display.position.0 - window.position.0, display.position.1 - window.position.1];
+        ([x, y], offset.map(|o| o as f32))
+    }
+
+    /// The factor of motion that is told in parts of the display window: the picture may have overscan.
+    pub fn motion_scale(&self) -> [f32; 2] {
+        let of_display = match self.config.conventions.motion_unit {
+            MotionUnit::Pixels => [1.0; 2],
+            MotionUnit::Uv | MotionUnit::Ndc => self.display().0,
+        };
+        of_display.map(|share| share * self.scales.motion)
+    }
+
+    /// A projection to the display window, for the whole picture.
+    pub fn projection(&self, clip_from_view: [[f32; 4]; 4]) -> [[f32; 4]; 4] {
+        let (share, offset) = self.display();
+        if share == [1.0; 2] && offset == [0.0; 2] {
+            return clip_from_view;
+        }
+        let extent = self.config.allocated_extent.map(|side| side as f32);
+        let shift: [f32; 2] = std::array::from_fn(|i| 2.0 * offset[i] / extent[i] + share[i] - 1.0);
+        clip_from_view.map(|[x, y, z, w]| [x * share[0] + w * shift[0], y * share[1] + w * shift[1], z, w])
     }
 
     /// Whether values that are not finite reach the filter.
@@ -141,7 +234,7 @@ impl Setup {
         let mut tuning = Tuning::for_preset(self.config.preset);
         let of_sequence = self.sequence.iter().flat_map(|s| &s.tuning);
         let of_frame = self.camera(number).into_iter().flat_map(|c| &c.tuning);
-        let wished = self.tunables.iter().map(|(name, value)| (name, value));
+        let wished = self.options.tunables.iter().map(|(name, value)| (name, value));
         for (name, value) in of_sequence.chain(of_frame).chain(wished) {
             tuning.set(name, *value)?;
         }
@@ -152,6 +245,29 @@ impl Setup {
     pub fn camera(&self, number: u64) -> Option<&Camera> {
         self.sequence.as_ref().and_then(|s| s.cameras.get(&number))
     }
+}
+
+/// The channels of all roles, by the first frames.
+fn choose(frames: &[FrameFiles], header: &ExrHeader, options: &Options) -> Result<Mapping> {
+    let view = options.view_layer.as_deref();
+    let of = |files: &FrameFiles, named: &Named| -> Result<Mapping> {
+        Mapping::choose(&files.colour, &frame_source::header(files)?, named, view)
+    };
+    let mut mapping = Mapping::choose(&frames[0].colour, header, &options.channels, view)?;
+    // Channels about the previous frame are absent in the first.
+    if let Some(second) = frames.get(1) {
+        let later: Vec<_> = options.channels.iter().filter(|n| is_about_previous(n.0)).cloned().collect();
+        if let Ok(second) = of(second, &later) {
+            mapping.roles.extend(second.roles.into_iter().filter(|(role, _)| is_about_previous(*role)));
+        }
+    }
+    // References are dear: not every frame need have one.
+    let has_reference = |files: &&FrameFiles| files.guides.iter().any(|g| g.0 == "ref");
+    if let (false, Some(with)) = (mapping.has(Role::Reference), frames.iter().find(has_reference)) {
+        let named = of(with, &options.channels)?;
+        mapping.roles.extend(named.roles.into_iter().filter(|(role, _)| *role == Role::Reference));
+    }
+    Ok(mapping)
 }
 
 /// Roles that the first frame of a sequence need not have.
@@ -192,14 +308,28 @@ fn signals(mapping: &Mapping, preset: Preset, asked: Option<Signals>) -> Result<
     }
 }
 
+/// What a frame by itself gets.
+const STILL: &str = "a single frame is filtered in space alone";
+/// Layers that are not used and are told one by one.
+const UNUSED: usize = 24;
+
 /// A hint for a frame by itself: docs/denoise.md has the figures behind it.
 fn still_note(preset: Preset) -> String {
     let better = if preset == Preset::Best { "" } else { "; --preset best leaves the least error there" };
-    format!("  note: a single frame is filtered in space alone, without history{better}")
+    format!("  note: {STILL}, without history{better}")
 }
 
-fn apply(config: &mut Config, changes: &[(String, String)], error: impl Fn(String) -> ToolError) -> Result<()> {
+fn apply(
+    config: &mut Config,
+    scales: &mut Scales,
+    changes: &[(String, String)],
+    error: impl Fn(String) -> ToolError,
+) -> Result<()> {
     for (key, value) in changes {
+        if let Some(scale) = scales.set(key, value) {
+            scale.map_err(|e| error(format!("no convention `{key}={value}`: {e}")))?;
+            continue;
+        }
         conventions::set(&mut config.conventions, key, value)
             .map_err(|e| error(format!("no convention `{key}={value}`: {e}; there are: {}", conventions::keys())))?;
     }
@@ -213,80 +343,5 @@ fn check_cameras(path: &Path, file: &SequenceFile, frames: &[FrameFiles]) -> Res
             problem: format!("has no camera for {} (frame {})", frame.colour.display(), frame.number),
         }),
         None => Ok(()),
-    }
-}
-
-fn describe(mapping: &Mapping, config: &Config) -> Vec<String> {
-    let mut lines = vec![format!("channels ({}):", mapping.layout.name())];
-    for (role, names) in &mapping.roles {
-        lines.push(format!("  {:<16} {}", role.name(), short(names)));
-    }
-    let signals = match config.signals {
-        Signals::Apart => "direct and indirect apart",
-        Signals::Specular => "diffuse and specular apart",
-        _ => "together, as one signal",
-    };
-    lines.push(format!("  {:<16} {signals}, by {}", "filtered", config.preset.title()));
-    lines
-}
-
-/// `noisy.R, noisy.G, noisy.B` as `noisy.R/G/B`.
-fn short(names: &[String]) -> String {
-    let split: Vec<_> = names.iter().map(|n| crate::mapping::split(n)).collect();
-    match split.iter().all(|s| s.0 == split[0].0) {
-        true => format!(
-            "{}{}{}",
-            split[0].0,
-            if split[0].0.is_empty() { "" } else { "." },
-            split.iter().map(|s| s.1).collect::<Vec<_>>().join("/")
-        ),
-        false => names.join(", "),
-    }
-}
-
-/// Names what is missing and what is lost, and makes the encodings fit what stands in for it.
-fn without(config: &mut Config, mapping: &Mapping, camera: bool, report: &mut Vec<String>) {
-    let mut lost = |what: &str, loss: &str| report.push(format!("  no {what}: {loss}"));
-    let c = &mut config.conventions;
-    let depth = mapping.has(Role::Depth) || (mapping.has(Role::Position) && (camera || mapping.layout == Layout::Pbrt));
-    for role in [Role::Emission, Role::Albedo, Role::Normal, Role::Id] {
-        if !mapping.has(role) {
-            lost(role.name(), role.loss());
-        }
-    }
-    if !mapping.has_signals_apart() && !mapping.has_specular() {
-        lost("direct and indirect light", Role::Indirect.loss());
-    }
-    if !mapping.has(Role::Normal) {
-        c.normal = NormalEncoding::Xyz;
-    }
-    if !mapping.has(Role::Depth) {
-        c.depth = DepthEncoding::Linear;
-    }
-    if !depth {
-        lost("depth", Role::Depth.loss());
-    } else if !camera && c.depth != DepthEncoding::Linear {
-        lost("camera", "the depth cannot be decoded without a projection and is taken as linear");
-        c.depth = DepthEncoding::Linear;
-    }
-    match (mapping.has(Role::Motion), camera && depth) {
-        (true, true) => {}
-        (true, false) if c.motion_depth == MotionDepth::Absolute && mapping.has(Role::PreviousDepth) => {}
-        (true, false) => {
-            lost("camera and depth", "depths are expected to stay as they were; surfaces that come closer by more than depth_tolerance lose their history");
-            c.motion_depth = MotionDepth::Difference;
-        }
-        (false, true) => {
-            lost("motion", "it is computed from depth and camera, so objects that move by themselves lose their history");
-            c.motion_depth = MotionDepth::None;
-        }
-        (false, false) => {
-            lost(
-                "motion and no camera",
-                "pixels are taken to stay where they are; with a moving camera the history smears or is lost",
-            );
-            (c.motion_unit, c.motion_depth) = (MotionUnit::Pixels, MotionDepth::Difference);
-            (c.motion_direction, c.motion_y_up) = (MotionDirection::PreviousMinusCurrent, false);
-        }
     }
 }

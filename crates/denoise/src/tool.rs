@@ -4,53 +4,72 @@ use crate::backend::{Backend, Passes};
 use crate::check;
 use crate::cli::Cli;
 use crate::error::{Result, ToolError};
-use crate::exr_write;
-use crate::frame_files::{self, FrameFiles};
+use crate::exr_write::{self, output_channels};
+use crate::first_look;
+use crate::frame_files::{self, Found, FrameFiles};
 use crate::memory::{self, fitting_queue, Demands};
 use crate::pictures;
 use crate::pipeline;
 use crate::plan::{self, Action, Step};
+use crate::progress::Progress;
 use crate::record::Record;
 use crate::report;
 use crate::results::{self, Expected, Extras};
 use crate::roles::Role;
-use crate::saver::{output_channels, Saver, Wanted};
+use crate::saver::{Saver, Wanted};
 use crate::score::{self, ScoreBook};
 use crate::setup::Setup;
+use crate::terminal::tell;
 use atrous::{Config, Tuning};
 use atrous_files::Existing;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
 
 /// Runs the tool with its options.
 pub fn run(cli: &Cli) -> Result<()> {
-    let frames = frame_files::find(&cli.frames)?;
-    let setup = Setup::new(&frames, &cli.options())?;
-    if !cli.quiet {
-        let [w, h] = setup.config.allocated_extent;
-        eprintln!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display());
-        setup.report.iter().for_each(|line| eprintln!("{line}"));
+    if cli.step == Some(0) {
+        return Err(ToolError::Usage("--step is 0; it must be at least 1".into()));
     }
+    let Found { frames, unused } = frame_files::search(&cli.frames, cli.step.unwrap_or(1))?;
+    let mut setup = Setup::new(&frames, &cli.options())?;
     let first = frames[0].colour.clone();
     if cli.check {
         fitting_queue(&first, &setup, &Demands { frames: 2, ..Demands::default() }, memory::free())?;
-        return check::print(&check::run(&frames, &setup)?);
+        introduce(cli, &setup, &frames, &unused);
+        return check::print(&check::run(&frames, &setup)?, &check::declared(&setup));
     }
+    // Before the first frames are read: what is found in them makes no picture smaller.
+    let scored = cli.score || (cli.report.is_some() && setup.mapping.has(Role::Reference));
+    fitting_queue(&first, &setup, &demands(cli, &setup, [frames.len(); 2], scored), memory::free())?;
+    let warnings = first_look::take(&frames, &mut setup)?;
+    introduce(cli, &setup, &frames, &unused);
+    warnings.iter().for_each(|warning| tell(&format!("warning: {warning}")));
     let wanted = wanted(cli, &setup, &frames)?;
     let steps = plan(cli, &setup, frames, &wanted)?;
-    let queue = fitting_queue(&first, &setup, &demands(cli, &steps, wanted.score), memory::free())?;
+    let queue = fitting_queue(
+        &first,
+        &setup,
+        &demands(cli, &setup, [steps.len(), steps.iter().filter(|step| step.action != Action::Read).count()], wanted.score),
+        memory::free(),
+    )?;
     exr_write::prepare_folder(cli.output())?;
+    if cli.resume {
+        atrous_files::remove_abandoned(cli.output());
+    }
     if steps.is_empty() {
-        eprintln!("all frames are finished");
+        tell("all frames are finished");
         return Ok(());
     }
     let mut backend = open(cli, &setup)?;
     let device = backend.name();
     if !cli.quiet {
-        eprintln!("{} on {device}", setup.config.preset.title());
+        tell(&format!("{} on {device}", setup.config.preset.title()));
     }
     let existing = wanted.existing;
-    let mut saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), progress(cli, &steps));
+    let mut saver = Saver::new(
+        wanted,
+        ScoreBook::new(setup.config.conventions, setup.shown, setup.step),
+        Progress::new(steps.len(), cli.quiet),
+    );
     let start = Instant::now();
     let result = pipeline::run(&steps, &setup, &mut backend, cli.views, queue, &mut saver);
     saver.finish();
@@ -66,6 +85,19 @@ pub fn run(cli: &Cli) -> Result<()> {
         report::write(&results::report(cli.output()), existing, &conditions, shown, &saver.book)?;
     }
     Ok(())
+}
+
+/// Says what is read.
+fn introduce(cli: &Cli, setup: &Setup, frames: &[FrameFiles], unused: &[String]) {
+    if cli.quiet {
+        return;
+    }
+    let [w, h] = setup.config.allocated_extent;
+    tell(&format!("{} frames of {w}x{h} pixels, first {}", frames.len(), frames[0].colour.display()));
+    setup.report.iter().for_each(|line| tell(line));
+    if !unused.is_empty() {
+        tell(&format!("  not used: files {}", unused.join(", ")));
+    }
 }
 
 /// The outputs that the options ask for.
@@ -93,8 +125,8 @@ fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
     Ok(Wanted {
         folder: cli.output().to_owned(),
         existing: if cli.force || cli.resume { Existing::Replaced } else { Existing::Kept },
-        record: Record::new(setup, cli)?,
-        channels: output_channels(&setup.mapping, !cli.float),
+        record: Record::new(setup, &cli.options())?,
+        channels: output_channels(&setup.mapping, &setup.header, !cli.float),
         png: cli.png,
         strip,
         report,
@@ -102,6 +134,8 @@ fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
         score: cli.score || (report.is_some() && setup.mapping.has(Role::Reference)),
         exposure: cli.exposure,
         preset: setup.config.preset.title().into(),
+        shown_as: setup.shown,
+        keeps_layers: cli.keep_layers,
     })
 }
 
@@ -117,8 +151,11 @@ fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> R
         scored: wanted.score,
         shown: [wanted.strip, wanted.report],
     };
-    let expected =
-        Expected { extent: setup.config.allocated_extent, channels: wanted.channels.clone(), record: wanted.record.clone() };
+    let expected = Expected {
+        display: setup.header.shared.display_window.size,
+        channels: wanted.channels.clone(),
+        record: wanted.record.clone(),
+    };
     plan::plan(frames, cli.output(), &expected, existing)
 }
 
@@ -128,14 +165,16 @@ fn remembered_frames(tuning: &Tuning) -> usize {
     (0.001f32.ln() / kept_by_a_frame.ln()).ceil() as usize
 }
 
-fn demands(cli: &Cli, steps: &[Step], scored: bool) -> Demands {
+/// The demands on memory of so many frames, of which so many are filtered.
+fn demands(cli: &Cli, setup: &Setup, [frames, filtered]: [usize; 2], scored: bool) -> Demands {
     Demands {
-        frames: steps.len(),
-        filtered: steps.iter().any(|step| step.action != Action::Read),
-        reference: cli.device.as_deref() == Some("reference"),
+        frames,
+        filtered: filtered > 0,
+        reference: cli.is_reference(),
         score: scored,
         pictures: cli.png || cli.strip.is_some() || cli.report.is_some(),
         views: cli.views,
+        kept: if cli.keep_layers { setup.header.channels.len() } else { 0 },
     }
 }
 
@@ -147,36 +186,40 @@ fn open(cli: &Cli, setup: &Setup) -> Result<Passes> {
     }
 }
 
-/// The progress bar on stderr, hidden where that is no terminal.
-fn progress(cli: &Cli, steps: &[Step]) -> ProgressBar {
-    if cli.quiet {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:32} {pos}/{len} frames, {per_sec}, {eta} left");
-    ProgressBar::new(steps.len() as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-}
-
 fn summary(cli: &Cli, saver: &Saver, seconds: f64, steps: usize) {
     for (role, count) in &saver.replaced {
-        eprintln!("warning: {count} pixels of {} were not finite in all frames together and became 0", role.name());
+        let became = role.stand_in().unwrap_or_default();
+        tell(&format!("warning: {count} pixels of {} were not finite in all frames together and became {became}", role.name()));
+    }
+    if saver.negative > 0 {
+        tell(&format!(
+            "note: {} pixels of light are negative in all frames together; the pixels beside were darkened by as much",
+            saver.negative
+        ));
+    }
+    if saver.cut > 0 {
+        tell(&format!(
+            "warning: {} pixels are brighter than the filter can take beside the rest of the picture (radiance above 65504 after its scale), and were cut",
+            saver.cut
+        ));
     }
     if saver.bad_results > 0 {
-        eprintln!("warning: {} denoised pixels were not finite and became 0; please report this sequence", saver.bad_results);
+        tell(&format!("warning: {} denoised pixels were not finite and became 0; please report this sequence", saver.bad_results));
     }
     if !cli.quiet {
         let rate = saver.taken as f64 / seconds.max(1e-9);
-        eprintln!(
+        tell(&format!(
             "{} of {steps} frames in {seconds:.1} s ({rate:.1} frames/s), {} written to {}",
             saver.taken,
             saver.written,
             cli.output().display()
-        );
+        ));
     }
 }
 
 fn scores(cli: &Cli, preset: &str, existing: Existing, book: &ScoreBook, device: &str) -> Result<()> {
     if book.frames.is_empty() {
-        eprintln!("no frame has a reference: nothing was scored");
+        tell("no frame has a reference: nothing was scored");
         return Ok(());
     }
     let table = book.table().map_err(|e| ToolError::Usage(e.to_string()))?;

@@ -63,8 +63,9 @@ fn a_run_takes_what_it_is_said_to_take() {
             score: has("--score"),
             pictures: has("--png"),
             views: has("--views"),
+            kept: 0,
         };
-        let need = Need::new(&setup, &demands, atrous_denoise::pipeline::QUEUE).expect("a need");
+        let need = Need::new(&setup, &demands, atrous_denoise::memory::QUEUE).expect("a need");
         let said = need.frames + need.reading + need.filter + need.writing;
         let (run, taken) = measured(|| atrous_denoise::tool::run(&cli));
         run.expect("a run");

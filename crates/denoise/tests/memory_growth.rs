@@ -5,13 +5,16 @@ mod samples;
 
 use atrous_denoise::backend::{Backend, FrameOutputs};
 use atrous_denoise::error::Result;
+use atrous_denoise::exr_write::output_channels;
 use atrous_denoise::frame::FrameInputs;
 use atrous_denoise::frame_files;
+use atrous_denoise::memory;
 use atrous_denoise::pipeline::{self, Finished, Sink};
 use atrous_denoise::plan;
+use atrous_denoise::progress::Progress;
 use atrous_denoise::record::Record;
 use atrous_denoise::results::Expected;
-use atrous_denoise::saver::{output_channels, Saver, Wanted};
+use atrous_denoise::saver::{Saver, Wanted};
 use atrous_denoise::score::ScoreBook;
 use atrous_denoise::setup::{Options, Setup};
 use atrous_files::Existing;
@@ -64,8 +67,8 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
     let setup = Setup::new(&frames, &Options::default()).expect("a layout");
     assert_eq!(setup.config.allocated_extent, [64, 36]);
-    let (record, channels) = (Record::default(), output_channels(&setup.mapping, true));
-    let expected = Expected { extent: [64, 36], channels: channels.clone(), record: record.clone() };
+    let (record, channels) = (Record::default(), output_channels(&setup.mapping, &setup.header, true));
+    let expected = Expected { display: exr::prelude::Vec2(64, 36), channels: channels.clone(), record: record.clone() };
     let steps = plan::plan(frames, output.path(), &expected, plan::Existing::default()).expect("a plan");
     let wanted = Wanted {
         folder: output.path().to_owned(),
@@ -78,12 +81,14 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
         score: true,
         exposure: 1.0,
         preset: "copy".into(),
+        shown_as: setup.shown,
+        keeps_layers: false,
     };
-    let saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions), indicatif::ProgressBar::hidden());
+    let saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions, setup.shown, 1), Progress::new(steps.len(), true));
     let mut sink = Watched { saver, resident: Vec::new() };
     // Where none may wait, frames pass as well.
     pipeline::run(&steps[..20], &setup, &mut Copy, false, 0, &mut sink).expect("a run");
-    pipeline::run(&steps, &setup, &mut Copy, false, pipeline::QUEUE, &mut sink).expect("a run");
+    pipeline::run(&steps, &setup, &mut Copy, false, memory::QUEUE, &mut sink).expect("a run");
     assert_eq!((sink.saver.written, sink.saver.book.frames.len()), (1020, 1020));
     // What a metric computes with comes and goes: the smallest value of each hundred frames is taken.
     let least: Vec<u64> = sink.resident.chunks(100).map(|c| c.iter().copied().min().unwrap_or_default()).collect();

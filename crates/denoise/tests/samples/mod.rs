@@ -1,5 +1,7 @@
 //! Small EXR files and sequences, made from numbers.
 
+pub mod scene;
+
 use exr::compression::Compression;
 use exr::image::{AnyChannel, AnyChannels, Blocks, Encoding, FlatSamples, Image, Layer};
 use exr::meta::attribute::{IntegerBounds, LineOrder};
@@ -50,7 +52,7 @@ impl Sample {
         names.split_whitespace().fold(self, |sample, name| sample.channel(name, kind, move |_, _| value))
     }
 
-    fn layer(&self, name: Option<&str>) -> Layer<AnyChannels<FlatSamples>> {
+    pub fn layer(&self, name: Option<&str>) -> Layer<AnyChannels<FlatSamples>> {
         let at = self.data.position;
         let pixels =
             || (0..self.data.size.1 as i32).flat_map(move |y| (0..self.data.size.0 as i32).map(move |x| (x + at.0, y + at.1)));

@@ -3,8 +3,12 @@
 mod bad_files;
 mod capture_tests;
 mod check_tests;
+mod compression_tests;
 mod fuzz;
+mod gate;
+mod keep_tests;
 mod layout_tests;
+mod look_tests;
 mod name_tests;
 #[cfg(unix)]
 mod odd_files;

@@ -73,7 +73,7 @@ fn large_files_are_decoded_on_all_cores() {
 }
 
 #[test]
-fn result_covers_the_display_window() {
+fn the_picture_is_the_display_window_with_its_overscan() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("a.exr");
     // Smaller than the picture, larger than it, and half outside; windows that do not begin at 0.
@@ -90,9 +90,18 @@ fn result_covers_the_display_window() {
                 let end = (data.position.0 + data.size.0 as i32, data.position.1 + data.size.1 as i32);
                 (data.position.0..end.0).contains(&x) && (data.position.1..end.1).contains(&y)
             };
-            let origin = display.position;
-            let wanted = expected(20, 10, |x, y| {
-                let (x, y) = (x + origin.0, y + origin.1);
+            // A part that lies beside the picture is not in it.
+            let reach = |window: exr::meta::attribute::IntegerBounds| {
+                (window.position, window.position + exr::prelude::Vec2(window.size.0 as i32, window.size.1 as i32))
+            };
+            let ((from, to), (start, stop)) = (reach(display), reach(data));
+            let meets = start.0 < to.0 && start.1 < to.1 && stop.0 > from.0 && stop.1 > from.1;
+            let [from, to] = match meets {
+                true => [[from.0.min(start.0), from.1.min(start.1)], [to.0.max(stop.0), to.1.max(stop.1)]],
+                false => [[from.0, from.1], [to.0, to.1]],
+            };
+            let wanted = expected(to[0] - from[0], to[1] - from[1], |x, y| {
+                let (x, y) = (x + from[0], y + from[1]);
                 if inside(x, y) {
                     at(x, y)
                 } else {

@@ -76,7 +76,12 @@ impl Frames<'_> {
         let setup = self.setup(&files)?;
         let start = |filter| -> Result<Running<'_>, Box<dyn Error>> {
             let passes = Passes::of(gpu.clone(), Filter::declare(filter, &setup.config)?)?;
-            Ok(Running { filter, passes, times: Vec::new(), book: ScoreBook::new(setup.config.conventions) })
+            Ok(Running {
+                filter,
+                passes,
+                times: Vec::new(),
+                book: ScoreBook::new(setup.config.conventions, setup.shown, setup.step),
+            })
         };
         let mut running = filters.iter().map(start).collect::<Result<Vec<_>, _>>()?;
         let first_scored = files.len().saturating_sub(self.scored as usize);

@@ -1,0 +1,107 @@
+//! Guides with noise in them: fog, depth of field and motion blur mix what several surfaces have. A
+//! guide like that draws edges where there are none, and light that passes the filter by keeps its noise.
+
+use super::tiles::Pair;
+use crate::error::Result;
+use crate::frame::FrameInputs;
+use crate::motion;
+use crate::roles::Role;
+use crate::setup::Setup;
+
+/// The share of the tiles from which on a guide is left out.
+const NOISY: f32 = 0.35;
+/// The same where the motion of the surfaces is not known.
+const NOISY_UNKNOWN: f32 = 0.6;
+
+/// What is done about noise in a guide.
+#[derive(Clone, Copy, PartialEq)]
+enum Remedy {
+    /// Its average still steers the filter.
+    Smooth,
+    /// Light would be divided by it, or pass with its noise.
+    LeaveOut,
+}
+
+/// An image, the roles that it is made of, its value for comparison, between −1 and 1 or nearly so, and
+/// the remedy.
+type Guide = (&'static str, &'static [Role], fn([f32; 4]) -> f32, Remedy);
+
+const GUIDES: &[Guide] = &[
+    ("albedo", &[Role::Albedo, Role::DiffuseColour], mean, Remedy::LeaveOut),
+    ("specular_albedo", &[Role::SpecularAlbedo], mean, Remedy::Smooth),
+    ("emission", &[Role::Emission, Role::Environment], compressed, Remedy::LeaveOut),
+    ("normal", &[Role::Normal], slanted, Remedy::Smooth),
+];
+/// Averages of depths are of no surface.
+const DEPTH: [Role; 2] = [Role::Depth, Role::Position];
+
+fn mean([r, g, b, _]: [f32; 4]) -> f32 {
+    (r + g + b) / 3.0
+}
+
+fn compressed(light: [f32; 4]) -> f32 {
+    let v = mean(light).max(0.0);
+    v / (1.0 + v)
+}
+
+/// One number for a direction: no axis is left out, and none is opposite to another.
+fn slanted([x, y, z, _]: [f32; 4]) -> f32 {
+    0.5 * x + 0.7 * y + 0.3 * z
+}
+
+/// Leaves noisy guides out.
+///
+/// # Errors
+/// What cannot be filtered without them.
+pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
+    let [before, now] = pair;
+    if now.params.reset.is_some() {
+        return Ok(());
+    }
+    let surface = motion::of_frame(now, &before.params, &setup.config.conventions);
+    let is_known = setup.mapping.has(Role::Motion) || setup.sequence.is_some();
+    let limit = if is_known { NOISY } else { NOISY_UNKNOWN };
+    let share = |values: [Vec<f32>; 2]| {
+        let values = values.each_ref().map(Vec::as_slice);
+        Pair { extent: now.params.render_extent, values, motion_px: &surface.motion_px }.noisy_share()
+    };
+    let images = |name: &str, of: fn([f32; 4]) -> f32| {
+        let [a, b] = [before, now].map(|frame| frame.images.get(name));
+        a.zip(b).map(|(a, b)| [a, b].map(|texels| texels.iter().map(|t| of(*t)).collect()))
+    };
+    let is_open = |role: &Role| setup.mapping.has(*role) && !setup.is_named(*role);
+    let mut found = Vec::new();
+    for (name, roles, of, remedy) in GUIDES.iter().filter(|(_, roles, ..)| roles.iter().any(is_open)) {
+        found.push((*name, *roles, images(name, *of).map_or(0.0, share), *remedy));
+    }
+    let depth = if DEPTH.iter().any(is_open) { share([before, now].map(|frame| nearness(frame, setup))) } else { 0.0 };
+    found.push(("depth", &DEPTH, depth, Remedy::LeaveOut));
+    for (name, roles, noisy, remedy) in found.into_iter().filter(|(_, _, noisy, _)| *noisy > limit) {
+        let done = match remedy {
+            Remedy::Smooth => {
+                setup.smoothed.insert(name);
+                "smoothed"
+            }
+            Remedy::LeaveOut => {
+                setup.leave_out(roles)?;
+                "left out"
+            }
+        };
+        setup.note(format!(
+            "  note: {name} is noisy in {:.0} % of the picture, as it is behind fog and out of focus: {done}",
+            100.0 * noisy
+        ));
+    }
+    Ok(())
+}
+
+/// Depths between 0 and 1, the background at 1.
+fn nearness(frame: &FrameInputs, setup: &Setup) -> Vec<f32> {
+    let far = setup.config.conventions.background_depth;
+    let depths = frame.images.get("depth").map(Vec::as_slice).unwrap_or_default();
+    let is_surface = |z: f32| z.is_finite() && z > 0.0 && z < far;
+    let mut surfaces: Vec<f32> = depths.iter().map(|t| t[0]).filter(|z| is_surface(*z)).collect();
+    surfaces.sort_by(f32::total_cmp);
+    let middle = surfaces.get(surfaces.len() / 2).copied().unwrap_or(1.0);
+    depths.iter().map(|t| if is_surface(t[0]) { t[0] / (t[0] + middle) } else { 1.0 }).collect()
+}

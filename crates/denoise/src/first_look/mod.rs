@@ -1,0 +1,101 @@
+//! A look at the first frames, before any is filtered: what a renderer writes that is not as it seems.
+//! Each finding is told in a line, and the setup is made to fit it.
+
+mod depth;
+mod guides;
+mod noise;
+mod parts;
+mod tiles;
+
+use crate::check;
+use crate::error::Result;
+use crate::frame::{self, FrameInputs};
+use crate::frame_files::FrameFiles;
+use crate::range::{self, Range};
+use crate::roles::Role;
+use crate::setup::Setup;
+use crate::shown::Shown;
+
+/// Alpha is called noisy where so many of its pixels are between 0 and 1, and differ from those beside.
+const NOISY_ALPHA: f32 = 0.05;
+
+/// Looks at the first two frames, and at the last one for its range. Returns warnings. A frame that
+/// cannot be read is not looked at: the run names it when it comes to it, and keeps those before.
+///
+/// # Errors
+/// What cannot be filtered without what has to be left out.
+pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
+    let mut warnings = Vec::new();
+    if setup.is_verbatim() {
+        return Ok(conventions(frames, setup));
+    }
+    let findings = match frames.first().map(|first| frame::channels(first, setup)) {
+        Some(Ok((channels, _))) => parts::look(channels, setup),
+        _ => Vec::new(),
+    };
+    for finding in findings {
+        setup.leave_out(&finding.roles)?;
+        setup.note(finding.note);
+    }
+    if let Some(pair) = pair(frames, setup) {
+        guides::check(&pair, setup)?;
+    }
+    range(frames, setup);
+    if let Some(pair) = pair(frames, setup) {
+        warnings.extend(noise::check(&pair, setup));
+        depth::check(&pair, setup)?;
+        alpha(&pair[0], setup);
+    }
+    warnings.extend(conventions(frames, setup));
+    Ok(warnings)
+}
+
+/// The first two frames.
+fn pair(frames: &[FrameFiles], setup: &Setup) -> Option<[FrameInputs; 2]> {
+    let [first, second, ..] = frames else { return None };
+    Some([frame::load(first, setup).ok()?, frame::load(second, setup).ok()?])
+}
+
+/// The range of the first, the second and the last frame.
+fn range(frames: &[FrameFiles], setup: &mut Setup) {
+    let (mut pictures, mut reference) = (Vec::new(), None);
+    let looked_at = frames.iter().take(2).chain(frames.last().filter(|_| frames.len() > 2));
+    for frame in looked_at.filter_map(|files| frame::load(files, setup).ok()) {
+        reference = reference.or(frame.reference);
+        pictures.push(frame.noisy);
+    }
+    let shown = reference.map_or_else(|| range::shown(pictures.iter().flatten()), |r| range::shown(r.iter()));
+    setup.shown = Shown::new(&setup.header, shown);
+    setup.range = Range::of(pictures.iter().flatten());
+    let exponent = setup.range.exponent;
+    if exponent != 0 {
+        setup.note(format!(
+            "  note: the light is multiplied by 2^{exponent} for the filter, whose half floats end at 65504, and the result by 2^{}",
+            -exponent
+        ));
+    }
+}
+
+/// Says that noisy coverage is left as it is.
+fn alpha(frame: &FrameInputs, setup: &mut Setup) {
+    let Some(alpha) = &frame.alpha else { return };
+    let width = setup.config.allocated_extent[0] as usize;
+    let is_rough = |i: &usize| {
+        let partly = alpha[*i] > 0.0 && alpha[*i] < 1.0;
+        partly && alpha.get(i + 1).is_some_and(|next| (next - alpha[*i]).abs() > 0.1) && (i + 1) % width != 0
+    };
+    let share = (0..alpha.len()).filter(is_rough).count() as f32 / alpha.len().max(1) as f32;
+    if share > NOISY_ALPHA {
+        setup.note("  note: alpha is noisy; it is left as it is, since only light is filtered".into());
+    }
+}
+
+/// Mistakes of the conventions in the first pair, where matrices and depth are there.
+fn conventions(frames: &[FrameFiles], setup: &Setup) -> Vec<String> {
+    let has_depth = setup.mapping.has(Role::Depth) || setup.mapping.has(Role::Position);
+    if setup.sequence.is_none() || !has_depth || frames.len() < 2 {
+        return Vec::new();
+    }
+    let reports = check::run(&frames[..2], setup).unwrap_or_default();
+    reports.iter().flat_map(|(.., report)| check::mistakes(report, &check::declared(setup))).collect()
+}

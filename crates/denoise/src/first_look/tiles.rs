@@ -1,0 +1,80 @@
+//! Noise in an image, told from what surfaces explain: in tiles where most pixels differ from those
+//! beside them, and as much from the same place of the frame before, there is nothing but noise.
+
+/// Side of a tile, pixels.
+const TILE: usize = 16;
+/// A pixel differs from those beside it where their deviation is above this share of their mean.
+const DIFFERS: f32 = 0.02;
+/// The least mean that a deviation is compared with.
+const LEAST_MEAN: f32 = 0.01;
+/// The share of such pixels in a noisy tile.
+const ROUGH: f32 = 0.5;
+/// The least ratio of the change between frames to that between neighbours in a noisy tile.
+const UNSTEADY: f32 = 0.7;
+
+/// An image of one value a pixel, in two frames, with the motion from the second to the first.
+pub struct Pair<'a> {
+    pub extent: [u32; 2],
+    pub values: [&'a [f32]; 2],
+    pub motion_px: &'a [[f32; 2]],
+}
+
+impl Pair<'_> {
+    /// The share of tiles that are noise.
+    pub fn noisy_share(&self) -> f32 {
+        let [width, height] = self.extent.map(|side| side as usize);
+        let (mut noisy, mut all) = (0usize, 0usize);
+        for y in (0..height.saturating_sub(TILE - 1)).step_by(TILE) {
+            for x in (0..width.saturating_sub(TILE - 1)).step_by(TILE) {
+                if let Some(is_noise) = self.is_noise(x, y) {
+                    all += 1;
+                    noisy += usize::from(is_noise);
+                }
+            }
+        }
+        noisy as f32 / all.max(1) as f32
+    }
+
+    /// Whether a tile is noise; none where too little of it was there in the frame before.
+    fn is_noise(&self, left: usize, top: usize) -> Option<bool> {
+        let (mut seen, mut rough, mut between_frames, mut beside) = (0usize, 0usize, 0.0, 0.0);
+        for y in top..top + TILE {
+            for x in left..left + TILE {
+                let Some(change) = self.change(x, y) else { continue };
+                seen += 1;
+                let (mean, deviation) = self.around(x, y);
+                if deviation > DIFFERS * mean.abs().max(LEAST_MEAN) {
+                    rough += 1;
+                    between_frames += change;
+                    beside += deviation;
+                }
+            }
+        }
+        let is_noise = rough as f32 > ROUGH * seen as f32 && between_frames > UNSTEADY * beside;
+        (2 * seen >= TILE * TILE).then_some(is_noise)
+    }
+
+    /// The difference of a pixel from its place in the frame before.
+    fn change(&self, x: usize, y: usize) -> Option<f32> {
+        let [width, height] = self.extent.map(|side| side as usize);
+        let i = y * width + x;
+        let [mx, my] = self.motion_px.get(i).copied().unwrap_or_default();
+        let (px, py) = ((x as f32 + mx).round(), (y as f32 + my).round());
+        let is_inside = px >= 0.0 && py >= 0.0 && px < width as f32 && py < height as f32;
+        is_inside.then(|| (self.values[1][i] - self.values[0][py as usize * width + px as usize]).abs())
+    }
+
+    /// Mean and deviation of the 3x3 pixels around one.
+    fn around(&self, x: usize, y: usize) -> (f32, f32) {
+        let [width, height] = self.extent.map(|side| side as usize);
+        let (mut sum, mut squares, mut count) = (0.0, 0.0, 0.0);
+        for q in y.saturating_sub(1)..(y + 2).min(height) {
+            for p in x.saturating_sub(1)..(x + 2).min(width) {
+                let v = self.values[1][q * width + p];
+                (sum, squares, count) = (sum + v, squares + v * v, count + 1.0);
+            }
+        }
+        let mean: f32 = sum / count;
+        (mean, (squares / count - mean * mean).max(0.0).sqrt())
+    }
+}

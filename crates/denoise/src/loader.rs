@@ -1,0 +1,105 @@
+//! Frames one after the other: what a frame lacks and the one before it has.
+
+use crate::error::Result;
+use crate::frame::{self, FrameInputs};
+use crate::frame_files::FrameFiles;
+use crate::motion::{self, SurfaceMotion};
+use crate::setup::Setup;
+use atrous::config::{Conventions, MotionDepth};
+use atrous::FrameParams;
+
+/// Pixels between the motion of a surface and that of the still world from which on it moves by itself.
+const MOVES: f32 = 0.5;
+/// Relative difference of depths up to which a pixel of the frame before shows the same surface,
+/// where there are no ids.
+const SAME: f32 = 0.1;
+
+/// Reads frames in order.
+pub struct Loader<'a> {
+    setup: &'a Setup,
+    previous: Option<(u64, FrameParams, SurfaceMotion)>,
+}
+
+impl<'a> Loader<'a> {
+    /// A loader that has read nothing.
+    pub fn new(setup: &'a Setup) -> Self {
+        Self { setup, previous: None }
+    }
+
+    /// Reads the next frame.
+    ///
+    /// # Errors
+    /// Errors of [`frame::load`].
+    pub fn load(&mut self, files: &FrameFiles) -> Result<FrameInputs> {
+        let mut inputs = frame::load(files, self.setup)?;
+        if self.setup.carries_depth {
+            let previous = self.previous.take().filter(|(number, ..)| number + self.setup.step == inputs.number);
+            let before = previous.as_ref().map_or(inputs.params, |(_, params, _)| *params);
+            let surface = motion::of_frame(&inputs, &before, &without_depth(self.setup));
+            let still = StillWorld::of(&inputs, &before, self.setup);
+            let depths = previous_depths(&surface, &still, previous.as_ref().map(|p| &p.2), inputs.params.render_extent);
+            for (texel, z) in inputs.images.get_mut("motion").into_iter().flatten().zip(depths) {
+                texel[2] = z;
+            }
+            self.previous = Some((inputs.number, inputs.params, surface));
+        }
+        Ok(inputs)
+    }
+}
+
+/// The conventions of the files: their motion has no depth.
+fn without_depth(setup: &Setup) -> Conventions {
+    Conventions { motion_depth: MotionDepth::None, ..setup.config.conventions }
+}
+
+/// Motion and previous depths of the surfaces, if none moved by itself.
+pub struct StillWorld(SurfaceMotion);
+
+impl StillWorld {
+    /// By depth and matrices alone.
+    pub fn of(inputs: &FrameInputs, before: &FrameParams, setup: &Setup) -> Self {
+        Self(motion::of_still(inputs, before, &without_depth(setup)))
+    }
+}
+
+/// The depth that each surface had in the frame before: that of the pixel where the motion leads, where
+/// it moves by itself; that of the still world otherwise.
+pub fn previous_depths(
+    surface: &SurfaceMotion,
+    still: &StillWorld,
+    previous: Option<&SurfaceMotion>,
+    [width, height]: [u32; 2],
+) -> Vec<f32> {
+    let depth = |i: usize| {
+        let expected = still.0.previous_depth[i];
+        if !surface.is_surface[i] {
+            return expected;
+        }
+        let ([x, y], [sx, sy]) = (surface.motion_px[i], still.0.motion_px[i]);
+        let Some(previous) = previous.filter(|_| (x - sx).hypot(y - sy) > MOVES) else { return expected };
+        let now = surface.depth[i];
+        let is_same = |q: usize| match surface.id[i] {
+            // Without ids, all are 0.
+            0 => (previous.depth[q] - now).abs() <= SAME * now,
+            id => previous.id[q] == id,
+        };
+        let at = [(i as u32 % width) as f32 + x, (i as u32 / width) as f32 + y];
+        mean_around(at, [width, height], |q| is_same(q).then(|| previous.depth[q])).unwrap_or(expected)
+    };
+    (0..surface.depth.len()).map(depth).collect()
+}
+
+/// The mean of the four pixels around a place, as far as they have a value, by their nearness.
+fn mean_around([x, y]: [f32; 2], [width, height]: [u32; 2], value: impl Fn(usize) -> Option<f32>) -> Option<f32> {
+    let (left, top) = (x.floor(), y.floor());
+    let (mut sum, mut weights) = (0.0, 0.0);
+    for (dx, dy) in [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)] {
+        let (px, py) = (left + dx, top + dy);
+        let is_inside = px >= 0.0 && py >= 0.0 && px < width as f32 && py < height as f32;
+        let weight = (1.0 - (x - px).abs()) * (1.0 - (y - py).abs());
+        if let Some(z) = is_inside.then(|| value(py as usize * width as usize + px as usize)).flatten() {
+            (sum, weights) = (sum + weight * z, weights + weight);
+        }
+    }
+    (weights > 0.0).then(|| sum / weights)
+}

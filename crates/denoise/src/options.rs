@@ -1,0 +1,50 @@
+//! The options of a run, without the command line that they came by.
+
+use crate::roles::Role;
+use crate::sampling::Pattern;
+use atrous::config::{Preset, Signals};
+use std::path::PathBuf;
+
+/// Options of the user that the setup takes.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Channels by role.
+    pub channels: Vec<(Role, String)>,
+    /// View layer to read alone.
+    pub view_layer: Option<String>,
+    /// Another `sequence.json`.
+    pub camera: Option<PathBuf>,
+    /// Conventions by key.
+    pub conventions: Vec<(String, String)>,
+    /// Signals, where not by what the file has.
+    pub signals: Option<Signals>,
+    /// À-trous levels, where not the default.
+    pub levels: Option<u32>,
+    /// Filter, where not that of a capture, or [`Preset::default`].
+    pub preset: Option<Preset>,
+    /// Side of the strata, where not the default.
+    pub stratum_size: Option<u32>,
+    /// Pixels whose samples are kept, where not all.
+    pub sampling: Option<Pattern>,
+    /// Tunables, on top of those of the sequence.
+    pub tunables: Vec<(String, f32)>,
+    /// The step of the numbers of frames, where not 1.
+    pub step: Option<u64>,
+    /// The form of the results.
+    pub made: Made,
+}
+
+/// The form of the results: what a frame is made with beside the filter.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Made {
+    /// By the CPU engine, not by a device.
+    pub reference: bool,
+    /// In 32-bit floats.
+    pub float: bool,
+    /// The exposure of previews, where they are written.
+    pub preview: Option<f32>,
+    /// With debug views.
+    pub views: bool,
+    /// With the other layers of the input.
+    pub keeps_layers: bool,
+}
