@@ -28,6 +28,8 @@ PASSES = {
     "Emit": "use_pass_emit",
     "Env": "use_pass_environment",
 }
+# The same of Cycles' own settings of a view layer. The denoising passes have the light that glass and hair pass on.
+CYCLES_PASSES = ("denoising_store_passes", "use_pass_volume_direct", "use_pass_volume_indirect")
 # The largest index that an object can have.
 LARGEST_INDEX = 32767
 
@@ -56,6 +58,11 @@ def set_passes(scene):
     for layer in (layer for layer in scene.view_layers if layer.use):
         for attribute in PASSES.values():
             setattr(layer, attribute, True)
+        for attribute in CYCLES_PASSES:
+            # Blender has moved some of them from one to the other.
+            for owner in (layer.cycles, layer):
+                if hasattr(owner, attribute):
+                    setattr(owner, attribute, True)
 
 
 def set_indices(objects):
