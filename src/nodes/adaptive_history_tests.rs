@@ -11,7 +11,7 @@ use crate::Tuning;
 
 const EXTENT: [u32; 2] = [44, 35];
 
-/// Samples of diffuse light at one sample a pixel: most are 0, few are bright; mean 1.
+/// Samples of diffuse light at one sample per pixel: most are 0, few are bright; mean 1.
 fn one_sample(seed: u32) -> Image<[f32; 4]> {
     noise(EXTENT, seed).map(|t| if t[0] < 0.7 { [0.0; 4] } else { [(t[0] - 0.7) / 0.045; 4] })
 }
@@ -50,7 +50,7 @@ fn both_rules_see_a_light_that_goes_out() {
     assert!(published < 0.05 && test < 0.05, "{published} {test}");
 }
 
-/// The published rule's low percentile is 0 at one sample a pixel: no history falls below it.
+/// The published rule's low percentile is 0 at one sample per pixel: no history falls below it.
 #[test]
 fn only_the_test_sees_a_light_that_comes_on() {
     let (published, test) = confidence(0.05, 1.0);

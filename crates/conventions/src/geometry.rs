@@ -7,7 +7,7 @@ use glam::{Mat4, Vec4};
 /// Factors between units of length: metres, centimetres, millimetres, decimetres, feet, inches.
 const UNITS: [f32; 10] = [0.01, 100.0, 0.001, 1000.0, 0.1, 10.0, 0.3048, 3.280_84, 0.0254, 39.370_08];
 
-/// Depth and matrices as a host declares them, or as it should have.
+/// Depth and matrices as declared, or as they should be.
 #[derive(Clone, Debug)]
 pub(super) struct Geometry {
     /// The mistake in the declared geometry; empty for the declared one itself.
@@ -167,7 +167,7 @@ impl Geometry {
     }
 }
 
-/// Takes out of the projection what shows a point x of the image at x − jitter.
+/// Removes a jitter from the projection, which shows a point x of the image at x − jitter.
 fn unjitter(params: &mut FrameParams, sign: f32) {
     let mut clip = Mat4::from_cols_array_2d(&params.clip_from_view);
     for i in 0..2 {

@@ -1,4 +1,4 @@
-//! One geometry held against two frames, and what follows from that for motion and normals.
+//! One geometry tested on two frames, and the consequences for motion and normals.
 
 use crate::contest::{self, explained, judge, median, Outcome, Residuals, Rule, Votes, DEPTH, MOTION, NORMALS};
 use crate::evidence::{Affine, Pair, Point, Scene};
@@ -55,7 +55,7 @@ impl<'a> Trial<'a> {
         [(Measure::Depth, DEPTH, &self.depth), (Measure::Motion, MOTION, &self.motion), (Measure::Normals, NORMALS, &self.normals)]
     }
 
-    /// The votes of each measure between this geometry and another one.
+    /// The votes of each measure between this geometry and a different one.
     fn votes(&self, other: &Self) -> [(Measure, Votes); 3] {
         let others = other.measures();
         let mut i = 0;
@@ -175,7 +175,7 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// Votes of the pixels where a host that means one of the two would be read otherwise by the other one.
+    /// Votes of the pixels where the two readings of a host's motion differ.
     fn motion_votes(&self, a: &(MotionReading, Affine, Residuals), b: &(MotionReading, Affine, Residuals)) -> Votes {
         let mut votes = Votes::default();
         for ((point, first), second) in self.points.iter().zip(&a.2).zip(&b.2) {
@@ -237,8 +237,9 @@ impl Contest {
         Self { votes: pairwise(0, champion), outcomes, champion }
     }
 
-    /// The finding: a mistake where another candidate won; agreement where a decisive one was ruled out. `name` says what is wrong
-    /// and what to change; those that are single mistakes and could not be told apart are listed.
+    /// The finding: a mistake where another candidate won; agreement where a decisive one was ruled
+    /// out. `name` gives the mistake and the remedy; single mistakes that could not be told apart
+    /// are listed.
     pub(super) fn finding(
         &self,
         measure: Measure,
@@ -271,7 +272,8 @@ fn champion(outcomes: &[Outcome], outcome: impl Fn(usize, usize) -> Outcome) -> 
     winners.reduce(|champion, other| if outcome(champion, other) == Outcome::Second { other } else { champion }).unwrap_or(0)
 }
 
-/// Whether depth and matrices are as declared; and what fits instead, where something clearly does.
+/// Whether depth and matrices are as declared; and the encoding that clearly fits instead, if there
+/// is one.
 pub(super) fn geometry_finding<'t, 'a>(declared: &Trial<'a>, alternatives: &'t [Trial<'a>]) -> (Finding, Option<&'t Trial<'a>>) {
     let outcomes: Vec<_> =
         std::iter::once(Outcome::Undecided).chain(alternatives.iter().map(|other| declared.against(other))).collect();
