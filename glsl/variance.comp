@@ -4,7 +4,8 @@
 // In:  guide, depth_gradient, new_moments. In place: filter_ping: accumulated irradiance, its alpha from history length to deviation, own
 //      pixel only. Out: moments, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
-// past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours). VOLUME: weights by the depth of the surface behind alone; the background takes part.
+// past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
+// repeat each other, so that what is smooth may be noise as well. VOLUME: weights by the depth of the surface behind alone; the background takes part.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -14,6 +15,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const uint ESTIMATOR = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
+layout(constant_id = 3) const bool FILLED = false;
 
 layout(push_constant) uniform Push {
     float sigma_n;
@@ -120,6 +122,9 @@ void weigh(ivec2 p, GuideBits packed, out float weights[PIXELS]) {
     }
 }
 
+// Where neighbours repeat each other they differ by less than their noise.
+const float FILLED_NOISE = 2.0;
+
 // Estimates from 5x5 pixels of how the luminance of one of them varies.
 struct Surroundings {
     float within;  // variance of the samples that a mean was made of
@@ -153,7 +158,7 @@ Surroundings surroundings_of(vec2 moments[PIXELS], float weights[PIXELS]) {
     spread /= sum;
     float kurtosis = fourth / max(sum * spread * spread, 1e-36);
     // White noise bends by six times its variance.
-    float noise = triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
+    float noise = FILLED ? FILLED_NOISE * spread : triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
     return Surroundings(within / sum, noise, sqrt(max(kurtosis - 1.0, 0.0) / sum));
 }
 

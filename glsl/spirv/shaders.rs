@@ -821,6 +821,7 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("FILLED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
@@ -847,6 +848,7 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("FILLED"), id: 3, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {

@@ -72,6 +72,10 @@ impl<K> Port<K> {
     pub(crate) fn cast<L>(self) -> Port<L> {
         Port { images: self.images, count: self.count, holes: false, kind: PhantomData }
     }
+
+    pub(crate) fn has_filled_holes(&self) -> bool {
+        self.holes
+    }
 }
 
 /// Kinds of a [`Port`]: the content of its images.
@@ -168,9 +172,13 @@ impl Irradiance {
         self.holes = true;
         self
     }
+}
 
-    pub(crate) fn has_filled_holes(&self) -> bool {
-        self.holes
+impl Accumulated {
+    /// Remembers whether pixels were filled in, for the estimate of their variance.
+    pub(crate) fn with_holes_of(mut self, irradiance: &Irradiance) -> Self {
+        self.holes = irradiance.holes;
+        self
     }
 }
 

@@ -73,7 +73,7 @@ impl Graph {
             pass = pass.bind("object_normal", normal).previous("previous_object_normal", normal);
         }
         self.add(pass);
-        self.renewed(irradiance).cast()
+        self.renewed(irradiance).cast::<crate::graph::kind::Accumulated>().with_holes_of(irradiance)
     }
 
     /// Accumulates the radiance of a volume in place, along its own motion, tested by the depth of the surface behind alone

@@ -41,6 +41,7 @@ impl Graph {
         let node = self.node("variance", &self.label_of(accumulated));
         let pass = pass(&node, by_signals(accumulated, &shaders::VARIANCE_SIGNALS_1, &shaders::VARIANCE_SIGNALS_2))
             .constant("ESTIMATOR", variance.estimator as u32)
+            .constant("FILLED", u32::from(accumulated.has_filled_holes()))
             .value("spatial_variance_frames", variance.spatial_variance_frames)
             .value("volume_sigma_z", UNREAD)
             .bind("guide", guides.guide)

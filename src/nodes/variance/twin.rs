@@ -15,7 +15,7 @@ mod of_mean;
 #[cfg(test)]
 mod tests;
 
-use of_mean::deviation_of_mean;
+use of_mean::{deviation_of_filled_mean, deviation_of_mean};
 
 /// Radius of the neighbourhood of \[SVGF\], pixels: 7×7.
 const RADIUS: i32 = 3;
@@ -131,6 +131,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let deviation: Deviation = match b.constant("ESTIMATOR")? {
         0 => deviation,
         1 => faded_deviation,
+        3 if b.is_on("FILLED")? => deviation_of_filled_mean,
         3 => deviation_of_mean,
         _ => |_, _, _, moments, p| moments.at(p).deviation,
     };

@@ -15,6 +15,9 @@ const DOUBT: f32 = 3.0;
 /// Of the noise that neighbouring means still show: noise that repeats is not averaged away, and few neighbours show too little of it.
 const SEEN_NOISE: f32 = 1.75;
 
+/// Where neighbours repeat each other they differ by less than their noise.
+const FILLED_NOISE: f32 = 2.0;
+
 /// White noise bends by six times its variance: `(l₊ − 2l + l₋)²`.
 const BEND_OF_NOISE: f32 = 6.0;
 
@@ -36,8 +39,25 @@ pub(super) fn deviation_of_mean(
     moments: &Image<Moments>,
     p: IVec2,
 ) -> f32 {
-    let centre = moments.at(p);
     let around = surroundings(frame, geometry, moments, p);
+    let bend = bend(RenderRect::new(frame.render_extent), geometry, moments, p);
+    let noise = bend.map_or(around.noise, |bend| around.noise.min(bend / BEND_OF_NOISE));
+    deviation(tuning, moments.at(p), Surroundings { noise, ..around })
+}
+
+/// The same where pixels were filled in: they repeat their neighbours, so that what is smooth may be noise as well.
+pub(super) fn deviation_of_filled_mean(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    moments: &Image<Moments>,
+    p: IVec2,
+) -> f32 {
+    let around = surroundings(frame, geometry, moments, p);
+    deviation(tuning, moments.at(p), Surroundings { noise: FILLED_NOISE * around.noise, ..around })
+}
+
+fn deviation(tuning: &Tuning, centre: Moments, around: Surroundings) -> f32 {
     let share = (tuning.spatial_variance_frames / centre.history_length).min(1.0);
     let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / centre.history_length);
     let of_sample = share * spatial + (1.0 - share) * centre.deviation * centre.deviation;
@@ -45,6 +65,7 @@ pub(super) fn deviation_of_mean(
     (of_sample * averaging).max(SEEN_NOISE * around.noise).sqrt()
 }
 
+/// With the structure that they show.
 fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> Surroundings {
     let rect = RenderRect::new(frame.render_extent);
     let window: Vec<(f32, Moments)> =
@@ -55,8 +76,7 @@ fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Mom
     let mean = mean_of(&|m| m.mean);
     let spread = mean_of(&|m| (m.mean - mean).powi(2));
     let kurtosis = mean_of(&|m| (m.mean - mean).powi(4)) / (spread * spread).max(1e-36);
-    let noise = bend(rect, geometry, moments, p).map_or(spread, |bend| spread.min(bend / BEND_OF_NOISE));
-    Surroundings { within, noise, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
+    Surroundings { within, noise: spread, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
 }
 
 /// Mean of the squared second differences of neighbours along x and y, all of the surface of the centre; none where there are too few.

@@ -75,3 +75,14 @@ fn another_surface_says_nothing() {
     assert!(deviations(&edge, &moments).iter().all(|deviation| *deviation < 1e-3));
     assert!(deviations(&flat(), &moments).iter().any(|deviation| *deviation > 10.0));
 }
+
+#[test]
+fn what_was_filled_in_may_be_noise_though_it_is_smooth() {
+    let slope = paint(EXTENT, |x, _| of(0.25 * x as f32, 0.0, 1.0));
+    let (tuning, frame, guides) = (Tuning::default(), frame(EXTENT), flat());
+    let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
+    let at = |deviation: fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32| {
+        deviation(&frame, &tuning, &geometry, &slope, IVec2::splat(20))
+    };
+    assert!(at(deviation_of_mean) < 1e-4 && at(deviation_of_filled_mean) > 0.25);
+}
