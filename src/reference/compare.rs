@@ -25,7 +25,7 @@ pub(crate) struct Tolerance {
 
 /// The reading of a texel as numbers that can be compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Values {
+pub(crate) enum Reading {
     /// The values as they are: floats, or packed bits 16 at a time.
     Plain,
     /// Red, green and blue alone.
@@ -58,7 +58,7 @@ pub(crate) enum Values {
 
 /// The unit that an image has a texel for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Per {
+pub(crate) enum Unit {
     /// Every pixel.
     Pixel,
     /// Every 8×8 pixels.
@@ -71,7 +71,7 @@ pub(crate) enum Per {
 
 /// The passes of a stage for which a rule holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum When {
+pub(crate) enum Condition {
     /// All passes.
     Always,
     /// Passes whose specialisation constant has this value.
@@ -86,13 +86,13 @@ pub(crate) struct Rule {
     /// Name of the binding.
     pub binding: &'static str,
     /// The unit that it has a texel for.
-    pub per: Per,
+    pub per: Unit,
     /// The reading of a texel as numbers.
-    pub values: Values,
+    pub values: Reading,
     /// The difference that they may have.
     pub tolerance: Tolerance,
     /// The passes for which it holds.
-    pub when: When,
+    pub when: Condition,
 }
 
 impl Rule {
@@ -100,9 +100,9 @@ impl Rule {
     pub(crate) fn holds(&self, constants: &[(&str, u32)]) -> bool {
         let value = |name: &str| constants.iter().find(|c| c.0 == name).map(|c| c.1);
         match self.when {
-            When::Always => true,
-            When::Is(name, wanted) => value(name) == Some(wanted),
-            When::IsNot(name, other) => value(name) != Some(other),
+            Condition::Always => true,
+            Condition::Is(name, wanted) => value(name) == Some(wanted),
+            Condition::IsNot(name, other) => value(name) != Some(other),
         }
     }
 
@@ -117,10 +117,10 @@ impl Rule {
             return Err(format!("{what}: the GPU wrote {} of {a:?}, the twin {} of {b:?}", kinds[0], kinds[1]));
         }
         let extent = match self.per {
-            Per::Pixel => render_extent,
-            Per::Block => render_extent.map(|side| side.div_ceil(BLOCK_SIZE)),
-            Per::Stratum => render_extent.map(|side| side.div_ceil(stratum_size.max(1))),
-            Per::Buffer => gpu.extent(),
+            Unit::Pixel => render_extent,
+            Unit::Block => render_extent.map(|side| side.div_ceil(BLOCK_SIZE)),
+            Unit::Stratum => render_extent.map(|side| side.div_ceil(stratum_size.max(1))),
+            Unit::Buffer => gpu.extent(),
         };
         let (mut differ, mut first) = (0_usize, None);
         for y in 0..extent[1] as i32 {
@@ -159,7 +159,7 @@ fn padded<const N: usize>(values: [f32; N]) -> Numbers {
     std::array::from_fn(|i| values.get(i).copied().unwrap_or(0.0))
 }
 
-impl Values {
+impl Reading {
     /// The numbers of the texel at `p`.
     fn of(self, texels: &Texels, p: IVec2) -> Numbers {
         match texels {
@@ -226,7 +226,7 @@ mod tests {
     use super::*;
 
     fn rule(tolerance: Tolerance) -> Rule {
-        Rule { binding: "output_0", per: Per::Pixel, values: Values::Plain, tolerance, when: When::Always }
+        Rule { binding: "output_0", per: Unit::Pixel, values: Reading::Plain, tolerance, when: Condition::Always }
     }
 
     const EXACT: Tolerance = Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.0 };
@@ -243,7 +243,7 @@ mod tests {
         assert!(rule(EXACT).compare(1, [5, 8], &plain, &changed).is_ok());
         let message = rule(EXACT).compare(1, [6, 8], &plain, &changed).expect_err("one texel");
         assert!(message.contains("5,1") && message.contains("1 texels"), "{message}");
-        let strata = Rule { per: Per::Stratum, ..rule(EXACT) };
+        let strata = Rule { per: Unit::Stratum, ..rule(EXACT) };
         assert!(strata.compare(3, [15, 6], &plain, &changed).is_ok());
         assert!(strata.compare(3, [16, 6], &plain, &changed).is_err());
     }

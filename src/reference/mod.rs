@@ -60,7 +60,7 @@ pub use image::Image;
 pub use luminance::luminance;
 pub use moments::{unpack_moments, Moments, Reason};
 pub use octahedral::decode_normal;
-pub use pass::Written;
+pub use pass::TwinOutputs;
 pub use projection::Projections;
 pub use reflection::{unpack_reflection, SeenReflection};
 pub use reprojection::{motion_in_pixels, InstanceTransform};

@@ -47,7 +47,7 @@ impl Dispatch {
 }
 
 /// The output of a twin: uses of the pass, by index, with their texels.
-pub type Written = Vec<(usize, Texels)>;
+pub type TwinOutputs = Vec<(usize, Texels)>;
 
 impl Declaration {
     /// Runs the twin of a pass on texels that `read` gives for its uses, and returns what it wrote. `None` where the pass runs no
@@ -61,7 +61,7 @@ impl Declaration {
         frame: &FrameContext,
         pass: usize,
         read: impl Fn(&Use) -> Option<&'t Texels>,
-    ) -> Result<Option<Written>, Error> {
+    ) -> Result<Option<TwinOutputs>, Error> {
         let Some((pass, dispatch)) = self.passes().get(pass).and_then(|p| Some((p, p.dispatch()?))) else { return Ok(None) };
         let stage = &*dispatch.shader.stage;
         let twin = dispatch.on_cpu().ok_or_else(|| without_twin(stage))?.twin;

@@ -1,6 +1,6 @@
 //! Rules by which outputs of stages are compared with the GPU: named tolerances with their reasons, and rules of more than a line.
 
-use super::compare::{Per, Rule, Tolerance, Values, When};
+use super::compare::{Condition, Reading, Rule, Tolerance, Unit};
 
 pub(crate) const EXACT: Tolerance = Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.0 };
 
@@ -10,7 +10,7 @@ pub(crate) const HALF: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-5,
 /// Light is rounded by the shader, whatever the device's stores do: most texels are equal to the bit, and others had values on either side
 /// of the middle of two halves. Of a device that cut bits off half of them would differ.
 pub(crate) const fn rounded(binding: &'static str) -> Rule {
-    rule(binding, Per::Pixel, Values::Rgb, Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.25 })
+    rule(binding, Unit::Pixel, Reading::Rgb, Tolerance { relative: 0.0, absolute: 0.0, outliers: 0.25 })
 }
 
 /// A tap's test may fall the other way where a value lies on its threshold.
@@ -25,19 +25,19 @@ pub(crate) const STEP: Tolerance = Tolerance { relative: 1e-5, absolute: 5e-3, o
 /// Slopes are steep: a step of a half float in a percentile or a deviation moves the result by more than one.
 pub(crate) const STEEP: Tolerance = Tolerance { absolute: 5e-3, outliers: 2e-3, ..HALF };
 
-pub(crate) const fn rule(binding: &'static str, per: Per, values: Values, tolerance: Tolerance) -> Rule {
-    Rule { binding, per, values, tolerance, when: When::Always }
+pub(crate) const fn rule(binding: &'static str, per: Unit, values: Reading, tolerance: Tolerance) -> Rule {
+    Rule { binding, per, values, tolerance, when: Condition::Always }
 }
 
 pub(crate) const fn pixels(binding: &'static str, tolerance: Tolerance) -> Rule {
-    rule(binding, Per::Pixel, Values::Plain, tolerance)
+    rule(binding, Unit::Pixel, Reading::Plain, tolerance)
 }
 
 pub(crate) const fn strata(binding: &'static str, tolerance: Tolerance) -> Rule {
-    rule(binding, Per::Stratum, Values::Plain, tolerance)
+    rule(binding, Unit::Stratum, Reading::Plain, tolerance)
 }
 
-pub(crate) const STATISTICS: Rule = rule("statistics", Per::Buffer, Values::Plain, EXACT);
+pub(crate) const STATISTICS: Rule = rule("statistics", Unit::Buffer, Reading::Plain, EXACT);
 
 pub(crate) const FILTERED: &[Rule] =
     &[pixels("output_0", WEIGHTED), pixels("output_1", WEIGHTED), rounded("output_0"), rounded("output_1")];

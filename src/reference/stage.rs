@@ -51,14 +51,14 @@ pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Te
 
 #[cfg(test)]
 mod tests {
-    use super::super::compare::{Tolerance, When};
+    use super::super::compare::{Condition, Tolerance};
     use super::super::rules::{pixels, EXACT};
     use super::super::Image;
     use super::*;
 
     const RULES: &[Rule] = &[
-        Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", EXACT) },
-        Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 0.1, ..EXACT }) },
+        Rule { when: Condition::IsNot("SOURCE", 1), ..strata("gradient", EXACT) },
+        Rule { when: Condition::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 0.1, ..EXACT }) },
         pixels("display", EXACT),
     ];
 

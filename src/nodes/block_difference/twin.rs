@@ -3,7 +3,7 @@
 use crate::reference::binary16::{from_half_bits, half_bits, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
-use crate::reference::compare::{Per, Rule, Tolerance, Values};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
 use crate::reference::nearest_history::HistoryGuides;
@@ -75,7 +75,7 @@ fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.
 pub(crate) const RULES: &[Rule] =
-    &[rule("block_difference", Per::Block, Values::Halves, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
+    &[rule("block_difference", Unit::Block, Reading::Halves, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

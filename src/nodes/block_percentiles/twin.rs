@@ -3,7 +3,7 @@
 use crate::reference::binary16::{from_half_bits, half_bits, store};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
-use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::guide::unpack_guide;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::rules::{rule, HALF};
@@ -66,7 +66,7 @@ pub(crate) fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs:
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[rule("block_percentiles", Per::Block, Values::Halves, HALF)];
+pub(crate) const RULES: &[Rule] = &[rule("block_percentiles", Unit::Block, Reading::Halves, HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

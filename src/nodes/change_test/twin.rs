@@ -5,7 +5,7 @@ use crate::nodes::block_difference::twin::unpack_difference;
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
-use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::rules::{pixels, rule, STEEP};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
@@ -73,7 +73,7 @@ fn errors([sum, variance, brighter]: [f32; 3]) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", STEEP), rule("steadiness", Per::Block, Values::Plain, STEEP)];
+pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", STEEP), rule("steadiness", Unit::Block, Reading::Plain, STEEP)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -2,7 +2,7 @@
 
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::kept_radiance::{finite_radiance, is_finite, kept_radiance, pack_halves};
 use crate::reference::luminance::{luminance, HOLE};
@@ -164,8 +164,8 @@ pub(crate) const RULES: &[Rule] = &[
     pixels("irradiance_1", HALF),
     rounded("irradiance_0"),
     rounded("irradiance_1"),
-    rule("noisy_luminance", Per::Pixel, Values::Halves, HALF),
-    rule("noisy_red_blue", Per::Pixel, Values::Halves, HALF),
+    rule("noisy_luminance", Unit::Pixel, Reading::Halves, HALF),
+    rule("noisy_red_blue", Unit::Pixel, Reading::Halves, HALF),
 ];
 
 /// Runs the stage on the bindings of a pass.

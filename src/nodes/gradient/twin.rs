@@ -4,7 +4,7 @@
 use crate::nodes::demodulate::twin::luminances;
 use crate::reference::binary16::{from_half_bits, round_to_half, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Rule, Tolerance, When};
+use crate::reference::compare::{Condition, Rule, Tolerance};
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
 use crate::reference::kept_radiance::{is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
@@ -243,8 +243,8 @@ const LIGHT: Tolerance = Tolerance { relative: 5e-3, absolute: 5e-3, outliers: 2
 
 /// The stage looks for a surface in re-shaded images, as a tap is looked for.
 pub(crate) const RULES: &[Rule] = &[
-    Rule { when: When::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
-    Rule { when: When::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
+    Rule { when: Condition::IsNot("SOURCE", 1), ..strata("gradient", CHANGE) },
+    Rule { when: Condition::Is("SOURCE", 1), ..strata("gradient", Tolerance { outliers: 2e-3, ..CHANGE }) },
     strata("gradient_guide", EXACT),
     strata("light_before", LIGHT),
     strata("light_now", LIGHT),

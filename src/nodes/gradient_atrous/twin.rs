@@ -3,7 +3,7 @@
 use crate::nodes::atrous::twin::LUMINANCE_EPSILON;
 use crate::reference::binary16::round_to_half;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Rule, Tolerance, When};
+use crate::reference::compare::{Condition, Rule, Tolerance};
 use crate::reference::geometry_weights::depth_and_normal_weight;
 use crate::reference::guide::unpack_guide;
 use crate::reference::light_ratio::sample_coherence;
@@ -206,8 +206,8 @@ fn pixel_of(strata: Strata, gradient_guide: &Image<[u16; 4]>, s: IVec2) -> IVec2
 pub(crate) const RULES: &[Rule] = &[
     strata("gradient_out", WEIGHTED),
     strata("now_out", WEIGHTED),
-    Rule { when: When::IsNot("LAST", 1), ..strata("before_out", WEIGHTED) },
-    Rule { when: When::Is("LAST", 1), ..strata("before_out", Tolerance { absolute: 2e-2, outliers: 2e-3, ..WEIGHTED }) },
+    Rule { when: Condition::IsNot("LAST", 1), ..strata("before_out", WEIGHTED) },
+    Rule { when: Condition::Is("LAST", 1), ..strata("before_out", Tolerance { absolute: 2e-2, outliers: 2e-3, ..WEIGHTED }) },
 ];
 
 /// Runs the stage on the bindings of a pass.

@@ -2,7 +2,7 @@
 //! conventions.
 
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Tolerance, Values};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{normal_encoding, normals_are_in_view_space};
 use crate::reference::guide::{fold_id, pack_guide, Surface};
 use crate::reference::octahedral::{decode_normal, octahedral10};
@@ -197,11 +197,11 @@ const MOTION: Tolerance = Tolerance { relative: 1.5e-3, absolute: 2e-3, outliers
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[
     STATISTICS,
-    rule("guide", Per::Pixel, Values::Guide, GUIDE_STEP),
-    rule("surface_motion", Per::Pixel, Values::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
-    rule("surface_motion", Per::Pixel, Values::SurfaceMotion, MOTION),
-    rule("depth_gradient", Per::Pixel, Values::DepthGradient, MOTION),
-    rule("object_normal_guide", Per::Pixel, Values::Normal, STEP),
+    rule("guide", Unit::Pixel, Reading::Guide, GUIDE_STEP),
+    rule("surface_motion", Unit::Pixel, Reading::PreviousNormal, Tolerance { absolute: 2e-2, ..STEP }),
+    rule("surface_motion", Unit::Pixel, Reading::SurfaceMotion, MOTION),
+    rule("depth_gradient", Unit::Pixel, Reading::DepthGradient, MOTION),
+    rule("object_normal_guide", Unit::Pixel, Reading::Normal, STEP),
 ];
 
 /// Runs the stage on the bindings of a pass.

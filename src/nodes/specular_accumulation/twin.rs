@@ -3,7 +3,7 @@
 use crate::nodes::temporal_accumulation::twin::{blend, fresh, worth_of, AlphaBounds, Reprojected};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Tolerance, Values};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::texel_luminance;
@@ -199,9 +199,9 @@ const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers:
 /// Where what was seen before lies is computed by quotients, and a pixel of it counts or not.
 pub(crate) const RULES: &[Rule] = &[
     pixels("accumulated", TRACKED),
-    rule("new_moments", Per::Pixel, Values::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
-    rule("reflection", Per::Pixel, Values::Reflection, Tolerance { absolute: ROUGHNESS_STEP, ..HALF }),
-    rule("reflection", Per::Pixel, Values::ImageShare, Tolerance { absolute: 0.05, ..TRACKED }),
+    rule("new_moments", Unit::Pixel, Reading::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
+    rule("reflection", Unit::Pixel, Reading::Reflection, Tolerance { absolute: ROUGHNESS_STEP, ..HALF }),
+    rule("reflection", Unit::Pixel, Reading::ImageShare, Tolerance { absolute: 0.05, ..TRACKED }),
 ];
 
 /// Runs the stage on the bindings of a pass.

@@ -23,7 +23,7 @@ mod volume;
 
 pub(crate) use adapter::{twin, RULES};
 pub(crate) use blend::{blend, fresh, worth_of, AlphaBounds};
-pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
+pub(crate) use taps::{cubic_taps, MIN_TAP_WEIGHT};
 pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// Guide and histories that the previous frame left.

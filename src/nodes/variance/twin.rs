@@ -3,7 +3,7 @@
 
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Tolerance, Values};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::moments::{join_moments, unpack_moments, Moments};
 use crate::reference::rules::{pixels, rule, EXACT, HALF};
@@ -117,8 +117,8 @@ const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF 
 pub(crate) const RULES: &[Rule] = &[
     pixels("irradiance_0", ESTIMATED),
     pixels("irradiance_1", ESTIMATED),
-    rule("moments_0", Per::Pixel, Values::Moments, EXACT),
-    rule("moments_1", Per::Pixel, Values::Moments, EXACT),
+    rule("moments_0", Unit::Pixel, Reading::Moments, EXACT),
+    rule("moments_1", Unit::Pixel, Reading::Moments, EXACT),
 ];
 
 /// Runs the stage on the bindings of a pass.

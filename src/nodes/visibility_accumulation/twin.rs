@@ -4,7 +4,7 @@
 use crate::nodes::temporal_accumulation::twin::Reprojected;
 use crate::reference::binary16::from_half_bits;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Tolerance, Values};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::guide::unpack_guide;
@@ -226,8 +226,8 @@ fn blend(tuning: &Tuning, v: f32, before: &VisibilityHistory, allowed: [f32; 2],
 
 /// A step of the packing, next to a test that may fall the other way: whether a penumbra reaches a pixel.
 pub(crate) const RULES: &[Rule] = &[
-    rule("visibility_history", Per::Pixel, Values::Visibility, Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 }),
-    rule("visibility_history", Per::Pixel, Values::VisibilitySteps, Tolerance { relative: 0.0, absolute: 1.0, outliers: 2e-3 }),
+    rule("visibility_history", Unit::Pixel, Reading::Visibility, Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 }),
+    rule("visibility_history", Unit::Pixel, Reading::VisibilitySteps, Tolerance { relative: 0.0, absolute: 1.0, outliers: 2e-3 }),
 ];
 
 /// Runs the stage on the bindings of a pass.

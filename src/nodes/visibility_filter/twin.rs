@@ -2,7 +2,7 @@
 
 use crate::reference::binary16::{from_half_bits, half_bits};
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::rules::{pixels, rule, WEIGHTED};
 use crate::reference::surface_motion::unpack_depth_gradient;
@@ -123,7 +123,7 @@ fn share_of_level(wanted: f32, level: u32) -> f32 {
 
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] =
-    &[rule("filter_out", Per::Pixel, Values::Halves, WEIGHTED), pixels("denoised_visibility", WEIGHTED)];
+    &[rule("filter_out", Unit::Pixel, Reading::Halves, WEIGHTED), pixels("denoised_visibility", WEIGHTED)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -2,7 +2,7 @@
 
 use crate::reference::binary16::{half_bits, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::guide::unpack_guide;
 use crate::reference::rules::{rule, HALF, STATISTICS};
 use crate::reference::statistics::count;
@@ -41,7 +41,7 @@ fn packed(visibility: f32, distance: f32) -> u32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[STATISTICS, rule("visibility_samples", Per::Pixel, Values::Halves, HALF)];
+pub(crate) const RULES: &[Rule] = &[STATISTICS, rule("visibility_samples", Unit::Pixel, Reading::Halves, HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -4,7 +4,7 @@
 use crate::nodes::volume_points::twin::{unpack_volume_point, VolumePoint};
 use crate::reference::binary16::{from_half_bits, half_bits};
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Values};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::forward_projection::{covering_pixel, floor_quotient, previous_world_position, project, ForwardPosition};
 use crate::reference::guide::{pcg, unpack_guide};
@@ -197,7 +197,7 @@ fn representable(steps: i32) -> f32 {
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[pixels("claims", EXACT), rule("volume_motion", Per::Pixel, Values::Halves, EXACT)];
+pub(crate) const RULES: &[Rule] = &[pixels("claims", EXACT), rule("volume_motion", Unit::Pixel, Reading::Halves, EXACT)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

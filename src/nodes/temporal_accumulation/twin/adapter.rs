@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Per, Rule, Tolerance, Values};
+use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::moments::split_moments;
 use crate::reference::rules::{pixels, rounded, rule, TESTED};
 use crate::Error;
@@ -15,13 +15,13 @@ const HISTORY_COUNTS: Tolerance = Tolerance { relative: 2e-2, absolute: 4.0, out
 
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[
-    rule("statistics", Per::Buffer, Values::Counts, HISTORY_COUNTS),
+    rule("statistics", Unit::Buffer, Reading::Counts, HISTORY_COUNTS),
     pixels("irradiance_0", TESTED),
     pixels("irradiance_1", TESTED),
     rounded("irradiance_0"),
     rounded("irradiance_1"),
-    rule("new_moments_0", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
-    rule("new_moments_1", Per::Pixel, Values::Halves, ACCUMULATED_MOMENTS),
+    rule("new_moments_0", Unit::Pixel, Reading::Halves, ACCUMULATED_MOMENTS),
+    rule("new_moments_1", Unit::Pixel, Reading::Halves, ACCUMULATED_MOMENTS),
 ];
 
 /// Surfaces, or with the constant `VOLUME` a volume.
