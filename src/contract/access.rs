@@ -135,7 +135,7 @@ impl Access {
     }
 
     /// The format feature that an image's format needs for this access.
-    pub const fn format_feature(self) -> vk::FormatFeatureFlags {
+    pub(crate) const fn format_feature(self) -> vk::FormatFeatureFlags {
         match self {
             Self::Sampled => vk::FormatFeatureFlags::SAMPLED_IMAGE,
             Self::Clear => vk::FormatFeatureFlags::TRANSFER_DST,

@@ -166,7 +166,7 @@ impl HeadlessDevice {
     }
 
     /// Whether validation runs, and with it debug labels.
-    pub fn validates(&self) -> bool {
+    pub(crate) fn validates(&self) -> bool {
         self.messenger.is_some()
     }
 }

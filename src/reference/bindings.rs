@@ -28,36 +28,36 @@ pub struct Bindings<'a> {
 
 impl<'a> Bindings<'a> {
     /// A pass of a stage without anything bound.
-    pub const fn new(stage: &'a str, frame: &'a FrameConstants, tuning: &'a Tuning) -> Self {
+    pub(crate) const fn new(stage: &'a str, frame: &'a FrameConstants, tuning: &'a Tuning) -> Self {
         Self { stage, frame, tuning, level: 0, constants: &[], reads: Vec::new(), writes: Vec::new(), written: Vec::new() }
     }
 
     /// Sets the à-trous level, or the number of the view.
     #[must_use]
-    pub fn with_level(mut self, level: u32) -> Self {
+    pub(crate) fn with_level(mut self, level: u32) -> Self {
         self.level = level;
         self
     }
 
     /// Sets the shader's specialisation constants, those with their defaults included.
     #[must_use]
-    pub fn with_constants(mut self, constants: &'a [(&'a str, u32)]) -> Self {
+    pub(crate) fn with_constants(mut self, constants: &'a [(&'a str, u32)]) -> Self {
         self.constants = constants;
         self
     }
 
     /// Binds what the pass reads under a name.
-    pub fn reads(&mut self, name: &'a str, texels: &'a Texels) {
+    pub(crate) fn reads(&mut self, name: &'a str, texels: &'a Texels) {
         self.reads.push((name, texels));
     }
 
     /// Announces that the pass writes an image of this allocated extent, or a buffer of so many bytes in one row.
-    pub fn writes(&mut self, name: &'a str, extent: [u32; 2]) {
+    pub(crate) fn writes(&mut self, name: &'a str, extent: [u32; 2]) {
         self.writes.push((name, extent));
     }
 
     /// Texels that were written, by name, in the order of writing.
-    pub fn into_written(self) -> Vec<(&'a str, Texels)> {
+    pub(crate) fn into_written(self) -> Vec<(&'a str, Texels)> {
         self.written
     }
 
@@ -154,7 +154,7 @@ impl<'a> Bindings<'a> {
     ///
     /// # Errors
     /// Errors of [`Self::write`].
-    pub fn write_signals<T: Into<Texels>>(&mut self, name: &str, images: Vec<T>) -> Result<(), Error> {
+    pub(crate) fn write_signals<T: Into<Texels>>(&mut self, name: &str, images: Vec<T>) -> Result<(), Error> {
         images.into_iter().enumerate().try_for_each(|(i, image)| self.write(&format!("{name}_{i}"), image))
     }
 

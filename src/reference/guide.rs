@@ -17,7 +17,7 @@ pub struct Surface {
 
 impl Surface {
     /// Whether no surface was hit.
-    pub fn is_background(&self) -> bool {
+    pub(crate) fn is_background(&self) -> bool {
         self.linear_depth == 0.0
     }
 

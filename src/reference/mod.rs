@@ -62,13 +62,10 @@ pub use moments::{unpack_moments, Moments, Reason};
 pub use octahedral::decode_normal;
 pub use pass::TwinOutputs;
 pub use projection::Projections;
-pub use reflection::{unpack_reflection, SeenReflection};
 pub use reprojection::{motion_in_pixels, InstanceTransform};
 pub(crate) use stage::CpuStage;
-pub use strata::{unpack_gradient_sample, GradientSample};
-pub use surface_motion::{unpack_depth_gradient, unpack_surface_motion, SurfaceMotion};
+pub use surface_motion::{unpack_surface_motion, SurfaceMotion};
 pub use texels::Texels;
-pub use visibility::{unpack_visibility, VisibilityHistory};
 
 #[cfg(test)]
 pub(crate) use {
@@ -76,8 +73,8 @@ pub(crate) use {
     guide::pack_guide,
     moments::pack_moments,
     nearest_history::{HistoryGuides, SignalHistory},
-    reflection::{pack_reflection, FARTHEST_HIT},
-    strata::pack_gradient_sample,
-    surface_motion::{pack_depth_gradient, pack_surface_motion, LARGEST_MOTION},
-    visibility::pack_visibility,
+    reflection::{pack_reflection, SeenReflection, FARTHEST_HIT},
+    strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample},
+    surface_motion::{pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, LARGEST_MOTION},
+    visibility::{pack_visibility, VisibilityHistory},
 };

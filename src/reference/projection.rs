@@ -142,7 +142,7 @@ impl Projections {
     }
 
     /// The world direction towards the camera: against the view axis.
-    pub fn towards_camera(&self) -> [f32; 3] {
+    pub(crate) fn towards_camera(&self) -> [f32; 3] {
         (self.world_from_view.z_axis.xyz() * -self.forward).normalize_or(Vec3::Z).into()
     }
 

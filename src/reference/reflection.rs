@@ -10,7 +10,7 @@ pub(crate) const FARTHEST_HIT: f32 = 65504.0;
 
 /// A pixel of `reflection*`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SeenReflection {
+pub(crate) struct SeenReflection {
     /// Distance from the surface to what is seen in it, scene units; 0: unknown.
     pub hit_distance: f32,
     /// Perceptual roughness, 0 to 1.
@@ -29,7 +29,7 @@ pub(crate) fn pack_reflection(reflection: &SeenReflection, image_share: Option<f
 }
 
 /// The content of a texel of `reflection*`.
-pub fn unpack_reflection(texel: u32) -> SeenReflection {
+pub(crate) fn unpack_reflection(texel: u32) -> SeenReflection {
     let roughness = (texel >> 16 & 0x3ff) as f32 / ROUGHNESS_STEPS;
     SeenReflection { hit_distance: from_half_bits(texel as u16), roughness }
 }

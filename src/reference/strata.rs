@@ -8,7 +8,7 @@ pub(crate) const NO_PIXEL: u16 = u16::MAX;
 
 /// The content of a texel of `gradient_samples`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct GradientSample {
+pub(crate) struct GradientSample {
     /// The pixel of this frame that is shaded again.
     pub pixel: [u32; 2],
     /// The pixel of the previous frame whose surface and seed it takes.
@@ -24,7 +24,7 @@ pub(crate) fn pack_gradient_sample(stratum_size: u32, sample: Option<GradientSam
 }
 
 /// The content of the texel of a stratum.
-pub fn unpack_gradient_sample(stratum_size: u32, stratum: [u32; 2], texel: [u16; 4]) -> Option<GradientSample> {
+pub(crate) fn unpack_gradient_sample(stratum_size: u32, stratum: [u32; 2], texel: [u16; 4]) -> Option<GradientSample> {
     let place = u32::from(texel[2]).checked_sub(1)?;
     let offset = [place % stratum_size, place / stratum_size];
     let pixel = [0, 1].map(|i| stratum[i] * stratum_size + offset[i]);

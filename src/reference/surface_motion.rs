@@ -44,7 +44,7 @@ pub(crate) fn pack_depth_gradient(gradient: [f32; 2]) -> u32 {
 }
 
 /// The gradient of a texel of `depth_gradient`.
-pub fn unpack_depth_gradient(texel: u32) -> [f32; 2] {
+pub(crate) fn unpack_depth_gradient(texel: u32) -> [f32; 2] {
     [from_half_bits(texel as u16), from_half_bits((texel >> 16) as u16)]
 }
 

@@ -6,7 +6,7 @@ use glam::Vec2;
 
 /// A pixel of `visibility_history`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VisibilityHistory {
+pub(crate) struct VisibilityHistory {
     /// Share of the light that is seen, 0 to 1, over the history.
     pub mean: f32,
     /// Standard deviation of a sample, 0 to 0.5.
@@ -33,7 +33,7 @@ pub(crate) fn pack_visibility(h: &VisibilityHistory) -> u32 {
 }
 
 /// The content of a texel of `visibility_history`.
-pub fn unpack_visibility(texel: u32) -> VisibilityHistory {
+pub(crate) fn unpack_visibility(texel: u32) -> VisibilityHistory {
     let steps = texel >> 24;
     VisibilityHistory {
         mean: (texel & 0xfff) as f32 / 4095.0,

@@ -77,7 +77,7 @@ impl Barrier {
     }
 
     /// The barrier of all memory.
-    pub fn memory_barrier2(&self) -> vk::MemoryBarrier2<'static> {
+    pub(crate) fn memory_barrier2(&self) -> vk::MemoryBarrier2<'static> {
         vk::MemoryBarrier2::default()
             .src_stage_mask(self.from.stage)
             .src_access_mask(self.from.access)
@@ -86,7 +86,7 @@ impl Barrier {
     }
 
     /// The barrier of an image with one mip level and one layer. `aspects` are all that its format has.
-    pub fn image_memory_barrier2(&self, image: vk::Image, aspects: vk::ImageAspectFlags) -> vk::ImageMemoryBarrier2<'static> {
+    pub(crate) fn image_memory_barrier2(&self, image: vk::Image, aspects: vk::ImageAspectFlags) -> vk::ImageMemoryBarrier2<'static> {
         let [source, destination] = self.family_indices();
         vk::ImageMemoryBarrier2::default()
             .image(image)
@@ -102,7 +102,7 @@ impl Barrier {
     }
 
     /// The barrier of a range of a buffer.
-    pub fn buffer_memory_barrier2(
+    pub(crate) fn buffer_memory_barrier2(
         &self,
         buffer: vk::Buffer,
         offset: vk::DeviceSize,

@@ -20,7 +20,7 @@ pub struct Confidences {
 
 impl Confidences {
     /// The same in both.
-    pub fn equal(confidence: Confidence) -> Self {
+    pub(crate) fn equal(confidence: Confidence) -> Self {
         Self { scaled: confidence, unscaled: confidence }
     }
 }
