@@ -86,7 +86,11 @@ impl Barrier {
     }
 
     /// The barrier of an image with one mip level and one layer. `aspects` are all that its format has.
-    pub(crate) fn image_memory_barrier2(&self, image: vk::Image, aspects: vk::ImageAspectFlags) -> vk::ImageMemoryBarrier2<'static> {
+    pub(crate) fn image_memory_barrier2(
+        &self,
+        image: vk::Image,
+        aspects: vk::ImageAspectFlags,
+    ) -> vk::ImageMemoryBarrier2<'static> {
         let [source, destination] = self.family_indices();
         vk::ImageMemoryBarrier2::default()
             .image(image)

@@ -90,6 +90,9 @@ impl Graph {
             .bind("new_moments", history.new_moments()[0])
             .bind("reflection", reflection);
         self.add(pass);
-        AccumulatedSpecular { accumulated: self.renewed(accumulated).with_holes_of(irradiance), reflection: Reflection { image: self.refreshed(reflection) } }
+        AccumulatedSpecular {
+            accumulated: self.renewed(accumulated).with_holes_of(irradiance),
+            reflection: Reflection { image: self.refreshed(reflection) },
+        }
     }
 }
