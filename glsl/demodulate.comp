@@ -106,7 +106,7 @@ void main() {
         keep(kept, texelFetch(compared_0, p, 0).rgb);
         if (is_present(COMPARED_1)) keep(kept, texelFetch(compared_1, p, 0).rgb);
     }
-    imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance_or_hole(kept), albedo_luminance(divisor)))));
+    imageStore(noisy_luminance, p, uvec4(pack_halves(vec2(luminance_or_hole(kept), luminance(divisor)))));
     if (is_present(NOISY_RED_BLUE)) imageStore(noisy_red_blue, p, uvec4(pack_halves(kept.radiance.rb)));
 #endif
 }

@@ -1,18 +1,22 @@
-// Irradiance is radiance divided by albedo; the floor keeps the round trip exact where the albedo is black. [SVGF] 3.
+// Irradiance is radiance divided by albedo. [SVGF] 3. Twin: src/nodes/demodulate/twin.rs.
 #ifndef DEMODULATION_GLSL
 #define DEMODULATION_GLSL
 
 #include "finite.glsl"
 #include "luminance.glsl"
 
-const float ALBEDO_EPSILON = 0.01;
+// The largest component below which an albedo divides less and less: light from a black surface is not what it reflects.
+const float DARK_ALBEDO = 0.05;
+// The least component that divides: at all, and as a share of the largest one.
+const float LEAST_ALBEDO = 0.02;
+const float SATURATED_ALBEDO = 0.1;
 
 // The divisor of radiance, with which it is multiplied again.
 vec3 divisor_of(vec3 albedo) {
-    for (int i = 0; i < 3; ++i) albedo[i] = is_finite(albedo[i]) ? max(albedo[i], ALBEDO_EPSILON) : 1.0;
-    return albedo;
+    for (int i = 0; i < 3; ++i) albedo[i] = is_finite(albedo[i]) ? clamp(albedo[i], 0.0, 1.0) : 1.0;
+    float largest = max(albedo.r, max(albedo.g, albedo.b));
+    float darkness = 1.0 - min(largest / DARK_ALBEDO, 1.0);
+    return mix(max(albedo, max(LEAST_ALBEDO, SATURATED_ALBEDO * largest)), vec3(1.0), darkness * darkness);
 }
-
-float albedo_luminance(vec3 divisor) { return luminance(min(divisor, 65504.0)); }
 
 #endif

@@ -18,8 +18,15 @@ use glam::IVec2;
 #[cfg(test)]
 mod tests;
 
-/// Smallest divisor: below it, noise of a nearly black surface would be amplified without bound.
-pub(crate) const ALBEDO_EPSILON: f32 = 0.01;
+/// The largest component below which an albedo divides less and less, down to nothing at 0: the light of a nearly black surface is
+/// hardly what it reflects, and its neighbours would multiply it.
+pub(crate) const DARK_ALBEDO: f32 = 0.05;
+
+/// The least component that divides.
+pub(crate) const LEAST_ALBEDO: f32 = 0.02;
+
+/// The least component that divides, as a share of the largest one.
+pub(crate) const SATURATED_ALBEDO: f32 = 0.1;
 
 /// Inputs of [`demodulate`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -48,12 +55,19 @@ pub(crate) struct DemodulateOutputs {
     pub statistics: Statistics,
 }
 
-/// The divisor of radiance, with which `modulate` multiplies again: per component 1 where the albedo is not finite. Also whether a
-/// component was not.
+/// The divisor of radiance, with which `modulate` multiplies again: the albedo within 0 to 1, 1 for a component that is not finite,
+/// and nearer to 1 the darker the surface is. Also whether a component was not finite.
 pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
     let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
-    let rgb = [r, g, b];
-    (rgb.map(|a| if a.is_finite() { a.max(ALBEDO_EPSILON) } else { 1.0 }), rgb.iter().any(|a| !a.is_finite()))
+    let given = [r, g, b];
+    let reflectance = given.map(|a| if a.is_finite() { a.clamp(0.0, 1.0) } else { 1.0 });
+    let largest = reflectance.into_iter().fold(0.0, f32::max);
+    let share_of_one = (1.0 - (largest / DARK_ALBEDO).min(1.0)).powi(2);
+    let divisor = reflectance.map(|a| {
+        let a = a.max(LEAST_ALBEDO).max(SATURATED_ALBEDO * largest);
+        a * (1.0 - share_of_one) + share_of_one
+    });
+    (divisor, given.iter().any(|a| !a.is_finite()))
 }
 
 /// The albedo of a pixel: the host's, or that of its reflectance at normal incidence; none in the background.
@@ -134,7 +148,7 @@ pub(crate) fn luminances(
         let is_background = unpack_guide(guide.at(p)).is_background();
         let l = kept_radiance(noisy, p).map(|radiance| luminance(radiance).min(LARGEST_HALF));
         let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
-        (l, luminance(a.map(|a| a.min(LARGEST_HALF))))
+        (l, luminance(a))
     })
 }
 

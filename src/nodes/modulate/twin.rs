@@ -47,7 +47,7 @@ pub(crate) struct ModulateOutputs {
     pub statistics: Statistics,
 }
 
-/// `Σ_signals c·max(albedo, ε) + emission`, with the albedo of each signal.
+/// `Σ_signals c·divisor + emission`, with the divisor of each signal.
 pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> ModulateOutputs {
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));

@@ -20,12 +20,31 @@ fn flat() -> Guides {
 }
 
 #[test]
-fn radiance_is_divided_by_albedo_and_by_epsilon_at_least() {
+fn radiance_is_divided_by_albedo_and_by_a_tenth_of_its_largest_component_at_least() {
     let noisy = Image::new(EXTENT, [1.0, 0.5, 0.25, 7.0]);
-    let albedo = Image::new(EXTENT, [0.5, 0.0, -1.0, 7.0]);
+    let albedo = Image::new(EXTENT, [0.625, 0.0, -1.0, 7.0]);
     let output = run(&flat(), &[&noisy], Some(&albedo));
-    assert!(output.irradiance[0].texels().iter().all(|t| *t == [2.0, 50.0, 25.0, 0.0]), "{:?}", output.irradiance[0].texels()[0]);
+    assert!(output.irradiance[0].texels().iter().all(|t| *t == [1.5996094, 8.0, 4.0, 0.0]), "{:?}", output.irradiance[0].texels()[0]);
     assert_eq!(run(&flat(), &[&noisy], None).irradiance[0].texels()[0], [1.0, 0.5, 0.25, 0.0]);
+}
+
+#[test]
+fn light_over_an_odd_albedo_is_not_multiplied_up() {
+    let largest_factor = |albedo: [f32; 3]| {
+        let [r, g, b] = albedo;
+        let (divisor, _) = divisor(Some([r, g, b, 0.0]));
+        assert!(divisor.iter().all(|d| *d > 0.0 && *d <= 1.0), "{albedo:?} divides by {divisor:?}");
+        divisor.into_iter().fold(0.0_f32, |largest, d| largest.max(1.0 / d))
+    };
+    for nothing in [0.0, -1.0, f32::NAN, f32::INFINITY, 6.65] {
+        assert_eq!(largest_factor([nothing; 3]), 1.0, "{nothing}");
+    }
+    for i in 0..=1000 {
+        let a = i as f32 / 1000.0;
+        assert!(largest_factor([a; 3]) < 20.5, "grey of {a}");
+        assert!(largest_factor([a, 0.0, a / 3.0]) < 50.5, "saturated of {a}");
+    }
+    assert!((largest_factor([0.25, 0.1, 0.05]) - 20.0).abs() < 1e-3, "a dark texture is divided by itself");
 }
 
 #[test]
