@@ -1,7 +1,7 @@
 //! What is written twice must say the same.
 
-use atrous::config::{EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
-use atrous::{Access, Config, Lifetime, Tuning};
+use atrous::config::{ConfigField, Conventions, EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
+use atrous::{Access, Config, Input, Lifetime, Shape, Tuning};
 use atrous_harness::DeviceTest;
 use std::collections::BTreeSet;
 
@@ -12,7 +12,9 @@ pub const TESTS: &[DeviceTest] = &[
     ("the_glue_of_an_ash_host_is_small", the_glue_of_an_ash_host_is_small),
     ("a_field_of_a_configuration_names_its_default", a_field_of_a_configuration_names_its_default),
     ("the_numbers_of_each_preset_stand_in_their_table", the_numbers_of_each_preset_stand_in_their_table),
-    ("the_inputs_name_every_input_and_output", the_inputs_name_every_input_and_output),
+    ("the_inputs_name_every_output", the_inputs_name_every_output),
+    ("the_table_of_inputs_is_what_configurations_ask_for", the_table_of_inputs_is_what_configurations_ask_for),
+    ("the_inputs_are_those_of_the_table", the_inputs_are_those_of_the_table),
     ("the_table_of_presets_has_their_passes_and_bytes", the_table_of_presets_has_their_passes_and_bytes),
     ("the_contract_has_what_each_access_means", the_contract_has_what_each_access_means),
     ("each_promise_names_tests_that_exist", each_promise_names_tests_that_exist),
@@ -66,34 +68,16 @@ fn the_glue_of_an_ash_host_is_small() {
     println!("examples/host_ash.rs: {lines} lines of glue");
 }
 
-/// Names and documentation of the public fields of a struct.
-fn fields(source: &str, name: &str) -> Vec<(String, String)> {
-    let body = source.split_once(&format!("pub struct {name} {{")).expect(name).1.split_once("\n}").expect(name).0;
-    let (mut fields, mut doc) = (Vec::new(), String::new());
-    for line in body.lines().map(str::trim) {
-        if let Some(text) = line.strip_prefix("///") {
-            doc += text;
-        } else if let Some(field) = line.strip_prefix("pub ").and_then(|l| l.split_once(':')) {
-            fields.push((field.0.to_owned(), std::mem::take(&mut doc)));
-        }
-    }
-    fields
-}
-
 fn a_field_of_a_configuration_names_its_default() {
     let config = Config::new([1, 1]);
     let values = [format!("{config:#?}"), format!("{:#?}", config.conventions)];
-    let sources = [include_str!("../src/config/mod.rs"), include_str!("../src/config/conventions.rs")];
-    for ((name, source), values) in ["Config", "Conventions"].into_iter().zip(sources).zip(values) {
-        let fields = fields(source, name);
-        assert!(fields.len() > 9, "{name} has {} fields", fields.len());
-        for (field, doc) in fields {
-            let value = values.lines().find_map(|l| l.strip_prefix(&format!("    {field}: "))).expect(&field).trim_end_matches(',');
-            let expected = match field.as_str() {
-                "allocated_extent" => "No default".to_owned(),
+    for (name, fields, values) in [("Config", Config::FIELDS, &values[0]), ("Conventions", Conventions::FIELDS, &values[1])] {
+        for ConfigField { name: field, doc, .. } in fields {
+            let doc = doc.replace('\n', "");
+            let value = values.lines().find_map(|l| l.strip_prefix(&format!("    {field}: "))).expect(field).trim_end_matches(',');
+            let expected = match *field {
                 "eaw_weights" => "Default: all three".to_owned(),
                 "levels" => "Default: none".to_owned(),
-                "conventions" => "Default: those of [`Conventions::default`]".to_owned(),
                 _ if value == "inf" => "Default: infinity".to_owned(),
                 _ if value.starts_with(char::is_uppercase) => format!("::{value}`]"),
                 _ => format!("Default: {value}"),
@@ -140,16 +124,62 @@ fn configurations() -> Vec<Config> {
     all
 }
 
-fn the_inputs_name_every_input_and_output() {
+fn the_inputs_name_every_output() {
     let mut names = BTreeSet::new();
     for config in configurations() {
         let Ok(declaration) = config.declare() else { continue };
-        let outside = declaration.resources().iter().filter(|r| matches!(r.lifetime, Lifetime::Input { .. } | Lifetime::Output));
-        names.extend(outside.map(|r| r.name.clone()));
+        names.extend(declaration.resources().iter().filter(|r| r.lifetime == Lifetime::Output).map(|r| r.name.clone()));
     }
     let page = include_str!("../docs/inputs.md");
     let missing: Vec<_> = names.iter().filter(|name| !page.contains(&format!("| `{name}` |"))).collect();
-    assert!(names.len() > 15 && missing.is_empty(), "docs/inputs.md has no row for {missing:?}");
+    assert!(names.len() > 6 && missing.is_empty(), "docs/inputs.md has no row for {missing:?}");
+}
+
+/// Every input of every configuration is one of the table, with its format, and the table has no other.
+fn the_table_of_inputs_is_what_configurations_ask_for() {
+    let mut names = BTreeSet::new();
+    for config in configurations() {
+        let Ok(declaration) = config.declare() else { continue };
+        for resource in declaration.resources() {
+            let Lifetime::Input { optional } = resource.lifetime else { continue };
+            let input = Input::by_name(&resource.name).unwrap_or_else(|| panic!("{} is not in the table", resource.name));
+            let format = match resource.shape {
+                Shape::Image { format, .. } => Some(format),
+                Shape::Buffer { .. } => None,
+            };
+            assert_eq!((format, optional), (input.kind.format(), input.optional), "{}", input.name);
+            names.insert(input.name);
+        }
+    }
+    let unused: Vec<_> = Input::ALL.iter().map(|input| input.name).filter(|name| !names.contains(name)).collect();
+    assert!(unused.is_empty(), "no configuration asks for {unused:?}");
+    let layers = || Input::ALL.iter().filter_map(|input| input.layer);
+    let captured: BTreeSet<_> = layers().map(|layer| layer.names[0]).collect();
+    assert_eq!(captured.len(), layers().count(), "two inputs have one layer");
+}
+
+/// Markers around the table of inputs.
+const INPUTS: [&str; 2] = ["<!-- inputs: begin -->\n", "<!-- inputs: end -->"];
+
+fn the_inputs_are_those_of_the_table() {
+    let mut table = "| input | use | texel | in captures | content |\n| --- | --- | --- | --- | --- |\n".to_owned();
+    for Input { name, doc, role, kind, optional, layer, .. } in Input::ALL {
+        let layer = layer.map_or(String::new(), |layer| format!("`{}.{}`", layer.names[0], layer.components.join("")));
+        let optional = if *optional { "optional: " } else { "" };
+        table += &format!("| `{name}` | {} | {} | {layer} | {optional}{} |\n", role.name(), kind.name(), doc.trim());
+    }
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/inputs.md");
+    let page = std::fs::read_to_string(&path).expect("docs/inputs.md");
+    let (before, rest) = page.split_once(INPUTS[0]).expect("the table begins");
+    let (stored, after) = rest.split_once(INPUTS[1]).expect("the table ends");
+    if std::env::var("ATROUS_UPDATE_DOCS").is_ok_and(|v| v == "1") {
+        std::fs::write(&path, [before, INPUTS[0], &table, INPUTS[1], after].concat()).expect("docs/inputs.md");
+        return;
+    }
+    assert!(
+        stored == table,
+        "docs/inputs.md is not what src/contract/inputs.rs says: ATROUS_UPDATE_DOCS=1 cargo test --test suite documents::the_inputs_are"
+    );
 }
 
 /// Presets and signals, and the bytes that README.md has for them in whole numbers.

@@ -2,6 +2,7 @@
 
 use crate::config::MotionDepth;
 use crate::contract::texel::Plane;
+use crate::contract::Input;
 use exr::image::FlatSamples;
 
 /// A layer of a file: its name, and planes with theirs.
@@ -10,48 +11,37 @@ pub(crate) struct Layer {
     pub planes: Vec<(&'static str, FlatSamples)>,
 }
 
-const RGB: &[&str] = &["R", "G", "B"];
-const XYZ: &[&str] = &["X", "Y", "Z"];
-
-/// Layer and components of an input.
+/// Layer and components of an input. A graph of a host may have inputs of its own, which are colours.
 fn names(input: &str, motion_depth: MotionDepth) -> (&str, &'static [&'static str]) {
-    match input {
-        "depth" => ("depth", &["Z"]),
-        "normal" => ("normal", XYZ),
-        "object_normal" => ("object_normal", XYZ),
-        "motion" if motion_depth == MotionDepth::None => ("mv", &["X", "Y"]),
-        "motion" => ("mv", XYZ),
-        "forward_motion" => ("forward_motion", XYZ),
-        "sparse_gradient" => ("sparse_gradient", &["X", "Y"]),
-        "noisy_volume" => (VOLUME, RGB),
-        "scattering_depth" => ("scattering_depth", &["Z"]),
-        "noisy_visibility" => (VISIBILITY, &["Z"]),
-        "occluder_distance" => ("occluder_distance", &["Z"]),
-        "confidence" => ("confidence", &["Y"]),
-        "reshaded_radiance" => ("reshaded", RGB),
-        "other_denoised_radiance" => (OTHER_DENOISED, RGB),
-        "surface_id" => ("id", &["I"]),
-        "roughness" => ("roughness", &["Y"]),
-        "albedo" => ("albedo", RGB),
-        "emission" => (EMISSION, RGB),
-        "noisy_direct" => ("direct", RGB),
-        "noisy_indirect" => ("indirect", RGB),
-        "noisy_diffuse" => ("diffuse", RGB),
-        "noisy_specular" => ("specular", RGB),
-        "specular_albedo" => ("specular_albedo", RGB),
-        "specular_hit_distance" => ("hitdist", &["D"]),
-        "noisy_radiance" => (LIGHTING, RGB),
-        other => (other, RGB),
+    match Input::by_name(input).and_then(|input| input.layer) {
+        Some(layer) if input == Input::MOTION.name && motion_depth == MotionDepth::None => (layer.names[0], &layer.components[..2]),
+        Some(layer) => (layer.names[0], layer.components),
+        None => (input, &["R", "G", "B"]),
     }
 }
 
-/// The light that is filtered where it is one signal, without the emission.
-const LIGHTING: &str = "lighting";
-const VISIBILITY: &str = "visibility";
-const UNSHADOWED: &str = "unshadowed_direct";
-const VOLUME: &str = "volume";
-const EMISSION: &str = "emission";
-const OTHER_DENOISED: &str = "other_denoised";
+/// The layer of an input that has one.
+const fn layer_of(input: Input) -> &'static str {
+    match input.layer {
+        Some(layer) => layer.names[0],
+        None => input.name,
+    }
+}
+
+const VISIBILITY: &str = layer_of(Input::NOISY_VISIBILITY);
+const UNSHADOWED: &str = layer_of(Input::UNSHADOWED_DIRECT);
+const VOLUME: &str = layer_of(Input::NOISY_VOLUME);
+const EMISSION: &str = layer_of(Input::EMISSION);
+const OTHER_DENOISED: &str = layer_of(Input::OTHER_DENOISED_RADIANCE);
+
+/// The light that is filtered, without the emission.
+const FILTERED: [&str; 5] = [
+    layer_of(Input::NOISY_RADIANCE),
+    layer_of(Input::NOISY_DIRECT),
+    layer_of(Input::NOISY_INDIRECT),
+    layer_of(Input::NOISY_DIFFUSE),
+    layer_of(Input::NOISY_SPECULAR),
+];
 
 impl Layer {
     /// The layer of an input. Components that a texture lacks are written as 0, since a shader reads them so.
@@ -67,7 +57,7 @@ impl Layer {
     }
 
     fn is_filtered(&self) -> bool {
-        matches!(self.name.as_str(), LIGHTING | "direct" | "indirect" | "diffuse" | "specular")
+        FILTERED.contains(&self.name.as_str())
     }
 }
 
@@ -101,6 +91,6 @@ pub(crate) fn add_total(layers: &mut Vec<Layer>) {
         (FlatSamples::F32(sum), Some(light)) => FlatSamples::F32(sum.into_iter().zip(light).map(|(a, b)| a + b).collect()),
         (sum, _) => sum,
     };
-    let planes = RGB.iter().enumerate().map(|(i, c)| (*c, total(i))).collect();
+    let planes = ["R", "G", "B"].into_iter().enumerate().map(|(i, c)| (c, total(i))).collect();
     layers.push(Layer { name: "noisy".to_owned(), planes });
 }

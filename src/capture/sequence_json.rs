@@ -6,19 +6,6 @@ use serde::Serialize;
 use serde_json::{Error, Map, Value};
 use std::collections::BTreeMap;
 
-/// Fields of [`Config`] that a replay needs beside the conventions; signals and guides it sees by the channels.
-const OF_CONFIG: [&str; 9] = [
-    "preset",
-    "levels",
-    "stratum_size",
-    "gradient_source",
-    "firefly_filter",
-    "adaptive_rule",
-    "block_sort",
-    "eaw_weights",
-    "sampling",
-];
-
 /// One entry of `frames`. Numbers are doubles: as the decimal of one, a float survives readers that go through doubles with all its
 /// bits.
 #[derive(Serialize)]
@@ -88,7 +75,8 @@ impl Head {
             Some(config) => serde_json::from_value(serde_json::to_value(Config { levels: Some(config.levels()), ..*config })?)?,
             None => Map::new(),
         };
-        fields.retain(|name, _| OF_CONFIG.contains(&name.as_str()));
+        // Signals and guides a replay sees by the channels.
+        fields.retain(|name, _| Config::FIELDS.iter().any(|field| field.is_of_filter && field.name == name));
         Ok(Self {
             config: serde_json::to_string(&fields)?,
             conventions: serde_json::to_string(conventions)?,

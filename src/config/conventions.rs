@@ -1,5 +1,6 @@
 //! Encodings of a host's depth, normals and motion.
 
+use super::fields::{is_of_filter, values, ConfigField};
 use crate::choice::choices;
 use crate::error::Error;
 
@@ -97,55 +98,40 @@ choices! {
     }
 }
 
-/// Encodings of the host's guides. Only the stage `import` knows them; behind it there is one encoding.
-///
-/// With the feature `serde`, what a file leaves out has its default.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
-pub struct Conventions {
-    /// Encoding of depth. Default: [`DepthEncoding::Linear`].
-    pub depth: DepthEncoding,
-    /// Linear depths from here on are background, as are those from 1e15 on; above 0. Default: infinity, which a file has as `"inf"`.
-    #[cfg_attr(feature = "serde", serde(with = "super::serde_forms::distance"))]
-    pub background_depth: f32,
-    /// Encoding of normals. Default: [`NormalEncoding::Xyz`].
-    pub normal: NormalEncoding,
-    /// Space of the normals. Default: [`NormalSpace::World`].
-    pub normal_space: NormalSpace,
-    /// Unit of the motion. Default: [`MotionUnit::Uv`].
-    pub motion_unit: MotionUnit,
-    /// Sign of the motion. Default: [`MotionDirection::PreviousMinusCurrent`].
-    pub motion_direction: MotionDirection,
-    /// Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. Default: false.
-    #[cfg_attr(feature = "serde", serde(rename = "motion_y", alias = "motion_y_up", with = "super::serde_forms::up"))]
-    pub motion_y_up: bool,
-    /// Whether the motion includes the change of jitter. Default: false.
-    pub motion_jittered: bool,
-    /// Meaning of z of the motion. Default: [`MotionDepth::None`].
-    pub motion_depth: MotionDepth,
-    /// Direction in which the camera looks. Default: [`ViewForward::NegativeZ`].
-    pub view_forward: ViewForward,
-    /// Encoding of roughness. Default: [`RoughnessEncoding::Linear`].
-    pub roughness: RoughnessEncoding,
+macro_rules! conventions {
+    (
+        config { $($config:tt)+ }
+        conventions { $($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
+    ) => {
+        /// Encodings of the host's guides. Only the stage `import` knows them; behind it there is one encoding.
+        ///
+        /// With the feature `serde`, what a file leaves out has its default.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
+        pub struct Conventions {
+            $($(#[doc = $doc])+ $(#[$attribute])* pub $name: $type,)+
+        }
+
+        impl Default for Conventions {
+            fn default() -> Self {
+                Self { $($name: $default,)+ }
+            }
+        }
+
+        impl Conventions {
+            /// Every field.
+            pub const FIELDS: &'static [ConfigField] =
+                &[$(ConfigField {
+                    name: stringify!($name),
+                    doc: concat!($($doc, "\n"),+),
+                    is_of_filter: is_of_filter!($of),
+                    values: values!($kind $type),
+                },)+];
+        }
+    };
 }
 
-impl Default for Conventions {
-    fn default() -> Self {
-        Self {
-            depth: DepthEncoding::default(),
-            background_depth: f32::INFINITY,
-            normal: NormalEncoding::default(),
-            normal_space: NormalSpace::default(),
-            motion_unit: MotionUnit::default(),
-            motion_direction: MotionDirection::default(),
-            motion_y_up: false,
-            motion_jittered: false,
-            motion_depth: MotionDepth::default(),
-            view_forward: ViewForward::default(),
-            roughness: RoughnessEncoding::default(),
-        }
-    }
-}
+crate::config_fields!(conventions);
 
 impl Conventions {
     /// Checks the one number among them.

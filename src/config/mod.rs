@@ -6,6 +6,7 @@ use crate::error::Error;
 mod choices;
 mod conventions;
 mod eaw_weights;
+mod fields;
 #[cfg(feature = "serde")]
 mod serde_forms;
 #[cfg(all(test, feature = "serde"))]
@@ -17,116 +18,69 @@ pub use conventions::{
     ViewForward,
 };
 pub use eaw_weights::EawWeights;
+pub use fields::ConfigField;
 
-/// Choices that you make once for a preset. Numbers that may change from frame to frame are in
-/// [`crate::Tuning`].
-///
-/// With the feature `serde`, a field that a file leaves out has its default. The extent has none:
-/// [`Config::validate`] refuses a file without one until you set it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default = "Config::without_extent", deny_unknown_fields))]
-pub struct Config {
-    /// Width and height of the allocated images, 1 to [`Config::MAX_SIDE`] each; a frame renders
-    /// into their top left part. No default.
-    pub allocated_extent: [u32; 2],
-    /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
-    pub frames_in_flight: u32,
-    /// Filter. Default: [`Preset::Best`].
-    pub preset: Preset,
-    /// Signals. Default: [`Signals::Together`].
-    pub signals: Signals,
-    /// À-trous levels, 1 to 10. Default: none, which is the preset's number, [`Preset::levels`].
-    pub levels: Option<u32>,
-    /// Whether you have a volume (fog, smoke), to be filtered apart, with motion of its own
-    /// \[PSVGF\]: an input `noisy_volume`, an output `denoised_volume`. It is the light that the
-    /// medium itself scatters towards the camera; the radiance of surfaces is the light that
-    /// reaches the camera through it. The two add up to the picture, and the post-process shows
-    /// their sum. Costs 40 bytes per pixel, and 8 of the output. Default: false.
-    ///
-    /// The optional input `scattering_depth` locates it: for every pixel the linear depth (scene
-    /// units, along the view axis, as in `guide`) of one point that contributes much, for example a
-    /// distance chosen by transmittance. 0, infinite or NaN: none. It is carried to the next frame
-    /// to give the volume its motion; without the input a volume moves as the surfaces behind it.
-    pub volume: bool,
-    /// Whether you give the visibility of one light, such as the sun, apart: an input
-    /// `noisy_visibility` from 0 (occluded) to 1 (lit), usually one of the two, with
-    /// `occluder_distance`, the distance from the surface to the occluder along the shadow ray
-    /// (scene units; 0 or infinite: none, or not known); an output `denoised_visibility`. The
-    /// light's size is [`crate::Tuning::light_radius`]. Costs 12 bytes per pixel, the output
-    /// included. Default: false.
-    ///
-    /// Multiply your light by it. Or give the optional input `unshadowed_direct`, the light that
-    /// the surface would reflect without an occluder, times albedo and BSDF; `denoised_radiance`
-    /// then contains the product. Either way, leave that light out of the noisy radiance.
-    pub visibility: bool,
-    /// Scales outliers of the input down to the usual brightness around them, before they reach the
-    /// history \[PSVGF\]. [`Preset::Percentile`] always does. Default: false.
-    pub firefly_filter: bool,
-    /// The rule by which the preset `Percentile` detects changes of light. Default:
-    /// [`AdaptiveRule::ChangeTest`].
-    pub adaptive_rule: AdaptiveRule,
-    /// The method that finds percentiles. Default: [`BlockSort::Counting`].
-    pub block_sort: BlockSort,
-    /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
-    pub stratum_size: u32,
-    /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
-    pub gradient_source: GradientSource,
-    /// Whether you have an image `forward_motion`, for deforming surfaces: at every pixel of the
-    /// previous frame its motion to this frame. Only for forward-projected gradients. Default:
-    /// false.
-    pub forward_motion: bool,
-    /// Edge-stopping functions of the preset `Eaw`. Default: all three.
-    pub eaw_weights: EawWeights,
-    /// Share of the pixels that have a sample in this frame, for checkerboards and tracing at half
-    /// the rate: the others are NaN in the noisy images. Costs 8 bytes per pixel and signal until
-    /// history is read, and one pass per signal. Not of [`Preset::Stabilize`] and of volumes, whose
-    /// pixels all have one. Default: [`Sampling::Full`].
-    pub sampling: Sampling,
-    /// Whether you have an image of surface ids. Default: true.
-    pub surface_id: bool,
-    /// Whether you have object-space normals, by which a turning object keeps its history. Costs 8
-    /// bytes per pixel. Default: false.
-    pub object_normal: bool,
-    /// Post-process. Default: [`PostProcess::None`].
-    pub post_process: PostProcess,
-    /// A last pass `debug_view`, which shows the state of each pixel: see [`crate::DebugView`]. It
-    /// keeps the shown images alive to the end, so that transients cannot share their memory. You
-    /// may leave the pass out of a frame. Default: false.
-    pub debug_view: bool,
-    /// Encodings. Default: those of [`Conventions::default`].
-    pub conventions: Conventions,
+macro_rules! config {
+    (
+        config { $($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
+        conventions { $($conventions:tt)+ }
+    ) => {
+        /// Choices that you make once for a preset. Numbers that may change from frame to frame are in
+        /// [`crate::Tuning`].
+        ///
+        /// With the feature `serde`, a field that a file leaves out has its default. The extent has none:
+        /// [`Config::validate`] refuses a file without one until you set it.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(default = "Config::without_extent", deny_unknown_fields))]
+        pub struct Config {
+            /// Width and height of the allocated images, 1 to [`Config::MAX_SIDE`] each; a frame renders
+            /// into their top left part. No default.
+            pub allocated_extent: [u32; 2],
+            $($(#[doc = $doc])+ $(#[$attribute])* pub $name: $type,)+
+            /// Encodings. Default: those of [`Conventions::default`].
+            pub conventions: Conventions,
+        }
+
+        impl Config {
+            /// The defaults, for an extent.
+            pub fn new(allocated_extent: [u32; 2]) -> Self {
+                Self { allocated_extent, $($name: $default,)+ conventions: Conventions::default() }
+            }
+
+            /// Every field but the extent and the conventions, which have [`Conventions::FIELDS`].
+            pub const FIELDS: &'static [ConfigField] =
+                &[$(ConfigField {
+                    name: stringify!($name),
+                    doc: concat!($($doc, "\n"),+),
+                    is_of_filter: fields::is_of_filter!($of),
+                    values: fields::values!($kind $type),
+                },)+];
+
+            /// Sets a field of [`Self::FIELDS`] from text, as command lines and menus have it.
+            ///
+            /// # Errors
+            /// [`Error::Choice`] for a name that does not exist, and for text that is no value of the field. Ranges are
+            /// [`Self::validate`]'s.
+            pub fn set(&mut self, name: &str, text: &str) -> Result<(), Error> {
+                match name {
+                    $(stringify!($name) => self.$name = fields::parse!($kind $type, text)?,)+
+                    _ => {
+                        let allowed = Self::FIELDS.iter().map(|field| field.name).collect::<Vec<_>>().join(", ");
+                        return Err(Error::Choice { kind: "field of Config", given: name.to_owned(), allowed });
+                    }
+                }
+                Ok(())
+            }
+        }
+    };
 }
+
+crate::config_fields!(config);
 
 impl Config {
     /// Largest side of an extent.
     pub const MAX_SIDE: u32 = 16384;
-
-    /// The defaults, for an extent.
-    pub fn new(allocated_extent: [u32; 2]) -> Self {
-        Self {
-            allocated_extent,
-            frames_in_flight: 2,
-            preset: Preset::default(),
-            signals: Signals::default(),
-            levels: None,
-            volume: false,
-            visibility: false,
-            firefly_filter: false,
-            adaptive_rule: AdaptiveRule::default(),
-            block_sort: BlockSort::default(),
-            eaw_weights: EawWeights::default(),
-            sampling: Sampling::default(),
-            stratum_size: 3,
-            gradient_source: GradientSource::default(),
-            forward_motion: false,
-            surface_id: true,
-            object_normal: false,
-            post_process: PostProcess::default(),
-            debug_view: false,
-            conventions: Conventions::default(),
-        }
-    }
 
     /// The configuration that a file starts from.
     #[cfg(feature = "serde")]
@@ -184,6 +138,41 @@ mod tests {
         }
         assert_eq!(sizes.map(|size| levels(Preset::Svgf, size)), [5; 6]);
         assert_eq!(Config { levels: Some(3), ..Config::new([1280, 720]) }.levels(), 3);
+    }
+
+    #[test]
+    fn a_field_is_set_from_text() {
+        let mut config = Config::new([64, 36]);
+        for (name, text) in
+            [("preset", "fast"), ("levels", "3"), ("surface_id", "false"), ("eaw_weights", "normal"), ("sampling", "one_of_2x2")]
+        {
+            config.set(name, text).expect(name);
+        }
+        let expected = Config {
+            preset: Preset::Fast,
+            levels: Some(3),
+            surface_id: false,
+            eaw_weights: "normal".parse().expect("weights"),
+            sampling: Sampling::OneOf2x2,
+            ..Config::new([64, 36])
+        };
+        assert_eq!(config, expected);
+        config.set("levels", "none").expect("none");
+        assert_eq!(config.levels, None);
+        for (name, text, part) in [
+            ("preset", "slow", "svgf"),
+            ("levels", "many", "whole number"),
+            ("volume", "2", "true, false"),
+            ("colour", "1", "preset"),
+        ] {
+            let message = config.set(name, text).expect_err("refused").to_string();
+            assert!(message.contains(part) && message.contains(if name == "colour" { name } else { text }), "{message}");
+        }
+        for field in Config::FIELDS {
+            for (text, _) in (field.values)() {
+                config.set(field.name, text).expect(field.name);
+            }
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Images and buffers of a graph: names, formats, lifetimes, and who reads the previous copy.
 
 use super::{Feedback, GradientSamples, Graph, History, Image, Port, Radiance, ResourceState};
-use crate::contract::{component_of, Component, ImageFormat, Lifetime, ResourceDecl, ResourceId, Shape};
+use crate::contract::{component_of, Component, ImageFormat, Input, Lifetime, ResourceDecl, ResourceId, Shape};
 use ash::vk;
 
 /// Linear HDR colour with a fourth value.
@@ -10,20 +10,16 @@ pub(crate) const HDR: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A1
 pub(crate) const PACKED_64: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A16_UINT);
 /// 32 packed bits.
 pub(crate) const PACKED_32: ImageFormat = ImageFormat::Exactly(vk::Format::R32_UINT);
+/// Colour of a name that a host chose.
+pub(super) const HOST_COLOUR: ImageFormat = ImageFormat::Any(Component::Float, vk::Format::R16G16B16A16_SFLOAT);
 /// A number from 0 to 1 that a host may use elsewhere.
 pub(crate) const CONFIDENCE: ImageFormat = ImageFormat::Exactly(vk::Format::R32_SFLOAT);
-/// Colour of a host.
-pub(crate) const HOST_COLOUR: ImageFormat = ImageFormat::Any(Component::Float, vk::Format::R16G16B16A16_SFLOAT);
-/// One float of a host.
-pub(crate) const HOST_SCALAR: ImageFormat = ImageFormat::Any(Component::Float, vk::Format::R32_SFLOAT);
-/// One id of a host.
-pub(crate) const HOST_ID: ImageFormat = ImageFormat::Any(Component::Uint, vk::Format::R32_UINT);
 
 impl Graph {
     /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives
     /// `moments_direct`; `noisy_radiance`, and a name without that prefix, none.
     pub fn radiance(&mut self, name: &str) -> Radiance {
-        let image = self.input(name, HOST_COLOUR, 1, false);
+        let image = self.host_colour(name);
         let label = name.strip_prefix("noisy_").filter(|label| *label != "radiance").unwrap_or_default();
         self.states[image.id.0 as usize].label = label.to_owned();
         Port::of(image)
@@ -108,20 +104,36 @@ impl Graph {
         image
     }
 
-    /// An input image of the host; the same name twice is the same input.
-    pub(crate) fn input(&mut self, name: &str, format: ImageFormat, divisor: u32, optional: bool) -> Image {
+    /// An input image of the table; the same twice is the same input.
+    pub(crate) fn input(&mut self, input: Input) -> Image {
+        self.input_per(input, 1)
+    }
+
+    /// [`Self::input`] with a texel for every `divisor` × `divisor` pixels.
+    pub(crate) fn input_per(&mut self, input: Input, divisor: u32) -> Image {
+        match input.kind.format() {
+            Some(format) => self.input_image(input.name, format, divisor, input.optional),
+            None => self.instance_transforms(),
+        }
+    }
+
+    /// A colour image of a name that the host chose.
+    pub(crate) fn host_colour(&mut self, name: &str) -> Image {
+        self.input_image(name, HOST_COLOUR, 1, false)
+    }
+
+    pub(super) fn input_image(&mut self, name: &str, format: ImageFormat, divisor: u32, optional: bool) -> Image {
         match self.resources.iter().position(|r| r.name == name) {
             Some(index) => self.current(ResourceId(index as u32)),
             None => self.image(name.to_owned(), format, divisor, Lifetime::Input { optional }),
         }
     }
 
-    /// Previous from current world space by surface id: three rows of four floats an instance.
-    pub(crate) fn instance_transforms(&mut self) -> Image {
-        const NAME: &str = "instance_transforms";
+    fn instance_transforms(&mut self) -> Image {
         const BYTES_EACH: u64 = 48;
-        let found = self.resources.iter().position(|r| r.name == NAME).map(|index| ResourceId(index as u32));
-        let id = found.unwrap_or_else(|| self.buffer(NAME, BYTES_EACH, Lifetime::Input { optional: true }));
+        let Input { name, optional, .. } = Input::INSTANCE_TRANSFORMS;
+        let found = self.resources.iter().position(|r| r.name == name).map(|index| ResourceId(index as u32));
+        let id = found.unwrap_or_else(|| self.buffer(name, BYTES_EACH, Lifetime::Input { optional }));
         self.current(id)
     }
 

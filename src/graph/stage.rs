@@ -98,7 +98,7 @@ impl StageCall<'_> {
 
     /// An image of yours: an input of any float format under this name.
     pub fn input(self, binding: &str, name: &str) -> Self {
-        let image = self.graph.input(name, super::HOST_COLOUR, 1, false);
+        let image = self.graph.host_colour(name);
         self.bind(binding, image)
     }
 

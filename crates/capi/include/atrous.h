@@ -10,6 +10,90 @@
 #include <stdint.h>
 #include "vulkan/vulkan_core.h"
 
+// Inputs, by the names of their resources.
+
+// guide, number: linear, device (reversed, infinite, orthographic) or length of the ray
+#define ATROUS_INPUT_DEPTH "depth"
+
+// guide, vector: xyz or octahedral; world or view space
+#define ATROUS_INPUT_NORMAL "normal"
+
+// guide, vector, optional: in pixels, UV or NDC, of either sign; z may hold depth
+#define ATROUS_INPUT_MOTION "motion"
+
+// guide, id: unless Config::surface_id is false: stable per instance; 0 is the background
+#define ATROUS_INPUT_SURFACE_ID "surface_id"
+
+// guide, buffer of 3×4 matrices, optional: previous from current world space by surface_id, three rows of four floats each
+#define ATROUS_INPUT_INSTANCE_TRANSFORMS "instance_transforms"
+
+// guide, vector: with Config::object_normal: lets a turning object keep its history
+#define ATROUS_INPUT_OBJECT_NORMAL "object_normal"
+
+// guide, number, optional: 0 to 1, perceptual or GGX's α; without it all surfaces are rough. Signals::Specular reads it
+#define ATROUS_INPUT_ROUGHNESS "roughness"
+
+// composition, colour, optional: radiance is divided by it and multiplied again, so textures stay sharp
+#define ATROUS_INPUT_ALBEDO "albedo"
+
+// composition, colour, optional: added after the filter
+#define ATROUS_INPUT_EMISSION "emission"
+
+// signal, colour: all light in one signal, linear (Signals::Together)
+#define ATROUS_INPUT_NOISY_RADIANCE "noisy_radiance"
+
+// signal, colour: direct light, linear (Signals::Apart)
+#define ATROUS_INPUT_NOISY_DIRECT "noisy_direct"
+
+// signal, colour: indirect light, linear (Signals::Apart)
+#define ATROUS_INPUT_NOISY_INDIRECT "noisy_indirect"
+
+// signal, colour: light scattered by the base of surfaces, linear (Signals::Specular); albedo is then that of the base
+#define ATROUS_INPUT_NOISY_DIFFUSE "noisy_diffuse"
+
+// signal, colour: light reflected by coat or metal, linear (Signals::Specular)
+#define ATROUS_INPUT_NOISY_SPECULAR "noisy_specular"
+
+// composition, colour, optional: the share of light from everywhere that coat or metal reflects
+#define ATROUS_INPUT_SPECULAR_ALBEDO "specular_albedo"
+
+// composition, colour, optional: instead of specular_albedo: reflectance at normal incidence
+#define ATROUS_INPUT_SPECULAR_F0 "specular_f0"
+
+// guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it reflections move as their surfaces do
+#define ATROUS_INPUT_SPECULAR_HIT_DISTANCE "specular_hit_distance"
+
+// change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
+#define ATROUS_INPUT_FORWARD_MOTION "forward_motion"
+
+// change, colour, optional: with GradientSource::Reshaded: the paths of the previous frame, traced again in this scene
+#define ATROUS_INPUT_RESHADED_RADIANCE "reshaded_radiance"
+
+// change, vector, optional: with GradientSource::Sparse: differences that you took yourself
+#define ATROUS_INPUT_SPARSE_GRADIENT "sparse_gradient"
+
+// change, number: with GradientSource::Confidence: 1 keeps history, 0 drops it
+#define ATROUS_INPUT_CONFIDENCE "confidence"
+
+// signal, colour: for Stabilize: the output of the other denoiser
+#define ATROUS_INPUT_OTHER_DENOISED_RADIANCE "other_denoised_radiance"
+
+// signal, colour: with Config::volume: light that fog or smoke scatters towards the camera
+#define ATROUS_INPUT_NOISY_VOLUME "noisy_volume"
+
+// guide, number, optional: with Config::volume: linear depth of one point that contributes much, such as a distance chosen by transmittance; gives the volume its own motion
+#define ATROUS_INPUT_SCATTERING_DEPTH "scattering_depth"
+
+// signal, number: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray. Leave this light out of the noisy radiance
+#define ATROUS_INPUT_NOISY_VISIBILITY "noisy_visibility"
+
+// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+#define ATROUS_INPUT_OCCLUDER_DISTANCE "occluder_distance"
+
+// composition, colour, optional: with Config::visibility: the reflected light if nothing occluded it, albedo included; denoised_radiance then contains the product
+#define ATROUS_INPUT_UNSHADOWED_DIRECT "unshadowed_direct"
+
+
 // Bytes of a name, with its null.
 #define ATROUS_NAME_SIZE 64
 
@@ -55,76 +139,86 @@ typedef uint32_t AtrousStatus;
 // A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 typedef struct AtrousDenoiser AtrousDenoiser;
 
-// Choices that are made once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
-// parentheses.
+// Choices that are made once; `atrous_config_default` fills it.
 typedef struct AtrousConfig {
   // sizeof(AtrousConfig).
   uint32_t struct_size;
-  // Width of the allocated images, pixels.
+  // Width that images are allocated with, pixels.
   uint32_t width;
-  // Height of the allocated images, pixels.
+  // Height that images are allocated with, pixels.
   uint32_t height;
-  // Frames that you record before you wait for the oldest, 1 to 8.
+  // Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
   uint32_t frames_in_flight;
-  // Filter, 7 by default: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
+  // Filter. 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best). Default: 7.
   uint32_t preset;
-  // Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
-  // `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
+  // Signals. Together: one image, `noisy_radiance`. Apart: `noisy_direct` and `noisy_indirect`. Specular: `noisy_diffuse`
+  // and `noisy_specular`. 0 (together), 1 (apart), 2 (specular). Default: 0.
   uint32_t signals;
-  // À-trous levels, 1 to 10; 0 (default): the preset's, 4 for `best` and `fast`, 5 for the others.
+  // À-trous levels, 1 to 10; none: those of the preset, `Preset::levels`. 0 is none. Default: 0.
   uint32_t levels;
-  // 1: you have a volume, `noisy_volume`, which is filtered beside the surfaces; the preset
-  // `volume` always has one.
+  // Whether you have a volume (fog, smoke), to be filtered apart, with motion of its own [PSVGF]: an input
+  // `noisy_volume`, an output `denoised_volume`. It is the light that the medium itself scatters towards the camera; the
+  // radiance of surfaces is the light that reaches the camera through it. The two add up to the picture, and the
+  // post-process shows their sum. Costs 40 bytes per pixel, and 8 of the output. 0 (false), 1 (true). Default: 0.
   uint32_t volume;
-  // 1: you have the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
+  // Whether you give the visibility of one light, such as the sun, apart: an input `noisy_visibility` from 0 (occluded)
+  // to 1 (lit), usually one of the two, with `occluder_distance`, the distance from the surface to the occluder along
+  // the shadow ray (scene units; 0 or infinite: none, or not known); an output `denoised_visibility`. The light's size
+  // is `Tuning::light_radius`. Costs 12 bytes per pixel, the output included. 0 (false), 1 (true). Default: 0.
   uint32_t visibility;
-  // 1: fireflies are removed before accumulation; the percentile preset always does.
+  // Scales outliers of the input down to the usual brightness around them, before they reach the history [PSVGF].
+  // `Preset::Percentile` always does. 0 (false), 1 (true). Default: 0.
   uint32_t firefly_filter;
-  // The rule by which the preset `percentile` detects changes of light: 0 (change_test), 1
-  // (percentiles).
+  // The rule by which the preset `Percentile` detects changes of light. 0 (change_test), 1 (percentiles). Default: 0.
   uint32_t adaptive_rule;
-  // The method that finds percentiles: 0 (counting), 1 (odd_even).
+  // The method that finds percentiles. 0 (counting), 1 (odd_even). Default: 0.
   uint32_t block_sort;
-  // Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
-  uint32_t eaw_weights;
-  // Share of the pixels that have a sample in a frame; the others are NaN in the noisy images: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
-  uint32_t sampling;
-  // Side of the strata of temporal gradients, 2 to 4 pixels.
+  // Side of the strata of temporal gradients, 2 to 4 pixels. Only for presets with gradients. Default: 3.
   uint32_t stratum_size;
-  // Source of gradients: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
+  // Source of the temporal gradients. Only for presets with gradients. 0 (forward_projected), 1 (reshaded), 2 (sparse), 3
+  // (confidence). Default: 0.
   uint32_t gradient_source;
-  // 1: you have an image of forward motion.
+  // Whether you have an image `forward_motion`, for deforming surfaces: at every pixel of the previous frame its motion
+  // to this frame. Only for forward-projected gradients. 0 (false), 1 (true). Default: 0.
   uint32_t forward_motion;
-  // 1: you have an image of surface ids.
+  // Edge-stopping functions of the preset `Eaw`. The sum of any of 1 (radiance), 2 (normal), 4 (position). Default: 7.
+  uint32_t eaw_weights;
+  // Share of the pixels that have a sample in this frame, for checkerboards and tracing at half the rate: the others are
+  // NaN in the noisy images. Costs 8 bytes per pixel and signal until history is read, and one pass per signal. Not of
+  // `Preset::Stabilize` and of volumes, whose pixels all have one. 0 (full), 1 (one_of_2x2), 2 (one_of_4x4). Default: 0.
+  uint32_t sampling;
+  // Whether you have an image of surface ids. 0 (false), 1 (true). Default: 1.
   uint32_t surface_id;
-  // 1: you have object-space normals.
+  // Whether you have object-space normals, by which a turning object keeps its history. Costs 8 bytes per pixel. 0
+  // (false), 1 (true). Default: 0.
   uint32_t object_normal;
-  // Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
+  // Post-process. 0 (none), 1 (tone_map), 2 (tone_map_taa). Default: 0.
   uint32_t post_process;
-  // Encoding of depth: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
-  uint32_t depth;
-  // Encoding of normals: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
-  uint32_t normal;
-  // Space of the normals: 0 (world), 1 (view).
-  uint32_t normal_space;
-  // Unit of the motion: 0 (pixels), 1 (uv), 2 (ndc).
-  uint32_t motion_unit;
-  // Sign of the motion: 0 (previous_minus_current), 1 (current_minus_previous).
-  uint32_t motion_direction;
-  // 1: y of the motion points up.
-  uint32_t motion_y_up;
-  // 1: the motion includes the change of jitter.
-  uint32_t motion_jittered;
-  // Meaning of z of the motion: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
-  // depth.
-  uint32_t motion_depth;
-  // Direction in which the camera looks in view space: 0 (negative_z), 1 (positive_z).
-  uint32_t view_forward;
-  // Linear depths from here on are background.
-  float background_depth;
-  // 1: a last pass `debug_view`.
+  // A last pass `debug_view`, which shows the state of each pixel: see `DebugView`. It keeps the shown images alive to
+  // the end, so that transients cannot share their memory. You may leave the pass out of a frame. 0 (false), 1 (true).
+  // Default: 0.
   uint32_t debug_view;
-  // Encoding of roughness: 0 (linear), 1 (alpha). Linear: perceptual; alpha: that of GGX, its square.
+  // Encoding of depth. 0 (linear), 1 (device), 2 (ray_length). Default: 0.
+  uint32_t depth;
+  // Linear depths from here on are background, as are those from 1e15 on; above 0. Default: inf.
+  float background_depth;
+  // Encoding of normals. 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Default: 0.
+  uint32_t normal;
+  // Space of the normals. 0 (world), 1 (view). Default: 0.
+  uint32_t normal_space;
+  // Unit of the motion. 0 (pixels), 1 (uv), 2 (ndc). Default: 1.
+  uint32_t motion_unit;
+  // Sign of the motion. 0 (previous_minus_current), 1 (current_minus_previous). Default: 0.
+  uint32_t motion_direction;
+  // Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. 0 (false), 1 (true). Default: 0.
+  uint32_t motion_y_up;
+  // Whether the motion includes the change of jitter. 0 (false), 1 (true). Default: 0.
+  uint32_t motion_jittered;
+  // Meaning of z of the motion. 0 (none), 1 (difference), 2 (absolute). Default: 0.
+  uint32_t motion_depth;
+  // Direction in which the camera looks. 0 (negative_z), 1 (positive_z). Default: 0.
+  uint32_t view_forward;
+  // Encoding of roughness. 0 (linear), 1 (alpha). Default: 0.
   uint32_t roughness;
 } AtrousConfig;
 
@@ -395,9 +489,7 @@ AtrousStatus atrous_destroy(struct AtrousDenoiser *denoiser);
 //
 // # Safety
 // None beyond those of a call through C.
-AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser,
-                           uint32_t width,
-                           uint32_t height);
+AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser, uint32_t width, uint32_t height);
 
 // Gives the numbers of resources and passes. Either pointer may be null.
 //

@@ -2,7 +2,8 @@
 
 use crate::pointers::{read, write};
 use crate::status::{guard, AtrousStatus, Failure};
-use crate::structs::{AtrousConfig, AtrousFrameParams};
+use crate::structs::AtrousFrameParams;
+use crate::AtrousConfig;
 use atrous::reference::Image;
 use atrous::{Config, Error};
 use atrous_conventions::{check, Finding, OwnedGuides, Report};

@@ -1,16 +1,16 @@
 //! Conversions between the structs of the ABI and those of the crate.
 
 use crate::status::Failure;
-use crate::structs::{AtrousConfig, AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
+use crate::structs::{AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use ash::vk;
-use atrous::config::{Conventions, EawWeights};
+use atrous::config::EawWeights;
 use atrous::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
-use atrous::{Choice, Config, FrameParams};
+use atrous::{Choice, FrameParams};
 use std::ffi::c_char;
 
 /// The value of a field that is a choice.
-fn choice<T: Choice>(field: &str, given: u32) -> Result<T, Failure> {
-    T::try_from(given).map_err(|_| unknown(field, given, &allowed::<T>()))
+pub(super) fn choice<T: Choice>(field: &str, given: u32) -> Result<T, Failure> {
+    T::try_from(given).map_err(|_| unknown(field, given, &numbers::<T>(0)))
 }
 
 /// The value of a field that may be 0, none.
@@ -19,10 +19,6 @@ fn choice_or_none<T: Choice>(field: &str, given: u32) -> Result<Option<T>, Failu
         0 => Ok(None),
         _ => T::try_from(given - shift::<T>()).map(Some).map_err(|_| unknown(field, given, &allowed_or_none::<T>())),
     }
-}
-
-pub(super) fn allowed<T: Choice>() -> String {
-    numbers::<T>(0)
 }
 
 /// `0 (svgf), 1 (asvgf), ...`; `shift` is added to every number.
@@ -40,7 +36,7 @@ fn shift<T: Choice>() -> u32 {
     T::ALL.iter().any(|value| value.number() == 0).into()
 }
 
-fn flag(field: &str, given: u32) -> Result<bool, Failure> {
+pub(super) fn flag(field: &str, given: u32) -> Result<bool, Failure> {
     match given {
         0 => Ok(false),
         1 => Ok(true),
@@ -52,90 +48,9 @@ fn unknown(field: &str, given: u32, allowed: &str) -> Failure {
     Failure::argument(format!("{field} is {given}; allowed: {allowed}"))
 }
 
-fn eaw_weights(bits: u32) -> Result<EawWeights, Failure> {
+pub(super) fn eaw_weights(bits: u32) -> Result<EawWeights, Failure> {
     let names = || (0..).zip(EawWeights::NAMES).map(|(bit, name)| format!("{} ({name})", 1 << bit)).collect::<Vec<_>>().join(", ");
     EawWeights::from_bits(bits).ok_or_else(|| unknown("eaw_weights", bits, &format!("the sum of any of {}", names())))
-}
-
-impl AtrousConfig {
-    pub(super) fn to_config(self) -> Result<Config, Failure> {
-        let conventions = Conventions {
-            depth: choice("depth", self.depth)?,
-            background_depth: self.background_depth,
-            normal: choice("normal", self.normal)?,
-            normal_space: choice("normal_space", self.normal_space)?,
-            motion_unit: choice("motion_unit", self.motion_unit)?,
-            motion_direction: choice("motion_direction", self.motion_direction)?,
-            motion_y_up: flag("motion_y_up", self.motion_y_up)?,
-            motion_jittered: flag("motion_jittered", self.motion_jittered)?,
-            motion_depth: choice("motion_depth", self.motion_depth)?,
-            view_forward: choice("view_forward", self.view_forward)?,
-            roughness: choice("roughness", self.roughness)?,
-        };
-        let config = Config {
-            allocated_extent: [self.width, self.height],
-            frames_in_flight: self.frames_in_flight,
-            preset: choice("preset", self.preset)?,
-            signals: choice("signals", self.signals)?,
-            levels: (self.levels > 0).then_some(self.levels),
-            volume: flag("volume", self.volume)?,
-            visibility: flag("visibility", self.visibility)?,
-            firefly_filter: flag("firefly_filter", self.firefly_filter)?,
-            adaptive_rule: choice("adaptive_rule", self.adaptive_rule)?,
-            block_sort: choice("block_sort", self.block_sort)?,
-            eaw_weights: eaw_weights(self.eaw_weights)?,
-            sampling: choice("sampling", self.sampling)?,
-            stratum_size: self.stratum_size,
-            gradient_source: choice("gradient_source", self.gradient_source)?,
-            forward_motion: flag("forward_motion", self.forward_motion)?,
-            surface_id: flag("surface_id", self.surface_id)?,
-            object_normal: flag("object_normal", self.object_normal)?,
-            post_process: choice("post_process", self.post_process)?,
-            debug_view: flag("debug_view", self.debug_view)?,
-            conventions,
-        };
-        config.validate()?;
-        Ok(config)
-    }
-
-    pub(super) fn default_for(extent: [u32; 2]) -> Self {
-        let config = Config::new(extent);
-        let c = config.conventions;
-        Self {
-            struct_size: size_of::<Self>() as u32,
-            width: extent[0],
-            height: extent[1],
-            frames_in_flight: config.frames_in_flight,
-            preset: config.preset as u32,
-            signals: config.signals as u32,
-            levels: config.levels.unwrap_or(0),
-            volume: config.volume.into(),
-            visibility: config.visibility.into(),
-            firefly_filter: config.firefly_filter.into(),
-            adaptive_rule: config.adaptive_rule as u32,
-            block_sort: config.block_sort as u32,
-            eaw_weights: config.eaw_weights.bits(),
-            sampling: config.sampling as u32,
-            stratum_size: config.stratum_size,
-            gradient_source: config.gradient_source as u32,
-            forward_motion: config.forward_motion.into(),
-            surface_id: config.surface_id.into(),
-            object_normal: config.object_normal.into(),
-            post_process: config.post_process as u32,
-            depth: c.depth as u32,
-            normal: c.normal as u32,
-            normal_space: c.normal_space as u32,
-            motion_unit: c.motion_unit as u32,
-            motion_direction: c.motion_direction as u32,
-            motion_y_up: c.motion_y_up.into(),
-            motion_jittered: c.motion_jittered.into(),
-            motion_depth: c.motion_depth as u32,
-            view_forward: c.view_forward as u32,
-            background_depth: c.background_depth,
-            debug_view: config.debug_view.into(),
-            roughness: c.roughness as u32,
-        }
-    }
 }
 
 fn matrix(m: [f32; 16]) -> [[f32; 4]; 4] {

@@ -4,6 +4,7 @@ use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::{check_size, read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::*;
+use crate::AtrousConfig;
 use crate::{convert, GetInstanceProcAddr};
 use ash::vk::Handle;
 use atrous::contract::ResourceId;

@@ -10,6 +10,7 @@
 // A host's input is answered by an error. Tests may panic.
 #![cfg_attr(not(test), deny(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
+mod config;
 mod conventions;
 mod convert;
 mod functions;
@@ -19,6 +20,7 @@ mod record;
 mod status;
 mod structs;
 
+pub use config::AtrousConfig;
 pub use conventions::*;
 pub use functions::*;
 pub use handle::AtrousDenoiser;

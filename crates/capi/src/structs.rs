@@ -1,7 +1,7 @@
 //! Structs that cross the boundary. `struct_size` stands first, so that a host that was compiled against another header gets an
 //! error.
 
-use crate::GetInstanceProcAddr;
+use crate::{AtrousConfig, GetInstanceProcAddr};
 use ash::vk::{
     AccessFlags, AccessFlags2, Buffer, BufferUsageFlags, Device, Format, Image, ImageLayout, ImageUsageFlags, ImageView, Instance,
     PhysicalDevice, PipelineCache, PipelineStageFlags, PipelineStageFlags2,
@@ -15,81 +15,6 @@ pub const ATROUS_MAX_USES: usize = 32;
 
 /// A small buffer of bytes that a name is copied into.
 pub type AtrousName = [c_char; ATROUS_NAME_SIZE];
-
-/// Choices that are made once; `atrous_config_default` fills it. Where a number is a choice, its name in files and logs follows in
-/// parentheses.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct AtrousConfig {
-    /// sizeof(AtrousConfig).
-    pub struct_size: u32,
-    /// Width of the allocated images, pixels.
-    pub width: u32,
-    /// Height of the allocated images, pixels.
-    pub height: u32,
-    /// Frames that you record before you wait for the oldest, 1 to 8.
-    pub frames_in_flight: u32,
-    /// Filter, 7 by default: 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best).
-    pub preset: u32,
-    /// Signals: 0 (together), 1 (apart), 2 (specular). Together one image, `noisy_radiance`; apart two, `noisy_direct` and
-    /// `noisy_indirect`; specular two, `noisy_diffuse` and `noisy_specular`.
-    pub signals: u32,
-    /// À-trous levels, 1 to 10; 0 (default): the preset's, 4 for `best` and `fast`, 5 for the others.
-    pub levels: u32,
-    /// 1: you have a volume, `noisy_volume`, which is filtered beside the surfaces; the preset
-    /// `volume` always has one.
-    pub volume: u32,
-    /// 1: you have the visibility of one light apart, `noisy_visibility` with `occluder_distance`.
-    pub visibility: u32,
-    /// 1: fireflies are removed before accumulation; the percentile preset always does.
-    pub firefly_filter: u32,
-    /// The rule by which the preset `percentile` detects changes of light: 0 (change_test), 1
-    /// (percentiles).
-    pub adaptive_rule: u32,
-    /// The method that finds percentiles: 0 (counting), 1 (odd_even).
-    pub block_sort: u32,
-    /// Edge-stopping functions of EAW. Bit 0: radiance; bit 1: normal; bit 2: position.
-    pub eaw_weights: u32,
-    /// Share of the pixels that have a sample in a frame; the others are NaN in the noisy images: 0 (full), 1 (one_of_2x2), 2 (one_of_4x4).
-    pub sampling: u32,
-    /// Side of the strata of temporal gradients, 2 to 4 pixels.
-    pub stratum_size: u32,
-    /// Source of gradients: 0 (forward_projected), 1 (reshaded), 2 (sparse), 3 (confidence).
-    pub gradient_source: u32,
-    /// 1: you have an image of forward motion.
-    pub forward_motion: u32,
-    /// 1: you have an image of surface ids.
-    pub surface_id: u32,
-    /// 1: you have object-space normals.
-    pub object_normal: u32,
-    /// Post-process: 0 (none), 1 (tone_map), 2 (tone_map_taa).
-    pub post_process: u32,
-    /// Encoding of depth: 0 (linear), 1 (device), 2 (ray_length). Device is what a depth buffer holds.
-    pub depth: u32,
-    /// Encoding of normals: 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Unorm: v·0.5 + 0.5.
-    pub normal: u32,
-    /// Space of the normals: 0 (world), 1 (view).
-    pub normal_space: u32,
-    /// Unit of the motion: 0 (pixels), 1 (uv), 2 (ndc).
-    pub motion_unit: u32,
-    /// Sign of the motion: 0 (previous_minus_current), 1 (current_minus_previous).
-    pub motion_direction: u32,
-    /// 1: y of the motion points up.
-    pub motion_y_up: u32,
-    /// 1: the motion includes the change of jitter.
-    pub motion_jittered: u32,
-    /// Meaning of z of the motion: 0 (none), 1 (difference), 2 (absolute). Difference: previous depth − depth; absolute: previous
-    /// depth.
-    pub motion_depth: u32,
-    /// Direction in which the camera looks in view space: 0 (negative_z), 1 (positive_z).
-    pub view_forward: u32,
-    /// Linear depths from here on are background.
-    pub background_depth: f32,
-    /// 1: a last pass `debug_view`.
-    pub debug_view: u32,
-    /// Encoding of roughness: 0 (linear), 1 (alpha). Linear: perceptual; alpha: that of GGX, its square.
-    pub roughness: u32,
-}
 
 /// The device of the passes. Handles stay yours.
 #[derive(Clone, Copy)]

@@ -1,5 +1,8 @@
 //! The header is what cbindgen makes of the sources.
 
+use atrous::config::{ConfigField, Conventions, EawWeights};
+use atrous::{Config, Input};
+use atrous_capi::{atrous_config_default, AtrousConfig, AtrousStatus};
 use std::path::Path;
 
 /// What stands before the declarations of the header.
@@ -8,6 +11,61 @@ const HEADER: &str = "/* atrous: the passes of a real-time path-tracing denoiser
  * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
  * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike.
  * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */";
+
+/// The configuration as cbindgen reads it: what the macro of the table makes of it, with documentation.
+fn config() -> String {
+    let mut default = std::mem::MaybeUninit::<AtrousConfig>::zeroed();
+    // SAFETY: every field is a number, so zeros are one; the pointer is that of a struct whose size is set.
+    let default = unsafe {
+        (*default.as_mut_ptr()).struct_size = size_of::<AtrousConfig>() as u32;
+        assert_eq!(atrous_config_default(default.as_mut_ptr(), 1, 1), AtrousStatus::Ok);
+        format!("{:?}", default.assume_init())
+    };
+    let mut text =
+        "/// Choices that are made once; `atrous_config_default` fills it.\n#[repr(C)]\npub struct AtrousConfig {\n".to_owned();
+    let mut field = |name: &str, lines: &str| {
+        let value = default.split_once(&format!(" {name}: ")).expect(name).1;
+        let value = value.split([',', ' ']).next().unwrap_or_default();
+        let mut line = "    ///".to_owned();
+        let default = if ["struct_size", "width", "height"].contains(&name) { String::new() } else { format!("Default: {value}.") };
+        for word in lines.split_whitespace().chain(default.split_whitespace()) {
+            if line.len() + word.len() > 124 {
+                text += &std::mem::replace(&mut line, "\n    ///".to_owned());
+            }
+            line = format!("{line} {word}");
+        }
+        let kind = if value.contains(['.', 'i']) { "f32" } else { "u32" };
+        text += &format!("{line}\n    pub {name}: {kind},\n");
+    };
+    field("struct_size", "sizeof(AtrousConfig).");
+    field("width", "Width that images are allocated with, pixels.");
+    field("height", "Height that images are allocated with, pixels.");
+    for config_field in Config::FIELDS.iter().chain(Conventions::FIELDS) {
+        let ConfigField { name, values, .. } = config_field;
+        let list: Vec<_> = values().iter().map(|(value, number)| format!("{number} ({value})")).collect();
+        let bits: Vec<_> = EawWeights::NAMES.iter().enumerate().map(|(bit, name)| format!("{} ({name})", 1 << bit)).collect();
+        let allowed = match *name {
+            "eaw_weights" => format!("The sum of any of {}.", bits.join(", ")),
+            "levels" => "0 is none.".to_owned(),
+            _ if list.is_empty() => String::new(),
+            _ => format!("{}.", list.join(", ")),
+        };
+        field(name, &format!("{} {allowed}", config_field.text()));
+    }
+    text + "}\n"
+}
+
+/// Names of the inputs, which are those of resources.
+fn inputs() -> String {
+    let define = |input: &Input| {
+        let optional = if input.optional { ", optional" } else { "" };
+        let (role, kind) = (input.role.name(), input.kind.name());
+        let comment = format!("// {role}, {kind}{optional}: {}", input.doc.trim().replace('`', ""));
+        format!("{comment}\n#define ATROUS_INPUT_{} \"{}\"\n", input.name.to_uppercase(), input.name)
+    };
+    let all: Vec<_> = Input::ALL.iter().map(define).collect();
+    format!("\n// Inputs, by the names of their resources.\n\n{}", all.join("\n"))
+}
 
 fn header() -> String {
     let vulkan = [
@@ -33,6 +91,7 @@ fn header() -> String {
         cpp_compat: true,
         include_guard: Some("ATROUS_H".into()),
         header: Some(HEADER.into()),
+        after_includes: Some(inputs()),
         includes: vec!["vulkan/vulkan_core.h".into()],
         sys_includes: vec!["stdint.h".into()],
         no_includes: true,
@@ -46,7 +105,9 @@ fn header() -> String {
     config.enumeration.prefix_with_name = true;
     config.enumeration.rename_variants = cbindgen::RenameRule::ScreamingSnakeCase;
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut builder = cbindgen::Builder::new().with_config(config);
+    let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("config.rs");
+    std::fs::write(&made, self::config()).expect("a file");
+    let mut builder = cbindgen::Builder::new().with_config(config).with_src(made);
     for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "conventions.rs"] {
         builder = builder.with_src(root.join(file));
     }

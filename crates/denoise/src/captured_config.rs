@@ -1,38 +1,49 @@
 //! The configuration of a capture's denoiser, beside the conventions: the key `config` of `sequence.json`.
 
-use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, Preset, Sampling};
+use atrous::config::Preset;
 use atrous::Config;
-use serde::Deserialize;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::{Map, Value};
 
-/// Every key may be left out. Signals and guides are seen by the channels.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
+/// Fields of the configuration that choose the filter. Every one may be left out. Signals and guides are seen by the channels.
+#[derive(Clone, Debug, Default)]
 pub struct CapturedConfig {
     /// Filter.
     pub preset: Option<Preset>,
-    levels: Option<u32>,
-    stratum_size: Option<u32>,
-    gradient_source: Option<GradientSource>,
-    firefly_filter: Option<bool>,
-    adaptive_rule: Option<AdaptiveRule>,
-    block_sort: Option<BlockSort>,
-    eaw_weights: Option<EawWeights>,
-    sampling: Option<Sampling>,
+    others: Map<String, Value>,
 }
 
 impl CapturedConfig {
-    /// Changes the fields that the capture has.
+    /// What the first captures were made with: there was no other preset, and they have nothing but its levels, beside the frames.
+    pub fn of_the_first(levels: u32) -> Self {
+        Self { preset: Some(Preset::Svgf), others: [("levels".to_owned(), levels.into())].into_iter().collect() }
+    }
+
+    /// Changes the fields that the capture has, but for the preset.
     pub fn apply(&self, config: &mut Config) {
-        fn set<T: Copy>(field: &mut T, value: Option<T>) {
-            *field = value.unwrap_or(*field);
+        // Read once already: it fits.
+        *config = changed(config, &self.others).unwrap_or(*config);
+    }
+}
+
+fn changed(config: &Config, fields: &Map<String, Value>) -> serde_json::Result<Config> {
+    let mut all: Map<String, Value> = serde_json::from_value(serde_json::to_value(config)?)?;
+    all.extend(fields.clone());
+    serde_json::from_value(Value::Object(all))
+}
+
+impl<'de> Deserialize<'de> for CapturedConfig {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let mut others = Map::deserialize(deserializer)?;
+        others.retain(|_, value| !value.is_null());
+        let known = || Config::FIELDS.iter().filter(|field| field.is_of_filter).map(|field| field.name);
+        if let Some(name) = others.keys().find(|name| known().all(|known| known != name.as_str())) {
+            let known: Vec<_> = known().map(|name| format!("`{name}`")).collect();
+            return Err(D::Error::custom(format!("unknown field `{name}`, expected one of {}", known.join(", "))));
         }
-        config.levels = self.levels.or(config.levels);
-        set(&mut config.stratum_size, self.stratum_size);
-        set(&mut config.gradient_source, self.gradient_source);
-        set(&mut config.firefly_filter, self.firefly_filter);
-        set(&mut config.adaptive_rule, self.adaptive_rule);
-        set(&mut config.block_sort, self.block_sort);
-        set(&mut config.sampling, self.sampling);
-        set(&mut config.eaw_weights, self.eaw_weights);
+        let config = changed(&Config::new([1, 1]), &others).map_err(D::Error::custom)?;
+        let preset = others.remove("preset").map(|_| config.preset);
+        Ok(Self { preset, others })
     }
 }

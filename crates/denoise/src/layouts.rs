@@ -5,6 +5,7 @@
 //! ray, 0 where nothing is hit); PBRT-v4's `gbuffer` film; Open Image Denoise's example files (`*_hdr`, `*_alb`, `*_nrm`).
 
 use crate::roles::Role;
+use atrous::Input;
 
 /// The program that writes channels with these names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,6 +62,14 @@ const fn entry(
     Entry { role, layouts, layers, components }
 }
 
+/// An input as captures have it, and, where its layer is common, other programs.
+const fn of(role: Role, input: Input, components: &'static [&'static [&'static str]]) -> Entry {
+    match input.layer {
+        Some(layer) => entry(role, if layer.is_common { &[] } else { &[Layout::Atrous] }, layer.names, components),
+        None => panic!("an input without a layer"),
+    }
+}
+
 use Layout::{Atrous, Blender, Mitsuba, Pbrt, Plain};
 
 /// All layouts. The first that fits wins.
@@ -74,54 +83,54 @@ pub const ENTRIES: &[Entry] = &[
         &["", "color", "colour", "hdr", "beauty", "rgba", "img", "image", "my_image", "combined", "noisy"],
         RGB,
     ),
-    entry(Role::Lighting, &[Atrous], &["lighting"], RGB),
-    entry(Role::Direct, &[Atrous], &["direct"], RGB),
-    entry(Role::Indirect, &[Atrous], &["indirect"], RGB),
-    entry(Role::Diffuse, &[Atrous], &["diffuse"], RGB),
-    entry(Role::Specular, &[Atrous], &["specular"], RGB),
-    entry(Role::SpecularAlbedo, &[Atrous], &["specular_albedo"], RGB),
-    entry(Role::HitDistance, &[Atrous], &["hitdist", "hit_distance"], DEPTH),
+    of(Role::Lighting, Input::NOISY_RADIANCE, RGB),
+    of(Role::Direct, Input::NOISY_DIRECT, RGB),
+    of(Role::Indirect, Input::NOISY_INDIRECT, RGB),
+    of(Role::Diffuse, Input::NOISY_DIFFUSE, RGB),
+    of(Role::Specular, Input::NOISY_SPECULAR, RGB),
+    of(Role::SpecularAlbedo, Input::SPECULAR_ALBEDO, RGB),
+    of(Role::HitDistance, Input::SPECULAR_HIT_DISTANCE, DEPTH),
     entry(Role::DemodulatedSpecularDirect, &[Blender], &["glossdir", "glossy direct"], RGB),
     entry(Role::DemodulatedSpecularIndirect, &[Blender], &["glossind", "glossy indirect"], RGB),
     entry(Role::SpecularAlbedo, &[Blender], &["glosscol", "glossy color"], RGB),
-    entry(Role::Emission, &[Atrous], &["emission"], RGB),
+    of(Role::Emission, Input::EMISSION, RGB),
     entry(Role::Emission, &[Blender], &["emit", "emission"], RGB),
     entry(Role::Environment, &[Blender], &["env", "environment"], RGB),
     entry(Role::DemodulatedDirect, &[Blender], &["diffdir", "diffuse direct"], RGB),
     entry(Role::DiffuseColour, &[Blender], &["diffcol", "diffuse color"], RGB),
     entry(Role::Albedo, &[Blender], &["denoising albedo", "diffcol", "diffuse color"], RGB),
-    entry(Role::Albedo, &[], &["albedo", "alb", "albedo0", "diffuse_albedo"], RGB),
+    of(Role::Albedo, Input::ALBEDO, RGB),
     entry(Role::Normal, &[Blender], &["normal", "denoising normal"], XYZ),
     entry(Role::Normal, &[Mitsuba], &["sh_normal", "nn", "shading_normal", "normal", "normals", "geo_normal"], XYZ),
     entry(Role::Normal, &[Pbrt], &["ns", "n"], XYZ),
-    entry(Role::Normal, &[], &["normal", "nrm", "normals", "n"], XYZ),
-    entry(Role::ObjectNormal, &[Atrous], &["object_normal"], XYZ),
+    of(Role::Normal, Input::NORMAL, XYZ),
+    of(Role::ObjectNormal, Input::OBJECT_NORMAL, XYZ),
     entry(Role::Depth, &[Blender], &["depth", "z", "denoising depth"], DEPTH),
-    entry(Role::Depth, &[], &["depth", "dd", "dd.y", "z"], DEPTH),
+    of(Role::Depth, Input::DEPTH, DEPTH),
     entry(Role::Position, &[], &["position", "pos", "p"], XYZ),
     entry(Role::Motion, &[Blender], &["vector"], XY),
-    entry(Role::Motion, &[], &["mv", "motion", "motion_vector", "flow"], XY),
+    of(Role::Motion, Input::MOTION, XY),
     entry(Role::MotionDepth, &[Atrous], &["mv"], &[&["Z"]]),
     entry(Role::PreviousDepth, &[Atrous], &["prevz"], DEPTH),
     entry(Role::Id, &[Blender], &["indexob", "object index"], ID),
-    entry(Role::Id, &[], &["id", "surface_id", "shape_index", "shape", "instance_id"], ID),
-    entry(Role::Roughness, &[], &["roughness"], DEPTH),
+    of(Role::Id, Input::SURFACE_ID, ID),
+    of(Role::Roughness, Input::ROUGHNESS, DEPTH),
     entry(Role::Reference, &[], &["ref", "reference"], RGB),
     entry(Role::ReshadeDirect, &[Atrous], &["reshade_direct"], RGB),
     entry(Role::ReshadeIndirect, &[Atrous], &["reshade_indirect"], RGB),
     entry(Role::ReshadeEmission, &[Atrous], &["reshade_emission"], RGB),
-    entry(Role::Reshaded, &[Atrous], &["reshaded"], RGB),
-    entry(Role::ForwardMotion, &[Atrous], &["forward_motion"], XYZ),
-    entry(Role::SparseGradient, &[Atrous], &["sparse_gradient"], XY),
-    entry(Role::Confidence, &[Atrous], &["confidence"], DEPTH),
-    entry(Role::Volume, &[Atrous], &["volume"], RGB),
+    of(Role::Reshaded, Input::RESHADED_RADIANCE, RGB),
+    of(Role::ForwardMotion, Input::FORWARD_MOTION, XYZ),
+    of(Role::SparseGradient, Input::SPARSE_GRADIENT, XY),
+    of(Role::Confidence, Input::CONFIDENCE, DEPTH),
+    of(Role::Volume, Input::NOISY_VOLUME, RGB),
     entry(Role::Volume, &[Blender], &["volumedir", "volume direct"], RGB),
     entry(Role::VolumeIndirect, &[Blender], &["volumeind", "volume indirect"], RGB),
-    entry(Role::ScatteringDepth, &[Atrous], &["scattering_depth"], DEPTH),
-    entry(Role::Visibility, &[Atrous], &["visibility"], DEPTH),
-    entry(Role::OccluderDistance, &[Atrous], &["occluder_distance"], DEPTH),
-    entry(Role::UnshadowedDirect, &[Atrous], &["unshadowed_direct"], RGB),
-    entry(Role::OtherDenoised, &[], &["other_denoised"], RGB),
+    of(Role::ScatteringDepth, Input::SCATTERING_DEPTH, DEPTH),
+    of(Role::Visibility, Input::NOISY_VISIBILITY, DEPTH),
+    of(Role::OccluderDistance, Input::OCCLUDER_DISTANCE, DEPTH),
+    of(Role::UnshadowedDirect, Input::UNSHADOWED_DIRECT, RGB),
+    of(Role::OtherDenoised, Input::OTHER_DENOISED_RADIANCE, RGB),
 ];
 
 /// What tells a layout: last parts of layers, whole channels, and the start of an attribute's text.

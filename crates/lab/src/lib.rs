@@ -14,6 +14,8 @@ pub mod evaluate;
 pub mod files;
 #[cfg(feature = "measure")]
 pub mod measure;
+#[cfg(feature = "measure")]
+pub mod options;
 pub mod pages;
 pub mod pictures;
 #[cfg(feature = "measure")]

@@ -1,7 +1,7 @@
 //! What the denoiser reaches on real path-traced input, inside the engine, under validation.
 
 use ash::vk::Extent2D;
-use atrous::config::{EawWeights, Preset, Signals};
+use atrous::config::{EawWeights, PostProcess, Preset, Signals};
 use atrous_engine::testing::{built_in, Validated, SMALL};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
 use atrous_lab::measure::{Frame, Scores};
@@ -12,7 +12,10 @@ const EXTENT: Extent2D = Extent2D { width: 256, height: 144 };
 /// reference is left out.
 fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptions]) -> Vec<Scores> {
     let scene = built_in(name, SceneOptions { static_light: true, ..SceneOptions::default() });
-    let tracer_options = TracerOptions { jitter: options.iter().any(|options| options.taa), ..TracerOptions::default() };
+    let tracer_options = TracerOptions {
+        jitter: options.iter().any(|options| options.config.post_process == PostProcess::ToneMapTaa),
+        ..TracerOptions::default()
+    };
     let mut tracer = PathTracer::new(&gpu.0, &scene, EXTENT, tracer_options).expect("a path tracer");
     let mut denoisers: Vec<_> =
         options.iter().map(|options| FrameDenoiser::new(&gpu.0, &tracer, options).expect("a denoiser")).collect();
@@ -32,7 +35,7 @@ fn last_frame(gpu: &Validated, name: &str, frames: u32, options: &[DenoiserOptio
 }
 
 fn with(signals: Signals) -> DenoiserOptions {
-    DenoiserOptions { signals, ..DenoiserOptions::new(Preset::Svgf) }
+    DenoiserOptions::new(Preset::Svgf).with(|config| config.signals = signals)
 }
 
 fn assert_cleaner(noisy: Scores, denoised: Scores) {
@@ -65,7 +68,7 @@ fn each_weight_of_eaw_improves_a_single_frame() {
         .expect("a path tracer");
     let reference = tracer.render_reference(64, |_, _| {}).expect("a reference").radiance();
     let errors = [0, 1, 2, 3].map(|count| {
-        let options = DenoiserOptions { eaw_weights: EawWeights::first(count), ..DenoiserOptions::new(Preset::Eaw) };
+        let options = DenoiserOptions::new(Preset::Eaw).with(|config| config.eaw_weights = EawWeights::first(count));
         let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
         denoiser.render(&mut tracer).expect("a submit");
         let mut frame = Frame::read(&gpu.0, &tracer, [&mut denoiser]).expect("pictures");
@@ -86,7 +89,7 @@ fn two_runs_are_bit_identical() {
         let scene = built_in("pillars", SceneOptions::default());
         let tracer_options = TracerOptions { jitter: true, ..TracerOptions::default() };
         let mut tracer = PathTracer::new(&gpu.0, &scene, SMALL, tracer_options).expect("a path tracer");
-        let options = DenoiserOptions { taa: true, ..DenoiserOptions::new(Preset::Svgf) };
+        let options = DenoiserOptions::new(Preset::Svgf).with(|config| config.post_process = PostProcess::ToneMapTaa);
         let mut denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
         for index in 0..5 {
             tracer.begin_frame(index).expect("a frame");

@@ -15,7 +15,7 @@ fn pair(gpu: &Validated, name: &str, scene: SceneOptions, preset: Preset) -> (Pa
 
 fn pair_with(gpu: &Validated, name: &str, scene: SceneOptions, options: DenoiserOptions) -> (PathTracer, FrameDenoiser) {
     let tracer = PathTracer::new(&gpu.0, &built_in(name, scene), EXTENT, TracerOptions::default()).expect("a path tracer");
-    let options = DenoiserOptions { debug_view: true, ..options };
+    let options = options.with(|config| config.debug_view = true);
     let denoiser = FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser");
     (tracer, denoiser)
 }
@@ -63,7 +63,11 @@ fn where_nothing_changes_the_gradient_is_exactly_zero() {
     ];
     for (name, static_camera, options) in cases {
         let seen = changes(&gpu, name, static_camera, options);
-        assert_eq!(seen, [0; 6], "{name}, {:?}, {:?}: pixels with a gradient in each frame", options.preset, options.sample_eye);
+        assert_eq!(
+            seen, [0; 6],
+            "{name}, {:?}, {:?}: pixels with a gradient in each frame",
+            options.config.preset, options.sample_eye
+        );
     }
 }
 

@@ -13,7 +13,7 @@ const PATHS: u32 = 64;
 type Picture = Vec<[f32; 3]>;
 
 fn options(signals: Signals) -> DenoiserOptions {
-    DenoiserOptions { signals, ..DenoiserOptions::new(Preset::Best) }
+    DenoiserOptions::new(Preset::Best).with(|config| config.signals = signals)
 }
 
 /// The denoised pictures of the last of `frames` frames, and the references of the last few, the newest first.

@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use atrous::config::{EawWeights, Preset, Signals};
+use atrous::config::{PostProcess, Preset};
 use atrous::{Choice, Tuning};
 use atrous_engine::{DenoiserOptions, Noise, SampleEye, SceneOptions, TracerOptions, FILTERS};
 use atrous_lab::evaluate::{parse_size, EvaluateOptions};
+use atrous_lab::options::ConfigArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 
@@ -35,12 +36,8 @@ pub struct Options {
     /// Every filter on the same frames: one strip and one table. A-SVGF has lighting of its own, since it has some samples shaded again
     #[arg(long, conflicts_with = "preset")]
     pub compare: bool,
-    /// Direct and indirect light filtered apart, diffuse and specular light apart, or all of it together; default: apart for svgf, specular for best, together for the others
-    #[arg(long, value_parser = choice(&Signals::ALL))]
-    pub signals: Option<Signals>,
-    /// Edge-stopping functions of the filter eaw: some of rt (radiance), normal and position, separated by commas, or none
-    #[arg(long, value_name = "WEIGHTS", default_value = "rt,normal,position")]
-    pub eaw_weights: EawWeights,
+    #[command(flatten)]
+    pub config: ConfigArgs,
     /// A number of the filter, for example alpha=0.1; may be given several times. Unknown names list the known ones
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse_setting)]
     pub numbers: Vec<(String, f32)>,
@@ -153,7 +150,7 @@ impl Options {
 
     /// What clap cannot check.
     pub fn check(&self) -> Result<()> {
-        self.set(&mut Tuning::default())?;
+        self.denoiser(self.presets()[0])?;
         match self.reference_frames().into_iter().find(|&f| f >= self.frames) {
             Some(given) => Err(Error::ReferenceFrame { given, frames: self.frames }),
             None => Ok(()),
@@ -198,17 +195,14 @@ impl Options {
         let defaults = DenoiserOptions::new(preset);
         let mut tuning = defaults.tuning;
         self.set(&mut tuning)?;
-        Ok(DenoiserOptions {
-            // A strip of several filters has no room for the views of each.
-            debug_view: !self.compare,
-            signals: self.signals.unwrap_or(defaults.signals),
-            taa: self.taa,
-            eaw_weights: self.eaw_weights,
-            volume_motion: !self.surface_motion,
-            sample_eye: self.sample_eye,
-            tuning,
-            ..defaults
-        })
+        let mut config = defaults.config;
+        self.config.apply(&mut config)?;
+        // A strip of several filters has no room for the views of each.
+        config.debug_view = !self.compare;
+        if self.taa {
+            config.post_process = PostProcess::ToneMapTaa;
+        }
+        Ok(DenoiserOptions { config, volume_motion: !self.surface_motion, sample_eye: self.sample_eye, tuning, ..defaults })
     }
 
     fn set(&self, tuning: &mut Tuning) -> atrous_engine::Result<()> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use atrous::config::Preset;
-use atrous_engine::{DenoiserOptions, FrameDenoiser, Gpu, PathTracer, Scene};
+use atrous_engine::{FrameDenoiser, Gpu, PathTracer, Scene};
 use atrous_lab::measure::{Frame, Scores};
 use atrous_lab::running::{self, Running};
 use atrous_lab::{files, progress, report, volume};
@@ -46,7 +46,7 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
 /// The memory of a single filter, as an engine has it: without the views of the strips, which cost some.
 fn memory(options: &Options, gpu: &Gpu, tracer: &PathTracer) -> atrous_lab::Result<String> {
     let [only] = options.presets()[..] else { return Ok(String::new()) };
-    let of_engine = DenoiserOptions { debug_view: false, ..options.denoiser(only)? };
+    let of_engine = options.denoiser(only)?.with(|config| config.debug_view = false);
     Ok(format!("{}\n", report::memory_table(&FrameDenoiser::new(gpu, tracer, &of_engine)?)?))
 }
 

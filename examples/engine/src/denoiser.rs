@@ -1,7 +1,7 @@
 //! The denoiser inside this engine: its inputs bound to the engine's images, its phases recorded around the lighting pass.
 
 use ash::vk;
-use atrous::config::{Conventions, EawWeights, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
+use atrous::config::{Conventions, MotionDepth, MotionUnit, PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, PassTime};
 use atrous::{Config, DebugView, Declaration, FrameContext, FrameParams, Phase, ResetReason, Tuning, UseFrame};
 
@@ -20,24 +20,12 @@ pub type GraphOfConfig = fn(&Config) -> std::result::Result<Declaration, atrous:
 /// What the denoiser is asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct DenoiserOptions {
-    /// Filter.
-    pub preset: Preset,
-    /// Direct and indirect light filtered apart, or as one.
-    pub signals: Signals,
-    /// Edge-stopping functions of the preset `Eaw`.
-    pub eaw_weights: EawWeights,
-    /// Levels of the filter, 1 to 10; `None`: as many as the preset has.
-    pub levels: Option<u32>,
-    /// Side of the blocks of pixels that have a gradient sample each, 2 to 4.
-    pub stratum_size: u32,
+    /// The filter. Extent, inputs and conventions are the engine's.
+    pub config: Config,
     /// Whether fog has motion of its own; else it moves as the surfaces behind it.
     pub volume_motion: bool,
-    /// Tone map and temporal anti-aliasing after it.
-    pub taa: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
-    /// The output `debug_view`: see [`FrameDenoiser::view`]. What it shows lives until the end of the frame, so transients share less memory.
-    pub debug_view: bool,
     /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart and no medium lies before
     /// it: its reflections are followed as they move, and lose their history to gradients that see the same movement. In a medium all
     /// light depends on the eye.
@@ -56,44 +44,38 @@ impl DenoiserOptions {
             _ => Signals::Together,
         };
         Self {
-            preset,
-            signals,
-            eaw_weights: EawWeights::default(),
-            levels: None,
-            stratum_size: 3,
+            config: Config { preset, signals, post_process: PostProcess::ToneMap, ..Config::new([1; 2]) },
             volume_motion: true,
-            taa: false,
-            debug_view: false,
             sample_eye: None,
             graph: None,
             tuning: Tuning::for_preset(preset),
         }
     }
 
+    /// The same with another configuration.
+    pub fn with(mut self, change: impl FnOnce(&mut Config)) -> Self {
+        change(&mut self.config);
+        self
+    }
+
     fn sample_eye(&self, tracer: &PathTracer) -> SampleEye {
-        let follows = self.signals == Signals::Specular && tracer.volume().is_none();
+        let follows = self.config.signals == Signals::Specular && tracer.volume().is_none();
         self.sample_eye.unwrap_or(if follows { SampleEye::Kept } else { SampleEye::Current })
     }
 
     fn config(&self, tracer: &PathTracer) -> Config {
         let extent = tracer.extent();
         Config {
+            allocated_extent: [extent.width, extent.height],
             frames_in_flight: 1,
-            preset: self.preset,
-            signals: self.signals,
-            eaw_weights: self.eaw_weights,
-            levels: self.levels,
-            stratum_size: self.stratum_size,
             volume: tracer.volume().is_some(),
             visibility: tracer.sun().is_some(),
-            debug_view: self.debug_view,
-            post_process: if self.taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap },
             conventions: Conventions {
                 motion_unit: MotionUnit::Pixels,
                 motion_depth: MotionDepth::Absolute,
                 ..Conventions::default()
             },
-            ..Config::new([extent.width, extent.height])
+            ..self.config
         }
     }
 }
@@ -150,7 +132,16 @@ impl FrameDenoiser {
             let image = host_image(&reshading.gradient_samples, vk::AccessFlags2::SHADER_SAMPLED_READ);
             executor.bind_image("gradient_samples", image)?;
         }
-        Ok(Self { executor, preset: options.preset, reshading, gpu: gpu.clone(), tuning, reset: None, frame: None, followed: None })
+        Ok(Self {
+            executor,
+            preset: options.config.preset,
+            reshading,
+            gpu: gpu.clone(),
+            tuning,
+            reset: None,
+            frame: None,
+            followed: None,
+        })
     }
 
     /// Renders and denoises the frame that the tracer was set to, and waits for it.
@@ -229,7 +220,7 @@ impl FrameDenoiser {
         }
     }
 
-    /// Records the output `debug_view` of the last frame, with [`DenoiserOptions::debug_view`]: as often as there are views to show.
+    /// Records the output `debug_view` of the last frame, with `Config::debug_view`: as often as there are views to show.
     ///
     /// # Errors
     /// None in practice.
@@ -240,7 +231,7 @@ impl FrameDenoiser {
         Ok(())
     }
 
-    /// What the denoiser knows of each pixel of the last frame, with [`DenoiserOptions::debug_view`]: rgb as it is displayed, linear; alpha: the
+    /// What the denoiser knows of each pixel of the last frame, with `Config::debug_view`: rgb as it is displayed, linear; alpha: the
     /// number behind it. Nothing before the first frame.
     ///
     /// # Errors
@@ -336,12 +327,12 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
         ("surface_id", &outputs.surface_id),
     ];
     // Another denoiser's picture has it already.
-    if options.preset != Preset::Stabilize {
+    if options.config.preset != Preset::Stabilize {
         inputs.push(("emission", &outputs.emission));
     }
-    let albedo = if options.signals == Signals::Specular { &outputs.diffuse_albedo } else { &outputs.albedo };
+    let albedo = if options.config.signals == Signals::Specular { &outputs.diffuse_albedo } else { &outputs.albedo };
     inputs.push(("albedo", albedo));
-    match options.signals {
+    match options.config.signals {
         Signals::Apart => inputs.extend([("noisy_direct", &outputs.direct), ("noisy_indirect", &outputs.indirect)]),
         Signals::Specular => inputs.extend([
             ("noisy_diffuse", &outputs.diffuse),

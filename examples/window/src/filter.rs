@@ -1,7 +1,7 @@
 //! A filter that runs, with the images that its results are shown from.
 
 use ash::vk;
-use atrous::config::Preset;
+use atrous::config::{PostProcess, Preset};
 use atrous::{DebugView, ResetReason, Tuning};
 
 use super::panes::{prepare, Source};
@@ -45,7 +45,10 @@ impl Filter {
         let outputs = [("denoised_radiance", &radiance), ("display", &display), ("debug_view", &debug)];
         let outputs: Vec<_> = outputs.into_iter().chain(medium.as_ref().map(|image| ("denoised_volume", image))).collect();
         prepare(gpu, &outputs.iter().map(|output| output.1).collect::<Vec<_>>())?;
-        let options = DenoiserOptions { taa, debug_view: true, ..DenoiserOptions::new(preset) };
+        let options = DenoiserOptions::new(preset).with(|config| {
+            config.debug_view = true;
+            config.post_process = if taa { PostProcess::ToneMapTaa } else { PostProcess::ToneMap };
+        });
         let mut denoiser = FrameDenoiser::new(gpu, tracer, &options)?;
         for (name, image) in outputs {
             denoiser.bind_output(name, image)?;

@@ -3,6 +3,7 @@
 use super::*;
 use crate::contract::{Grid, Lifetime, Parameter, Tuning};
 use crate::graph::pass::Level;
+use crate::graph::resources::HOST_COLOUR;
 use crate::shaders::{self, Scalar};
 use std::sync::Arc;
 
@@ -19,12 +20,12 @@ struct Images {
 impl Images {
     fn new(g: &mut Graph) -> Self {
         Self {
-            guide: g.input("guide", PACKED_64, 1, false),
-            moments: g.input("moments", PACKED_64, 1, false),
-            input: g.input("from", HDR, 1, false),
+            guide: g.input_image("guide", PACKED_64, 1, false),
+            moments: g.input_image("moments", PACKED_64, 1, false),
+            input: g.input_image("from", HDR, 1, false),
             output: g.named_image("to", "", HDR, 1, Lifetime::Transient),
-            slopes: g.input("depth_gradient", PACKED_32, 1, false),
-            maybe: g.input("maybe", HOST_COLOUR, 1, true),
+            slopes: g.input_image("depth_gradient", PACKED_32, 1, false),
+            maybe: g.input_image("maybe", HOST_COLOUR, 1, true),
         }
     }
 

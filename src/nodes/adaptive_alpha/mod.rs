@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::{pass, Tested};
-use crate::contract::Lifetime;
-use crate::graph::{Confidence, Gradient, Graph, Image, Port, CONFIDENCE, HOST_SCALAR};
+use crate::contract::{Input, Lifetime};
+use crate::graph::{Confidence, Gradient, Graph, Image, Port, CONFIDENCE};
 use crate::shaders;
 
 /// Confidence from gradients in two kinds of history.
@@ -65,7 +65,7 @@ impl Graph {
         let node = self.node("adaptive_alpha", "");
         let confidence = self.confidence_image("history_confidence");
         let pass = pass(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_1)
-            .bind("confidence", self.input("confidence", HOST_SCALAR, 1, false))
+            .bind("confidence", self.input(Input::CONFIDENCE))
             .bind("history_confidence", confidence);
         self.add(pass);
         Port::of(self.refreshed(confidence))

@@ -6,10 +6,9 @@ mod legend;
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Lifetime, Phase};
+use crate::contract::{Input, Lifetime, Phase};
 use crate::graph::{
     Confidence, Display, Gradient, Graph, Guides, History, Percentiles, Port, Radiance, Reflection, VisibilityAccumulated, HDR,
-    HOST_COLOUR,
 };
 use crate::shaders;
 pub use legend::{Ramp, ViewLegend};
@@ -71,7 +70,7 @@ impl Graph {
             .bind_some("reflection", known.reflection.map(|reflection| reflection.image))
             .bind_some("visibility_history", known.visibility.map(|visibility| visibility.image()));
         if known.albedo {
-            pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
+            pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }
         if let Some(history) = &known.history {
             pass = pass.each("moments", &self.current_moments(history));

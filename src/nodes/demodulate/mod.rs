@@ -6,7 +6,8 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::config::Sampling;
-use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, HDR, HOST_COLOUR, HOST_SCALAR};
+use crate::contract::Input;
+use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, HDR};
 use crate::shaders;
 
 /// The reflectance that divides radiance, and multiplies it again.
@@ -49,11 +50,11 @@ pub(super) struct Divisor {
 
 impl Divisor {
     fn new(graph: &mut Graph, albedo: Albedo) -> Self {
-        let mut input = |name| Some(graph.input(name, HOST_COLOUR, 1, true));
+        let mut input = |input| Some(graph.input(input));
         match albedo {
             Albedo::None => Self { albedo: None, specular_f0: None },
-            Albedo::Diffuse => Self { albedo: input("albedo"), specular_f0: None },
-            Albedo::Specular => Self { albedo: input("specular_albedo"), specular_f0: input("specular_f0") },
+            Albedo::Diffuse => Self { albedo: input(Input::ALBEDO), specular_f0: None },
+            Albedo::Specular => Self { albedo: input(Input::SPECULAR_ALBEDO), specular_f0: input(Input::SPECULAR_F0) },
         }
     }
 
@@ -83,7 +84,7 @@ impl Graph {
         let divisor = Divisor::new(self, demodulate.albedo);
         pass = divisor.bind(pass);
         if demodulate.albedo == Albedo::Specular {
-            pass = pass.bind("specular_hit_distance", self.input("specular_hit_distance", HOST_SCALAR, 1, true));
+            pass = pass.bind("specular_hit_distance", self.input(Input::SPECULAR_HIT_DISTANCE));
         }
         if let Some(kept) = kept {
             pass = pass.bind("noisy_luminance", kept.image).bind_some("noisy_red_blue", kept.red_blue);

@@ -7,8 +7,8 @@ pub(crate) mod twin;
 
 use super::gradient::check_stratum_size;
 use super::pass;
-use crate::contract::{Grid, Lifetime, Phase};
-use crate::graph::{GradientSamples, Graph, Guides, HOST_COLOUR, HOST_ID, PACKED_32, PACKED_64};
+use crate::contract::{Grid, Input, Lifetime, Phase};
+use crate::graph::{GradientSamples, Graph, Guides, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `forward_project`.
@@ -40,9 +40,9 @@ impl Graph {
         let claims = self.named_image("gradient_claims", "", PACKED_32, size, Lifetime::Transient);
         let candidates = self.named_image("gradient_candidates", "", PACKED_64, size, Lifetime::History);
         let samples = self.named_image("projected_samples", "", PACKED_64, size, Lifetime::Transient);
-        let forward_motion = project.forward_motion.then(|| self.input("forward_motion", HOST_COLOUR, 1, false));
-        let surface_id = project.surface_id.then(|| self.input("surface_id", HOST_ID, 1, false));
-        let transforms = self.instance_transforms();
+        let forward_motion = project.forward_motion.then(|| self.input(Input::FORWARD_MOTION));
+        let surface_id = project.surface_id.then(|| self.input(Input::SURFACE_ID));
+        let transforms = self.input(Input::INSTANCE_TRANSFORMS);
         let module = |resolve: bool| match (resolve, project.forward_motion) {
             (false, false) => &shaders::FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0,
             (false, true) => &shaders::FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1,

@@ -5,9 +5,9 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Grid, Lifetime};
+use crate::contract::{Grid, Input, Lifetime};
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, KeptLuminance, Pass, Radiance};
-use crate::graph::{HDR, HOST_COLOUR, PACKED_32, PACKED_64};
+use crate::graph::{HDR, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Source of temporal gradients.
@@ -79,7 +79,7 @@ impl Graph {
             .grid(Grid::Strata(size))
             .constant("STRATUM_SIZE", size)
             .bind("guide", guides.guide)
-            .bind("albedo", self.input("albedo", HOST_COLOUR, 1, true))
+            .bind("albedo", self.input(Input::ALBEDO))
             .each("noisy", noisy.images())
             .bind("gradient", image)
             .bind("gradient_guide", guide);
@@ -112,17 +112,13 @@ impl Graph {
             Gradients::ForwardProjected(samples) => pass.constant("SOURCE", 0).bind("gradient_samples", samples.image),
             Gradients::Reshaded { .. } => pass
                 .constant("SOURCE", 1)
-                .bind("reshaded_radiance", self.gradient_input("reshaded_radiance", 1))
+                .bind("reshaded_radiance", self.input(Input::RESHADED_RADIANCE))
                 .previous("previous_guide", guides.guide)
                 .bind("surface_motion", guides.surface_motion)
                 .bind("depth_gradient", guides.depth_gradient),
             Gradients::Sparse { .. } => {
-                pass.constant("SOURCE", 2).bind("sparse_gradient", self.gradient_input("sparse_gradient", size))
+                pass.constant("SOURCE", 2).bind("sparse_gradient", self.input_per(Input::SPARSE_GRADIENT, size))
             }
         }
-    }
-
-    fn gradient_input(&mut self, name: &str, divisor: u32) -> Image {
-        self.input(name, HOST_COLOUR, divisor, true)
     }
 }

@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::{Lifetime, Phase};
-use crate::graph::{Graph, Guides, HOST_COLOUR, HOST_ID, HOST_SCALAR, PACKED_32, PACKED_64};
+use crate::contract::{Input, Lifetime, Phase};
+use crate::graph::{Graph, Guides, PACKED_32, PACKED_64};
 use crate::shaders;
 
 /// Parameters of the node `import`. [`Graph::conventions`] has the encodings of your images.
@@ -40,20 +40,20 @@ impl Graph {
         let module = [&shaders::IMPORT_SURFACE_ID_0, &shaders::IMPORT_SURFACE_ID_1][usize::from(import.surface_id)];
         let mut pass = pass(&node, module)
             .phase(Phase::BeforeLighting)
-            .bind("depth", self.input("depth", HOST_SCALAR, 1, false))
-            .bind("normal", self.input("normal", HOST_COLOUR, 1, false))
-            .bind("motion", self.input("motion", HOST_COLOUR, 1, true))
-            .bind("roughness", self.input("roughness", HOST_SCALAR, 1, true))
-            .bind("instance_transforms", self.instance_transforms())
+            .bind("depth", self.input(Input::DEPTH))
+            .bind("normal", self.input(Input::NORMAL))
+            .bind("motion", self.input(Input::MOTION))
+            .bind("roughness", self.input(Input::ROUGHNESS))
+            .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
             .bind("guide", guide)
             .bind("surface_motion", surface_motion)
             .bind("depth_gradient", depth_gradient)
             .bind_some("object_normal_guide", object_normal);
         if import.surface_id {
-            pass = pass.bind("surface_id", self.input("surface_id", HOST_ID, 1, false));
+            pass = pass.bind("surface_id", self.input(Input::SURFACE_ID));
         }
         if import.object_normal {
-            pass = pass.bind("object_normal", self.input("object_normal", HOST_COLOUR, 1, false));
+            pass = pass.bind("object_normal", self.input(Input::OBJECT_NORMAL));
         }
         self.add(pass);
         Guides {

@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR, HOST_COLOUR};
+use crate::contract::{Input, Lifetime};
+use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR};
 use crate::shaders;
 
 /// Parameters of the node `modulate`.
@@ -39,16 +39,16 @@ impl Graph {
             .bind("denoised_radiance", denoised)
             .each("filtered", filtered.images());
         if modulate.albedo {
-            pass = pass.bind("albedo", self.input("albedo", HOST_COLOUR, 1, true));
+            pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }
         if modulate.specular {
             pass = pass
                 .constant("SPECULAR", 1)
-                .bind("specular_albedo", self.input("specular_albedo", HOST_COLOUR, 1, true))
-                .bind("specular_f0", self.input("specular_f0", HOST_COLOUR, 1, true));
+                .bind("specular_albedo", self.input(Input::SPECULAR_ALBEDO))
+                .bind("specular_f0", self.input(Input::SPECULAR_F0));
         }
         if modulate.emission {
-            pass = pass.bind("emission", self.input("emission", HOST_COLOUR, 1, true));
+            pass = pass.bind("emission", self.input(Input::EMISSION));
         }
         self.add(pass);
         Port::of(self.refreshed(denoised))

@@ -5,7 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::graph::{Graph, Port, Radiance, Visibility, HOST_COLOUR};
+use crate::contract::Input;
+use crate::graph::{Graph, Port, Radiance, Visibility};
 use crate::shaders;
 
 impl Graph {
@@ -16,7 +17,7 @@ impl Graph {
         let node = self.node("shadowed_light", "");
         let pass = pass(&node, &shaders::SHADOWED_LIGHT)
             .bind("denoised_visibility", visibility.image())
-            .bind("unshadowed_direct", self.input("unshadowed_direct", HOST_COLOUR, 1, true))
+            .bind("unshadowed_direct", self.input(Input::UNSHADOWED_DIRECT))
             .bind("radiance", radiance.image());
         self.add(pass);
         Port::of(self.refreshed(radiance.image()))

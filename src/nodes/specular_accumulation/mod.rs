@@ -6,9 +6,9 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::Lifetime;
+use crate::contract::{Input, Lifetime};
 use crate::graph::{Accumulated, Confidence, Feedback, Graph, Guides, History, Irradiance, Port, Reflection, Value};
-use crate::graph::{HDR, HOST_SCALAR, PACKED_32};
+use crate::graph::{HDR, PACKED_32};
 use crate::shaders;
 
 /// Parameters of the node `specular_accumulation`.
@@ -81,7 +81,7 @@ impl Graph {
             .bind("surface_motion", guides.surface_motion)
             .bind("depth_gradient", guides.depth_gradient)
             .bind("noisy", irradiance.image())
-            .bind("roughness", self.input("roughness", HOST_SCALAR, 1, true))
+            .bind("roughness", self.input(Input::ROUGHNESS))
             .bind_some("history_confidence", parameters.confidence.map(|confidence| confidence.image()))
             .previous("history", history.colour()[0])
             .previous("previous_moments", history.moments()[0])

@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::Lifetime;
-use crate::graph::{Graph, Guides, Port, VisibilitySamples, HOST_SCALAR, PACKED_32};
+use crate::contract::{Input, Lifetime};
+use crate::graph::{Graph, Guides, Port, VisibilitySamples, PACKED_32};
 use crate::shaders;
 
 impl Graph {
@@ -17,8 +17,8 @@ impl Graph {
         let samples = self.named_image("visibility_samples", "", PACKED_32, 1, Lifetime::Transient);
         let pass = pass(&node, &shaders::VISIBILITY_SAMPLES)
             .bind("guide", guides.guide)
-            .bind("noisy_visibility", self.input("noisy_visibility", HOST_SCALAR, 1, false))
-            .bind("occluder_distance", self.input("occluder_distance", HOST_SCALAR, 1, false))
+            .bind("noisy_visibility", self.input(Input::NOISY_VISIBILITY))
+            .bind("occluder_distance", self.input(Input::OCCLUDER_DISTANCE))
             .bind("visibility_samples", samples);
         self.add(pass);
         Port::of(self.refreshed(samples))

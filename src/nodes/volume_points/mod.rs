@@ -5,8 +5,8 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::contract::Lifetime;
-use crate::graph::{Graph, Image, Port, Radiance, VolumeRadiance, HDR, HOST_SCALAR, PACKED_64};
+use crate::contract::{Input, Lifetime};
+use crate::graph::{Graph, Image, Port, Radiance, VolumeRadiance, HDR, PACKED_64};
 use crate::shaders;
 
 /// A volume of yours: fog, smoke, light shafts.
@@ -40,7 +40,7 @@ impl Graph {
         let radiance = self.named_image("filter_ping", &label, HDR, 1, Lifetime::Transient);
         let pass = pass(&node, &shaders::VOLUME_POINTS)
             .bind("noisy_volume", volume.noisy.image())
-            .bind("scattering_depth", self.input("scattering_depth", HOST_SCALAR, 1, true))
+            .bind("scattering_depth", self.input(Input::SCATTERING_DEPTH))
             .bind("radiance", radiance)
             .bind("volume_points", volume.points);
         self.add(pass);

@@ -57,7 +57,7 @@ pub const JOINT: &str = "joint bilateral, accumulated";
 /// all others had.
 pub fn all() -> Vec<Contender> {
     let together = |contender: Contender| Contender {
-        options: DenoiserOptions { signals: Signals::Together, ..contender.options },
+        options: contender.options.with(|config| config.signals = Signals::Together),
         ..contender
     };
     let graph = |name, preset, graph: GraphOfConfig| {

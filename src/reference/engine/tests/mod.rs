@@ -2,6 +2,7 @@
 
 mod frames;
 mod host_stages;
+mod input_table;
 mod inputs;
 mod memory;
 mod sequences;

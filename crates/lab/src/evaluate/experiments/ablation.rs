@@ -59,8 +59,8 @@ fn contenders() -> Result<Vec<Contender>> {
     };
     all.extend(PARTS.map(part));
     let (mut levels, mut signals) = (best("5 levels instead of 4"), best("reflections not apart"));
-    levels.options.levels = Some(5);
-    signals.options.signals = Signals::Together;
+    levels.options.config.levels = Some(5);
+    signals.options.config.signals = Signals::Together;
     all.extend([levels, signals]);
     for (name, numbers) in NUMBERS {
         all.push(numbers.iter().try_fold(best(name), |contender, (number, value)| contender.with(number, *value))?);
@@ -146,7 +146,12 @@ mod tests {
         let contenders = contenders().expect("numbers in range");
         let declared = |contender: &Contender| {
             let options = &contender.options;
-            let config = Config { preset: Preset::Best, signals: options.signals, levels: options.levels, ..Config::new([64, 36]) };
+            let config = Config {
+                preset: Preset::Best,
+                signals: options.config.signals,
+                levels: options.config.levels,
+                ..Config::new([64, 36])
+            };
             let graph = options.graph.map_or_else(|| config.declare(), |graph| graph(&config)).expect("a graph");
             format!("{:?} {:?} {:?}", graph.passes(), graph.resources(), options.tuning)
         };

@@ -22,8 +22,8 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     let contenders: Vec<_> = pairs
         .map(|(weights, level)| {
             let mut contender = Contender::new(NAMES[weights][level], Preset::Eaw);
-            contender.options.eaw_weights = EawWeights::first(weights as u32);
-            contender.options.levels = Some(LEVELS[level]);
+            contender.options.config.eaw_weights = EawWeights::first(weights as u32);
+            contender.options.config.levels = Some(LEVELS[level]);
             contender
         })
         .collect();

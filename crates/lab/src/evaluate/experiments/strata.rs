@@ -23,7 +23,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
     ];
     let contenders = sizes.map(|(name, stratum_size, preset)| {
         let mut contender = Contender::new(name, preset);
-        contender.options.stratum_size = stratum_size;
+        contender.options.config.stratum_size = stratum_size;
         contender
     });
     let mut tables = Vec::new();

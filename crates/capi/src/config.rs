@@ -1,0 +1,99 @@
+//! The configuration as a struct of C: every field of `atrous::Config` and its conventions as a number, from their one table.
+//! `tests/header.rs` gives it to cbindgen, which does not see through macros.
+
+use crate::convert::{choice, eaw_weights, flag};
+use crate::status::Failure;
+use atrous::config::*;
+use atrous::Config;
+
+macro_rules! c_type {
+    (distance) => {
+        f32
+    };
+    ($kind:ident) => {
+        u32
+    };
+}
+
+/// The value of a field, by its kind in the table.
+macro_rules! from_c {
+    (choice $name:expr, $given:expr) => {
+        choice($name, $given)?
+    };
+    (flag $name:expr, $given:expr) => {
+        flag($name, $given)?
+    };
+    (weights $name:expr, $given:expr) => {
+        eaw_weights($given)?
+    };
+    (number_or_none $name:expr, $given:expr) => {
+        ($given > 0).then_some($given)
+    };
+    ($kind:ident $name:expr, $given:expr) => {
+        $given
+    };
+}
+
+macro_rules! to_c {
+    (choice $value:expr) => {
+        u32::from($value)
+    };
+    (flag $value:expr) => {
+        u32::from($value)
+    };
+    (weights $value:expr) => {
+        $value.bits()
+    };
+    (number_or_none $value:expr) => {
+        $value.unwrap_or(0)
+    };
+    ($kind:ident $value:expr) => {
+        $value
+    };
+}
+
+macro_rules! c_struct {
+    (
+        config { $($(#[$doc:meta])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
+        conventions { $($(#[$doc2:meta])+ $(@[$attribute2:meta])* $name2:ident: $of2:ident $kind2:ident $type2:ty = $default2:expr;)+ }
+    ) => {
+        /// Choices that are made once; [`crate::atrous_config_default`] fills it. The header documents the numbers.
+        #[derive(Clone, Copy, Debug)]
+        #[repr(C)]
+        pub struct AtrousConfig {
+            /// sizeof(AtrousConfig).
+            pub struct_size: u32,
+            /// Width that images are allocated with, pixels.
+            pub width: u32,
+            /// Height that images are allocated with, pixels.
+            pub height: u32,
+            $(#[doc = concat!("`", stringify!($name), "` of [`Config`].")] pub $name: c_type!($kind),)+
+            $(#[doc = concat!("`", stringify!($name2), "` of [`Conventions`].")] pub $name2: c_type!($kind2),)+
+        }
+
+        impl AtrousConfig {
+            pub(super) fn to_config(self) -> Result<Config, Failure> {
+                let config = Config {
+                    allocated_extent: [self.width, self.height],
+                    $($name: from_c!($kind stringify!($name), self.$name),)+
+                    conventions: Conventions { $($name2: from_c!($kind2 stringify!($name2), self.$name2),)+ },
+                };
+                config.validate()?;
+                Ok(config)
+            }
+
+            pub(super) fn default_for(extent: [u32; 2]) -> Self {
+                let config = Config::new(extent);
+                Self {
+                    struct_size: size_of::<Self>() as u32,
+                    width: extent[0],
+                    height: extent[1],
+                    $($name: to_c!($kind config.$name),)+
+                    $($name2: to_c!($kind2 config.conventions.$name2),)+
+                }
+            }
+        }
+    };
+}
+
+atrous::config_fields!(c_struct);

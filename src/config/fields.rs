@@ -1,0 +1,187 @@
+//! The one table of the fields of [`super::Config`] and [`super::Conventions`].
+
+use crate::error::Error;
+
+/// Gives every field of [`crate::Config`] and [`crate::config::Conventions`] to a macro. With it the structs are made here, and the
+/// struct of the C ABI elsewhere. No part of the public interface.
+///
+/// A row: documentation, attributes behind `@`, name, `filter` where it chooses one and `host` where it says something of the host,
+/// kind, type and default.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! config_fields {
+    ($then:ident) => {
+        $then! {
+            config {
+                /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
+                frames_in_flight: host number u32 = 2;
+                /// Filter. Default: [`Preset::Best`].
+                preset: filter choice Preset = Preset::default();
+                /// Signals. Together: one image, `noisy_radiance`. Apart: `noisy_direct` and `noisy_indirect`.
+                /// Specular: `noisy_diffuse` and `noisy_specular`. Default: [`Signals::Together`].
+                signals: host choice Signals = Signals::default();
+                /// À-trous levels, 1 to 10; none: those of the preset, [`Preset::levels`]. Default: none.
+                levels: filter number_or_none Option<u32> = None;
+                /// Whether you have a volume (fog, smoke), to be filtered apart, with motion of its own
+                /// \[PSVGF\]: an input `noisy_volume`, an output `denoised_volume`. It is the light that the
+                /// medium itself scatters towards the camera; the radiance of surfaces is the light that
+                /// reaches the camera through it. The two add up to the picture, and the post-process shows
+                /// their sum. Costs 40 bytes per pixel, and 8 of the output. Default: false.
+                ///
+                /// The optional input `scattering_depth` locates it: for every pixel the linear depth (scene
+                /// units, along the view axis, as in `guide`) of one point that contributes much, for example a
+                /// distance chosen by transmittance. 0, infinite or NaN: none. It is carried to the next frame
+                /// to give the volume its motion; without the input a volume moves as the surfaces behind it.
+                volume: host flag bool = false;
+                /// Whether you give the visibility of one light, such as the sun, apart: an input
+                /// `noisy_visibility` from 0 (occluded) to 1 (lit), usually one of the two, with
+                /// `occluder_distance`, the distance from the surface to the occluder along the shadow ray
+                /// (scene units; 0 or infinite: none, or not known); an output `denoised_visibility`. The
+                /// light's size is [`crate::Tuning::light_radius`]. Costs 12 bytes per pixel, the output
+                /// included. Default: false.
+                ///
+                /// Multiply your light by it. Or give the optional input `unshadowed_direct`, the light that
+                /// the surface would reflect without an occluder, times albedo and BSDF; `denoised_radiance`
+                /// then contains the product. Either way, leave that light out of the noisy radiance.
+                visibility: host flag bool = false;
+                /// Scales outliers of the input down to the usual brightness around them, before they reach the
+                /// history \[PSVGF\]. [`Preset::Percentile`] always does. Default: false.
+                firefly_filter: filter flag bool = false;
+                /// The rule by which the preset `Percentile` detects changes of light. Default:
+                /// [`AdaptiveRule::ChangeTest`].
+                adaptive_rule: filter choice AdaptiveRule = AdaptiveRule::default();
+                /// The method that finds percentiles. Default: [`BlockSort::Counting`].
+                block_sort: filter choice BlockSort = BlockSort::default();
+                /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
+                stratum_size: filter number u32 = 3;
+                /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
+                gradient_source: filter choice GradientSource = GradientSource::default();
+                /// Whether you have an image `forward_motion`, for deforming surfaces: at every pixel of the
+                /// previous frame its motion to this frame. Only for forward-projected gradients. Default:
+                /// false.
+                forward_motion: host flag bool = false;
+                /// Edge-stopping functions of the preset `Eaw`. Default: all three.
+                eaw_weights: filter weights EawWeights = EawWeights::default();
+                /// Share of the pixels that have a sample in this frame, for checkerboards and tracing at half
+                /// the rate: the others are NaN in the noisy images. Costs 8 bytes per pixel and signal until
+                /// history is read, and one pass per signal. Not of [`Preset::Stabilize`] and of volumes, whose
+                /// pixels all have one. Default: [`Sampling::Full`].
+                sampling: filter choice Sampling = Sampling::default();
+                /// Whether you have an image of surface ids. Default: true.
+                surface_id: host flag bool = true;
+                /// Whether you have object-space normals, by which a turning object keeps its history. Costs 8
+                /// bytes per pixel. Default: false.
+                object_normal: host flag bool = false;
+                /// Post-process. Default: [`PostProcess::None`].
+                post_process: host choice PostProcess = PostProcess::default();
+                /// A last pass `debug_view`, which shows the state of each pixel: see [`crate::DebugView`]. It
+                /// keeps the shown images alive to the end, so that transients cannot share their memory. You
+                /// may leave the pass out of a frame. Default: false.
+                debug_view: host flag bool = false;
+            }
+            conventions {
+                /// Encoding of depth. Default: [`DepthEncoding::Linear`].
+                depth: host choice DepthEncoding = DepthEncoding::default();
+                /// Linear depths from here on are background, as are those from 1e15 on; above 0. Default: infinity, which a file has as `"inf"`.
+                @[cfg_attr(feature = "serde", serde(with = "super::serde_forms::distance"))]
+                background_depth: host distance f32 = f32::INFINITY;
+                /// Encoding of normals. Default: [`NormalEncoding::Xyz`].
+                normal: host choice NormalEncoding = NormalEncoding::default();
+                /// Space of the normals. Default: [`NormalSpace::World`].
+                normal_space: host choice NormalSpace = NormalSpace::default();
+                /// Unit of the motion. Default: [`MotionUnit::Uv`].
+                motion_unit: host choice MotionUnit = MotionUnit::default();
+                /// Sign of the motion. Default: [`MotionDirection::PreviousMinusCurrent`].
+                motion_direction: host choice MotionDirection = MotionDirection::default();
+                /// Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. Default: false.
+                @[cfg_attr(feature = "serde", serde(rename = "motion_y", alias = "motion_y_up", with = "super::serde_forms::up"))]
+                motion_y_up: host flag bool = false;
+                /// Whether the motion includes the change of jitter. Default: false.
+                motion_jittered: host flag bool = false;
+                /// Meaning of z of the motion. Default: [`MotionDepth::None`].
+                motion_depth: host choice MotionDepth = MotionDepth::default();
+                /// Direction in which the camera looks. Default: [`ViewForward::NegativeZ`].
+                view_forward: host choice ViewForward = ViewForward::default();
+                /// Encoding of roughness. Default: [`RoughnessEncoding::Linear`].
+                roughness: host choice RoughnessEncoding = RoughnessEncoding::default();
+            }
+        }
+    };
+}
+
+/// A field of [`super::Config`] or of its conventions, as data: for user interfaces, command lines and documents.
+#[derive(Clone, Copy, Debug)]
+pub struct ConfigField {
+    /// Name of the field.
+    pub name: &'static str,
+    /// Its documentation, in Markdown.
+    pub doc: &'static str,
+    /// Whether it chooses the filter. The others describe the host: its images, their encodings, and what it wants beside the filter.
+    pub is_of_filter: bool,
+    /// Names and numbers of its values, where it is a choice.
+    pub values: fn() -> Vec<(&'static str, u32)>,
+}
+
+impl ConfigField {
+    /// The first paragraph of the documentation without links, and without the default.
+    pub fn text(&self) -> String {
+        let paragraph = self.doc.split("\n\n").next().unwrap_or_default().replace('\n', "");
+        let plain = paragraph.replace("crate::", "").replace("[`", "`").replace("`]", "`").replace('\\', "");
+        let sentences: Vec<_> =
+            plain.trim().trim_end_matches('.').split(". ").filter(|sentence| !sentence.starts_with("Default:")).collect();
+        sentences.join(". ") + "."
+    }
+}
+
+macro_rules! is_of_filter {
+    (filter) => {
+        true
+    };
+    (host) => {
+        false
+    };
+}
+
+/// The values of a field, by its kind in the table.
+macro_rules! values {
+    (choice $type:ty) => {
+        || <$type as $crate::Choice>::ALL.iter().map(|value| (value.name(), *value as u32)).collect()
+    };
+    (flag $type:ty) => {
+        || vec![("false", 0), ("true", 1)]
+    };
+    ($kind:ident $type:ty) => {
+        Vec::new
+    };
+}
+
+/// A value of a field from text, by its kind in the table.
+macro_rules! parse {
+    (flag $type:ty, $text:expr) => {
+        match $text {
+            "true" => Ok(true),
+            "false" => Ok(false),
+            given => Err(Error::Choice { kind: "flag", given: given.to_owned(), allowed: "true, false".to_owned() }),
+        }
+    };
+    (number $type:ty, $text:expr) => {
+        fields::number($text)
+    };
+    (number_or_none $type:ty, $text:expr) => {
+        if $text == "none" {
+            Ok(None)
+        } else {
+            fields::number($text).map(Some)
+        }
+    };
+    ($kind:ident $type:ty, $text:expr) => {
+        $text.parse::<$type>()
+    };
+}
+
+pub(super) fn number(text: &str) -> Result<u32, Error> {
+    let allowed = "0, 1, 2 and so on".to_owned();
+    text.parse().map_err(|_| Error::Choice { kind: "whole number", given: text.to_owned(), allowed })
+}
+
+pub(super) use {is_of_filter, parse, values};
