@@ -82,7 +82,7 @@ fn alpha(frame: &FrameInputs, setup: &mut Setup) {
     let width = setup.config.allocated_extent[0] as usize;
     let is_rough = |i: &usize| {
         let partly = alpha[*i] > 0.0 && alpha[*i] < 1.0;
-        partly && alpha.get(i + 1).is_some_and(|next| (next - alpha[*i]).abs() > 0.1) && (i + 1) % width != 0
+        partly && alpha.get(i + 1).is_some_and(|next| (next - alpha[*i]).abs() > 0.1) && !(i + 1).is_multiple_of(width)
     };
     let share = (0..alpha.len()).filter(is_rough).count() as f32 / alpha.len().max(1) as f32;
     if share > NOISY_ALPHA {
