@@ -1,4 +1,4 @@
-//! Encodings of a host's depth, normals and motion.
+//! Encodings of your depth, normals and motion.
 
 use super::fields::{is_of_filter, values, ConfigField};
 use crate::choice::choices;
@@ -67,8 +67,8 @@ choices! {
     /// Meaning of the z component of `motion` (2.5D motion).
     #[derive(Default)]
     pub enum MotionDepth {
-        /// No depth: the previous depth is computed from the matrices, which is right for what does not move along the view axis by
-        /// itself.
+        /// No depth: the previous depth is computed from the matrices. That is right for everything
+        /// that does not move along the view axis by itself.
         #[default]
         None = 0 => "none",
         /// Previous linear depth minus current linear depth.
@@ -103,9 +103,10 @@ macro_rules! conventions {
         config { $($config:tt)+ }
         conventions { $($(#[doc = $doc:literal])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
     ) => {
-        /// Encodings of the host's guides. Only the stage `import` knows them; behind it there is one encoding.
+        /// Encodings of your guides. Only the stage `import` knows them; after it there is one
+        /// encoding.
         ///
-        /// With the feature `serde`, what a file leaves out has its default.
+        /// With the feature `serde`, a field that a file leaves out has its default.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default, deny_unknown_fields))]
         pub struct Conventions {

@@ -1,12 +1,12 @@
-//! Ports of nodes: images of a graph, typed by what is in them.
+//! Ports of nodes: images of a graph, typed by their content.
 
 use crate::contract::ResourceId;
 use std::marker::PhantomData;
 
 /// An image of a graph with the content that one node left in it.
 ///
-/// A node that works in place leaves other content in the same image: the value from before is stale then, and a graph that still
-/// reads it is refused.
+/// A node that works in place leaves new content in the same image. The value from before is stale
+/// then, and a graph that still reads it is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Image {
     pub(super) graph: u32,
@@ -22,8 +22,8 @@ impl Image {
 
 /// One image of one kind, or two: one for each signal that is filtered in the same passes.
 ///
-/// A port of another kind does not compile where this one is wanted. [`Port::of`] makes one of an image that a stage of the host
-/// wrote.
+/// A port of a different kind does not compile here. [`Port::of`] makes a port from an image that a
+/// stage of yours wrote.
 #[derive(Debug)]
 pub struct Port<K> {
     images: [Image; 2],
@@ -43,7 +43,7 @@ impl<K> Clone for Port<K> {
 impl<K> Copy for Port<K> {}
 
 impl<K> Port<K> {
-    /// A port of one image. What is in it is up to the caller; its format is checked where it is read.
+    /// A port of one image. You vouch for its content; its format is checked by its reader.
     pub fn of(image: Image) -> Self {
         Self { images: [image; 2], count: 1, holes: false, kind: PhantomData }
     }
@@ -68,7 +68,7 @@ impl<K> Port<K> {
         self.count
     }
 
-    /// The images of this port under another kind, for what two kinds have in common.
+    /// The images of this port under a different kind, for code that two kinds share.
     pub(crate) fn cast<L>(self) -> Port<L> {
         Port { images: self.images, count: self.count, holes: false, kind: PhantomData }
     }
@@ -108,7 +108,8 @@ pub mod kind {
     /// Share of the history that is still true: 1, keep it, to 0, drop it.
     #[derive(Debug)]
     pub enum Confidence {}
-    /// How sure it is that light did not change, for every 8×8 pixels: 1, no difference from the history is seen, to 0.
+    /// Certainty that light did not change, for every 8×8 pixels: 1, no difference from the
+    /// history, to 0.
     #[derive(Debug)]
     pub enum Steadiness {}
     /// Two percentiles of luminance for every 8×8 pixels, packed half floats.
@@ -126,7 +127,7 @@ pub mod kind {
     /// Visibility of a light, blended with its past; packed.
     #[derive(Debug)]
     pub enum VisibilityAccumulated {}
-    /// Share of a light that is seen: 0, none, to 1, all of it.
+    /// Visible share of a light: 0, none, to 1, all of it.
     #[derive(Debug)]
     pub enum Visibility {}
 }
@@ -149,7 +150,7 @@ pub type VolumeEstimate = Port<kind::VolumeEstimate>;
 pub type VolumeMotion = Port<kind::VolumeMotion>;
 /// Share of the history that is still true.
 pub type Confidence = Port<kind::Confidence>;
-/// How sure it is that light did not change.
+/// Certainty that light did not change.
 pub type Steadiness = Port<kind::Steadiness>;
 /// Percentiles of luminance of blocks.
 pub type Percentiles = Port<kind::Percentiles>;
@@ -157,17 +158,18 @@ pub type Percentiles = Port<kind::Percentiles>;
 pub type Difference = Port<kind::Difference>;
 /// Display-referred linear colour.
 pub type Display = Port<kind::Display>;
-/// Visibility of a light as the host gave it.
+/// Visibility of a light as you gave it.
 pub type VisibilitySamples = Port<kind::VisibilitySamples>;
 /// Visibility of a light, blended with its past.
 pub type VisibilityAccumulated = Port<kind::VisibilityAccumulated>;
-/// Share of a light that is seen.
+/// Visible share of a light.
 pub type Visibility = Port<kind::Visibility>;
 
 impl Irradiance {
-    /// Says that a negative alpha marks pixels without a sample of their own, whose irradiance was filled in. The node `fill_holes`
-    /// says so of what it returns; for images that a stage of the host wrote. An accumulation keeps the history of such pixels, and
-    /// counts what was filled in for half a frame.
+    /// Declares that a negative alpha marks pixels without a sample of their own, whose irradiance
+    /// was filled in. The node `fill_holes` does this itself; call it for images that a stage of
+    /// yours wrote. An accumulation keeps the history of such pixels, and counts the filled-in
+    /// light for half a frame.
     pub fn with_filled_holes(mut self) -> Self {
         self.holes = true;
         self
@@ -209,7 +211,7 @@ pub struct Guides {
     pub surface_motion: Image,
     /// Change of depth from a pixel to the next; two packed half floats.
     pub depth_gradient: Image,
-    /// Object-space normal, where the host has one; packed, 32 bits.
+    /// Object-space normal, if you have one; packed, 32 bits.
     pub object_normal: Option<Image>,
 }
 
@@ -240,28 +242,30 @@ impl History {
     }
 }
 
-/// What is seen in each surface: the distance from it, filtered, and the roughness by which it is blurred; two packed half floats, which
-/// the next frame reads as well.
+/// Reflection in each surface: its filtered hit distance, and the roughness that blurs it; two
+/// packed half floats, which the next frame reads as well.
 #[derive(Clone, Copy, Debug)]
 pub struct Reflection {
     /// Hit distance in scene units (0: unknown; 65504: beyond the scene), and perceptual roughness.
     pub image: Image,
 }
 
-/// Temporal gradients, one texel a stratum, with the guide that steers their reconstruction. \[ASVGF\] 3.3, 3.4.
+/// Temporal gradients, one texel per stratum, with the guide that steers their reconstruction.
+/// \[ASVGF\] 3.3, 3.4.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradient {
     pub(crate) image: Image,
     pub(crate) guide: Image,
     pub(crate) stratum_size: u32,
     pub(crate) kept: Option<KeptLuminance>,
-    /// Light of the samples before and now, while they are being filtered.
+    /// Light of the samples in both frames, while they are being filtered.
     pub(crate) light: Option<[Image; 2]>,
     pub(crate) light_ratio: Option<LightRatio>,
 }
 
-/// Ratio of the light of this frame to that of the frame before, one texel a stratum. rgb: the ratio of each component, 0 to 64, as
-/// far as it is known; alpha: 1 where all samples agree on it, down to 0, and -1 in the background.
+/// Ratio of the light of this frame to that of the previous one, one texel per stratum. rgb: the
+/// ratio of each component, 0 to 64, as far as it is known; alpha: 1 where all samples agree on it,
+/// down to 0, and -1 in the background.
 #[derive(Clone, Copy, Debug)]
 pub struct LightRatio {
     pub(crate) image: Image,
@@ -280,7 +284,7 @@ impl LightRatio {
 pub(crate) struct KeptLuminance {
     /// The history: luminance of the radiance, and of the albedo.
     pub image: Image,
-    /// The history of red and blue, where the ratio of light is wanted.
+    /// The history of red and blue, for the ratio of light.
     pub red_blue: Option<Image>,
     /// The radiance that is compared.
     pub of: Radiance,
@@ -299,7 +303,7 @@ impl Gradient {
     }
 }
 
-/// Pixels that the host shades again, one a stratum at most. \[ASVGF\] 3.1.
+/// Re-shaded pixels, at most one per stratum. \[ASVGF\] 3.1.
 #[derive(Clone, Copy, Debug)]
 pub struct GradientSamples {
     pub(crate) image: Image,
@@ -309,7 +313,7 @@ pub struct GradientSamples {
 }
 
 impl GradientSamples {
-    /// The image that `glsl/host/gradient_sample.glsl` reads.
+    /// The image for `glsl/host/gradient_sample.glsl`.
     pub fn image(&self) -> Image {
         self.image
     }

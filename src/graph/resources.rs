@@ -12,12 +12,13 @@ pub(crate) const PACKED_64: ImageFormat = ImageFormat::Exactly(vk::Format::R16G1
 pub(crate) const PACKED_32: ImageFormat = ImageFormat::Exactly(vk::Format::R32_UINT);
 /// Colour of a name that a host chose.
 pub(super) const HOST_COLOUR: ImageFormat = ImageFormat::Any(Component::Float, vk::Format::R16G16B16A16_SFLOAT);
-/// A number from 0 to 1 that a host may use elsewhere.
+/// A number from 0 to 1, which you may use elsewhere.
 pub(crate) const CONFIDENCE: ImageFormat = ImageFormat::Exactly(vk::Format::R32_SFLOAT);
 
 impl Graph {
-    /// Linear HDR radiance of the host. What stands behind `noisy_` in the name is the label of the signal: `noisy_direct` gives
-    /// `moments_direct`; `noisy_radiance`, and a name without that prefix, none.
+    /// Your linear HDR radiance. The name after `noisy_` is the label of the signal: for example,
+    /// `noisy_direct` gives `moments_direct`; `noisy_radiance`, and a name without that prefix,
+    /// none.
     pub fn radiance(&mut self, name: &str) -> Radiance {
         let image = self.host_colour(name);
         let label = name.strip_prefix("noisy_").filter(|label| *label != "radiance").unwrap_or_default();
@@ -39,8 +40,8 @@ impl Graph {
         })
     }
 
-    /// An image with one texel for every `divisor` × `divisor` pixels, of the host's own use between stages of its own: see
-    /// `StageCall`, which needs the feature `host-stages`.
+    /// An image with one texel for every `divisor` × `divisor` pixels, for your own use between
+    /// stages of yours: see `StageCall`, which needs the feature `host-stages`.
     pub fn transient(&mut self, name: &str, format: vk::Format, divisor: u32) -> Image {
         let name = self.scoped(name, "");
         if component_of(format).is_none() {
@@ -186,7 +187,7 @@ impl Graph {
         parts.fold(base.to_owned(), |name, part| format!("{name}_{part}"))
     }
 
-    /// Gives the host the samples that it shades again, as an output of this name.
+    /// Makes the samples to re-shade an output of this name.
     pub fn output_samples(&mut self, name: &str, samples: &GradientSamples) {
         self.output_image(name, samples.image);
     }
