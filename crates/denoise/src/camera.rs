@@ -60,6 +60,8 @@ struct Json {
     conventions: BTreeMap<String, Value>,
     #[serde(default)]
     config: CapturedConfig,
+    /// Of the first captures, which have no `config`.
+    levels: Option<u32>,
     #[serde(default)]
     tuning: BTreeMap<String, f32>,
     #[serde(default)]
@@ -140,13 +142,6 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     let text_of = |value: &Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
     let checksum = crc32fast::hash(text.as_bytes());
-    Ok(SequenceFile {
-        path: path.to_owned(),
-        cameras,
-        conventions,
-        config: json.config,
-        tuning: json.tuning,
-        checksum,
-        verbatim: json.verbatim,
-    })
+    let config = json.levels.map_or(json.config, CapturedConfig::of_the_first);
+    Ok(SequenceFile { path: path.to_owned(), cameras, conventions, config, tuning: json.tuning, checksum, verbatim: json.verbatim })
 }

@@ -4,7 +4,7 @@ use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
     AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
-    NormalEncoding, NormalSpace, Preset, Sampling, ViewForward,
+    NormalEncoding, NormalSpace, Preset, Sampling, Signals, ViewForward,
 };
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
@@ -53,6 +53,44 @@ fn the_description_of_an_old_capture_is_read() {
     assert_eq!((first.reset, second.reset), (Some(ResetReason::OriginShift), None));
     assert_eq!((first.jitter, first.exposure_ratio, first.view_from_world[3]), ([0.1, -0.7], 1.1, [0.3, -1e-7, 12345.678, 1.0]));
     assert_eq!((first.tuning.len(), second.tuning["sigma_l"]), (0, 2.3));
+}
+
+/// Written by the first revision that wrote captures: it names no preset, since there was one, and its levels stand beside the frames.
+#[test]
+fn the_first_capture_is_read() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/captures/first");
+    let files = frame_files::find(&[folder]).expect("frames");
+    let setup = Setup::new(&files, &Options::default()).expect("a set-up");
+    let conventions = Conventions {
+        depth: DepthEncoding::Device,
+        normal_space: NormalSpace::View,
+        motion_unit: MotionUnit::Pixels,
+        motion_depth: MotionDepth::Absolute,
+        motion_y_up: true,
+        // It has none.
+        roughness: setup.config.conventions.roughness,
+        ..Conventions::default()
+    };
+    assert_eq!((setup.config.conventions, setup.config.signals), (conventions, Signals::Apart));
+    assert_eq!((setup.config.preset, setup.config.levels), (Preset::Svgf, Some(3)), "best replays nothing of it");
+    assert!(setup.config.surface_id && setup.config.object_normal);
+    let inputs = ["depth", "normal", "object_normal", "motion", "albedo", "emission", "noisy_direct", "noisy_indirect"];
+    for (number, file) in files.iter().enumerate() {
+        let frame = atrous_denoise::frame::load(file, &setup).expect("a frame");
+        let mut params = FrameParams { jitter: [0.25, -0.5], ..FrameParams::new([3, 2]) };
+        params.view_from_world[3] = [0.5, 0.0, 12.0, 1.0];
+        params.clip_from_view = [[1.5, 0.0, 0.0, 0.0], [0.0, -2.0, 0.0, 0.0], [0.0, 0.0, 0.0, -1.0], [0.0, 0.0, 0.1, 0.0]];
+        // The numbers of the first frame were kept alone.
+        assert_eq!((frame.params, frame.tuning.sigma_l), (params, 3.5));
+        for (input, name) in inputs.into_iter().enumerate() {
+            let value = |i: usize| (input * 8 + i) as f32 / 256.0 + number as f32 / 8.0 + 0.0625;
+            let components = if name == "depth" { 1 } else { 3 };
+            let texel = |texel: usize| std::array::from_fn(|c| if c < components { value(4 * texel + c) } else { 0.0 });
+            let expected: Vec<[f32; 4]> = (0..6).map(texel).collect();
+            assert_eq!(frame.images[name], expected, "{name}");
+        }
+        assert_eq!(frame.surface_id, Some((1..=6).collect()));
+    }
 }
 
 fn variants() -> Vec<Conventions> {
