@@ -5,7 +5,7 @@
 // Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
 // OURS: the luminance weight is a Gauss curve over deviations of means, which taps share; some of what it refuses stays on the centre, so that
 // rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
-// background takes part.
+// background takes part. LAST: of a volume, what goes out: in the exposure of the host.
 // With SPECULAR no wider than the lobe of the surface blurs what is seen in it: by its radius on the screen, by normals within it, and by
 // hit distance [ours]; a mirror is not filtered at all.
 // variants: SIGNALS=1 SIGNALS=2 SIGNALS=1,SPECULAR=1
@@ -19,6 +19,7 @@ layout(constant_id = 1) const uint KERNEL = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
 layout(constant_id = 3) const bool ODD = false;
 layout(constant_id = 4) const bool OURS = false;
+layout(constant_id = 5) const bool LAST = false;
 
 layout(push_constant) uniform Push {
     uint level;
@@ -132,7 +133,8 @@ vec4 result(Sum sum, vec4 centre) {
     sum.irradiance += sum.kept * centre.rgb;
     // Of the same sample as the centre's own weight: weights add up before they are squared.
     sum.variance += sum.kept * (sum.kept + 2.0 * CENTRE_KERNEL) * centre.a * centre.a;
-    return storable(vec4(sum.irradiance, sqrt(sum.variance)) / (sum.weight + sum.kept));
+    vec4 mean = vec4(sum.irradiance, sqrt(sum.variance)) / (sum.weight + sum.kept);
+    return storable(LAST ? mean * frame.inverse_filter_exposure : mean);
 }
 
 // g3x3 of eq. 5, beside the pixel on every level: it steadies an estimate of one pixel.

@@ -157,7 +157,7 @@ float excess(ivec2 p, texture2D noisy, utexture2D percentiles) {
     vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
     if (!is_finite(radiance)) return 0.0;
     if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, p, 0).rgb);
-    float l = luminance(half_range(radiance / divisor)), limit = firefly_limit(percentiles, p / BLOCK_SIZE);
+    float l = luminance(half_range(exposed(radiance) / divisor)), limit = firefly_limit(percentiles, p / BLOCK_SIZE);
     return limit > 0.0 && l > limit ? 1.0 - limit / l : 0.0;
 }
 
@@ -240,7 +240,7 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
     case VIEW_GRADIENT: return gradient_at(p);
     case VIEW_LAMBDA: value = change_at(p); return vec4(false_colour(value), value);
     case VIEW_ALPHA: {
-        value = max(push.alpha + change_at(p) * (1.0 - push.alpha), 1.0 / history_length_at(p));
+        value = max(push.alpha + change_at(p) * (1.0 - push.alpha), 1.0 / max(history_length_at(p), 1.0));
         return vec4(false_colour(value), value);
     }
     case VIEW_PERCENTILES: return percentiles_at(p);

@@ -3,12 +3,14 @@
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Specular light has specular_f0 in place of an albedo where the
 //      host has none, and specular_hit_distance. Out: filter_ping per signal: irradiance; alpha: 0 (-1 in holes), or the hit distance
-//      (scene units; 0: unknown; 65504: beyond the scene).
+//      (scene units; 0: unknown; 65504: beyond the scene). Radiance that is not finite is no sample: a hole, filled from the 3x3 pixels around
+//      it (alpha -1; -2: none of them has a sample), unless the input is sub-sampled: then fill_holes or eaw does it.
 //      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared` (-1: not finite), and of the albedo,
 //      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light.
-// Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where it has none.
+// Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where every pixel has a sample.
 // optional: albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue
 // variants: LUMINANCE=0 LUMINANCE=1
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -16,6 +18,9 @@ layout(constant_id = 1) const uint PAINTING = 0u;
 
 layout(push_constant) uniform Push {
     uint present;
+    float sigma_n;
+    float sigma_z;
+    float edge_falloff;
 } push;
 
 #include "frame.glsl"
@@ -24,6 +29,7 @@ layout(push_constant) uniform Push {
 #include "guide.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
+#include "hole_filling.glsl"
 #include "kept_radiance.glsl"
 #include "reflection.glsl"
 #include "specular_albedo.glsl"
@@ -39,6 +45,7 @@ const uint SPECULAR_F0 = 12u;
 const uint SPECULAR_HIT_DISTANCE = 13u;
 
 layout(set = 0, binding = 2) uniform utexture2D guide;
+layout(set = 0, binding = 14) uniform utexture2D depth_gradient;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 4) uniform texture2D noisy_0;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D irradiance_0;
@@ -53,12 +60,12 @@ layout(set = 0, binding = COMPARED_1) uniform texture2D compared_1;
 layout(set = 0, binding = NOISY_RED_BLUE, r32ui) uniform writeonly uimage2D noisy_red_blue;
 #endif
 
-vec3 divisor_at(ivec2 p) {
-    GuideBits packed = GuideBits(texelFetch(guide, p, 0));
+vec3 divisor_at(ivec2 p, GuideBits packed, out bool bad) {
     bool from_f0 = !is_present(ALBEDO) && is_present(SPECULAR_F0);
+    bad = false;
     if ((!is_present(ALBEDO) && !from_f0) || guide_depth(packed) == 0.0) return vec3(1.0);
     vec3 a = from_f0 ? texelFetch(specular_f0, p, 0).rgb : texelFetch(albedo, p, 0).rgb;
-    if (!is_finite(a)) count_bad(BAD_ALBEDO);
+    bad = !is_finite(a);
     return divisor_of(from_f0 ? specular_albedo_from(a, p, packed) : a);
 }
 
@@ -73,31 +80,48 @@ float hit_distance_at(ivec2 p) {
     return distance == 0.0 ? FARTHEST_HIT : clamp(distance, 1.0 / 16384.0, FARTHEST_HIT);
 }
 
-// Alpha of a pixel without a sample, where the input is sub-sampled [EAW 3.2]: what is not finite is one.
-const float HOLE = -1.0;
-
-vec4 demodulated(vec3 radiance, vec3 divisor) {
-    if (!is_finite(radiance)) {
-        if (PAINTING > 0u) return vec4(vec3(0.0), HOLE);
-        count_bad(BAD_RADIANCE);
-        return vec4(0.0);
+// A pixel without a sample, from those around it.
+vec4 filled(ivec2 p, texture2D noisy) {
+    EdgeCentre centre = edge_centre(GuideBits(texelFetch(guide, p, 0)), unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
+    Filling sum = no_filling();
+    [[dont_unroll]] for (int i = 0; i < 9; ++i) {
+        ivec2 offset = ivec2(i % 3 - 1, i / 3 - 1), q = p + offset;
+        if (i == 4 || !is_inside(q)) continue;
+        GuideBits packed = GuideBits(texelFetch(guide, q, 0));
+        vec3 radiance = texelFetch(noisy, q, 0).rgb;
+        if (!is_finite(radiance) || !is_of_same_kind(centre, packed)) continue;
+        bool bad;
+        add_sample(sum, storable(exposed(radiance) / divisor_at(q, packed, bad)), packed, vec2(offset), centre);
     }
-    return vec4(storable(radiance / divisor), 0.0);
+    return filled_hole(sum);
+}
+
+vec4 demodulated(ivec2 p, texture2D noisy, vec3 radiance, vec3 divisor) {
+    if (is_finite(radiance)) {
+        vec3 irradiance = exposed(radiance) / divisor;
+        if (is_saturated(irradiance)) count_bad(SATURATED);
+        return vec4(storable(irradiance), 0.0);
+    }
+    if (PAINTING > 0u) return vec4(vec3(0.0), HOLE);
+    count_bad(BAD_RADIANCE);
+    return filled(p, noisy);
 }
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec3 divisor = divisor_at(p);
+    bool bad;
+    vec3 divisor = divisor_at(p, GuideBits(texelFetch(guide, p, 0)), bad);
+    if (bad) count_bad(BAD_ALBEDO);
     vec3 radiance = texelFetch(noisy_0, p, 0).rgb;
-    vec4 irradiance = demodulated(radiance, divisor);
+    vec4 irradiance = demodulated(p, noisy_0, radiance, divisor);
     if (is_present(SPECULAR_HIT_DISTANCE) && irradiance.a >= 0.0) irradiance.a = hit_distance_at(p);
     imageStore(irradiance_0, p, irradiance);
     KeptRadiance kept = nothing_kept();
     keep(kept, radiance);
     if (is_present(NOISY_1)) {
         radiance = texelFetch(noisy_1, p, 0).rgb;
-        imageStore(irradiance_1, p, demodulated(radiance, divisor));
+        imageStore(irradiance_1, p, demodulated(p, noisy_1, radiance, divisor));
         keep(kept, radiance);
     }
 #if LUMINANCE

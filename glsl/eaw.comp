@@ -56,7 +56,8 @@ Level level_of(float z) {
     float step_squared = exp2(2.0 * float(push.level));
     Level level;
     bool holes_left = push.level < PAINTING;
-    level.inverse_sigma_rt = RADIANCE && !holes_left ? step_squared / (push.sigma_rt * push.sigma_rt) : 0.0;
+    float sigma_rt = push.sigma_rt * frame.filter_exposure;
+    level.inverse_sigma_rt = RADIANCE && !holes_left ? step_squared / (sigma_rt * sigma_rt) : 0.0;
     float sigma_n = push.sigma_rt_n * NORMAL_STEPS;
     level.inverse_sigma_n = NORMAL ? 1.0 / (step_squared * sigma_n * sigma_n) : 0.0;
     level.inverse_sigma_x = POSITION ? 1.0 / (push.sigma_rt_x * max(z, 1e-15)) : 0.0;

@@ -17,6 +17,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "instance_transform.glsl"
 #include "conventions.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
@@ -99,6 +100,7 @@ bool carried_position(ivec2 j, float z, uint id, out ForwardPosition position) {
             finite = finite && is_finite(rows[i]);
         }
         vec4 current;
+        for (uint i = 0u; i < 3u; ++i) rows[i] = row_about_eye(rows[i], i);
         // As in import, an instance whose transform is not finite did not move.
         if (finite) {
             if (!invert_transform(rows, world, current)) {

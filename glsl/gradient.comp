@@ -131,7 +131,7 @@ void add_reshaded(inout Sum sum, ivec2 p, GuideBits packed) {
     bool known = is_present(RESHADED_RADIANCE) && is_present(PREVIOUS_GUIDE) && is_present(SURFACE_MOTION) && is_present(DEPTH_GRADIENT);
     if (has_flag(FLAG_RESET) || !known || !previous_pixel_of(p, packed, j)) return;
     vec3 radiance = texelFetch(reshaded_radiance, j, 0).rgb;
-    if (is_finite(radiance)) add_change(sum, half_range(radiance), light_of(j), j);
+    if (is_finite(radiance)) add_change(sum, half_range(exposed(radiance)), light_of(j), j);
 }
 
 // Guide of the pixel that stands for the stratum: roughness makes room for its place.
@@ -186,7 +186,8 @@ void main() {
     vec4 value = result(sum);
     if (SOURCE == SPARSE) {
         vec2 host = is_present(SPARSE_GRADIENT) ? texelFetch(sparse_gradient, s, 0).xy : vec2(0.0);
-        value.xy = is_finite(host) ? clamp(host, vec2(-65504.0, 0.0), vec2(65504.0)) : vec2(0.0);
+        vec2 host_exposed = exposed(vec3(host, 0.0)).xy;
+        value.xy = is_finite(host) ? clamp(host_exposed, vec2(-65504.0, 0.0), vec2(65504.0)) : vec2(0.0);
     }
     imageStore(gradient, s, value);
     imageStore(gradient_guide, s, stands.bits);

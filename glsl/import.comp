@@ -16,6 +16,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
+#include "instance_transform.glsl"
 #include "conventions.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
@@ -65,6 +66,9 @@ uint id_at(ivec2 p) {
 
 bool is_orthographic() { return frame.clip_from_view[2][3] == 0.0; }
 
+// Scene units: squares of what is nearer, and sums of tolerances there, are 0.
+const float NEAREST_DEPTH = 1e-30;
+
 // Linear depth of a host's value, 0 for the background.
 float depth_of(float d, uint id, ivec2 p) {
     float z = d;
@@ -74,7 +78,7 @@ float depth_of(float d, uint id, ivec2 p) {
         z = denominator == 0.0 ? 0.0 : abs((d * clip[3][3] - clip[3][2]) / denominator);
     }
     if (convention(DEPTH_SHIFT) == DEPTH_RAY_LENGTH) z = is_orthographic() ? d : d / length(view_position(p, 1.0));
-    bool background = !is_finite(z) || z <= 0.0 || z >= frame.background_depth || id == 0u;
+    bool background = !is_finite(z) || z < NEAREST_DEPTH || z >= frame.background_depth || id == 0u;
     return background ? 0.0 : z;
 }
 
@@ -95,7 +99,7 @@ vec3 world_normal(ivec2 p, bool background) {
     return !bad && squared >= 1e-8 ? n * inversesqrt(squared) : towards_camera;
 }
 
-// The surface point of a pixel in world space, homogeneous. The background lies at infinity; orthographic lines of sight show the same
+// The surface point of a pixel in world space seen from the eye, homogeneous. The background lies at infinity; orthographic lines of sight show the same
 // at all depths.
 vec4 world_point(ivec2 p, float z) {
     bool at_infinity = z == 0.0 && !is_orthographic();
@@ -114,7 +118,7 @@ vec4 carry(vec4 world, uint id, inout vec3 n) {
     vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
     float squared = dot(turned, turned);
     if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
-    vec4 carried = vec4(dot(x, world), dot(y, world), dot(z, world), 1.0);
+    vec4 carried = vec4(dot(row_about_eye(x, 0u), world), dot(row_about_eye(y, 1u), world), dot(row_about_eye(z, 2u), world), 1.0);
     return all(lessThan(abs(carried.xyz), vec3(FARTHEST))) ? carried : world;
 #else
     return world;

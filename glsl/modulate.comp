@@ -65,5 +65,7 @@ void main() {
     if (!SPECULAR) irradiance += second;
     vec3 radiance = irradiance * factor_at(p);
     if (SPECULAR) radiance += second * specular_factor_at(p);
-    imageStore(denoised_radiance, p, vec4(storable(radiance + emission_at(p)), 1.0));
+    radiance = radiance * frame.inverse_filter_exposure + emission_at(p);
+    if (is_saturated(radiance)) count_bad(SATURATED);
+    imageStore(denoised_radiance, p, vec4(storable(radiance), 1.0));
 }

@@ -5,7 +5,7 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
 // Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
-// Constants: HOLES: as in temporal_accumulation.comp. FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
+// Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
 // optional: roughness, history_confidence
 #extension GL_EXT_control_flow_attributes : require
@@ -16,9 +16,8 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(constant_id = 1) const bool HOLES = false;
-layout(constant_id = 2) const bool FILTERED = false;
-layout(constant_id = 3) const bool SHARP = false;
+layout(constant_id = 1) const bool FILTERED = false;
+layout(constant_id = 2) const bool SHARP = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -265,7 +264,8 @@ void main() {
     vec4 value = texelFetch(noisy, p, 0);
     float rough = roughness_of(is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0);
     bool background = guide_depth(packed) == 0.0;
-    Moments moments = Moments(luminance(value.rgb), 0.0, 1.0, background ? REASON_NONE : REASON_RESET);
+    float worth = sample_worth(value.a);
+    Moments moments = first_moments(value.rgb, worth, background ? REASON_NONE : REASON_RESET);
     Reflection seen = Reflection(0.0, rough);
     vec3 irradiance = value.rgb;
     float image_share = NO_PAST;
@@ -275,10 +275,10 @@ void main() {
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
             Past past = best_past(c, rough, seen.hit_distance, share, steadiness);
-            moments.reason = REASON_DEPTH;
+            moments = first_moments(value.rgb, worth, REASON_DEPTH);
             if (past.found) {
                 image_share = share;
-                float change = change_at(p), worth = HOLES ? sample_worth(value.a) : 1.0;
+                float change = change_at(p);
                 vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));
                 float history_length = length_with(past.frames, worth, adapted(floors.x, change));
                 History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);

@@ -7,8 +7,8 @@
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
-// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio. HOLES: a pixel with
-// a negative alpha has no sample of its own, and what was filled in weighs less; each signal then has a history length of its own.
+// Rom, where all its 4x4 taps show the surface, so that history does not blur as it moves. STRATUM_SIZE: with light_ratio. A pixel with a
+// negative alpha has no sample of its own, and what was filled in weighs less: so each signal has a history length of its own.
 // optional: surface_motion, depth_gradient, volume_motion, object_normal, previous_object_normal, history_confidence, light_ratio
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
@@ -20,7 +20,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const bool VOLUME = false;
 layout(constant_id = 2) const bool REPAIR = false;
 layout(constant_id = 3) const bool SHARP = false;
-layout(constant_id = 4) const bool HOLES = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -283,10 +282,10 @@ void main() {
     vec3 ratio = light_ratio_at(p);
     for (int i = 0; i < SIGNALS; ++i) {
         irradiance[i] = texels[i].rgb;
-        moments[i] = Moments(luminance(irradiance[i]), 0.0, 1.0, reason);
+        float worth = sample_worth(texels[i].a);
+        moments[i] = first_moments(irradiance[i], worth, reason);
         if (sum.weight > 0.0) {
-            float worth = HOLES ? sample_worth(texels[i].a) : 1.0;
-            float history_length = min(sum.history_lengths[HOLES ? i : 0] * inverse + worth, longest);
+            float history_length = min(sum.history_lengths[i] * inverse + worth, longest);
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
             vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);

@@ -95,14 +95,14 @@ void spatial_moments(ivec2 p, GuideBits packed, vec2 means, out vec2 sums[2]) {
 
 float deviation_of(vec2 moments, float history_length) {
     float variance = max(0.0, moments.y - moments.x * moments.x);
-    return sqrt(variance * push.spatial_variance_frames / history_length);
+    return sqrt(variance * push.spatial_variance_frames / max(history_length, 1.0));
 }
 
 // The spatial estimate where the past is short; with FADE both, so that no estimate jumps and none is 0 among neighbours that are not.
 float combined(float temporal, vec2 sums, float history_length) {
     float spatial = deviation_of(sums, history_length);
     if (!FADE) return spatial;
-    float share = min(push.spatial_variance_frames / history_length, 1.0);
+    float share = min(push.spatial_variance_frames / max(history_length, 1.0), 1.0);
     return sqrt(mix(temporal * temporal, spatial * spatial, share));
 }
 
@@ -169,10 +169,10 @@ const float SEEN_NOISE = 1.75;
 
 // Standard deviation of the accumulated mean: never below the noise of neighbouring means.
 float deviation_of_mean(Moments m, Surroundings around) {
-    float share = min(push.spatial_variance_frames / m.history_length, 1.0);
-    float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / m.history_length);
+    float frames = max(m.history_length, 1.0), share = min(push.spatial_variance_frames / frames, 1.0);
+    float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     float of_sample = mix(m.deviation * m.deviation, spatial, share);
-    float averaging = max(1.0 / m.history_length, push.alpha / (2.0 - push.alpha));
+    float averaging = max(1.0 / frames, push.alpha / (2.0 - push.alpha));
     return sqrt(max(of_sample * averaging, SEEN_NOISE * around.noise));
 }
 

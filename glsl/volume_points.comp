@@ -2,8 +2,10 @@
 // Takes in the light that a volume scatters towards the camera, and where: the points that the next frame carries forward.
 // Source: [PSVGF], volumes: virtual points of high contribution, chosen by transmittance sampling.
 // In:  noisy_volume of the host, linear Rec. 709; scattering_depth of the host, linear depth in scene units, 0, infinite or NaN for no point.
-// Out: filter_ping_volume: radiance, 0; volume_points: depth, contribution (the upper half of the luminance as a float), 0.
+//      Radiance that is not finite is no sample: the mean of the 3x3 pixels around it stands in for it.
+// Out: filter_ping_volume: radiance; alpha: 0, -1 where it was filled in, -2 where nothing around it is finite; volume_points: depth, contribution (the upper half of the luminance as a float), 0.
 // optional: scattering_depth
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -14,6 +16,7 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
+#include "holes.glsl"
 #include "luminance.glsl"
 #include "volume_point.glsl"
 
@@ -26,11 +29,26 @@ layout(set = 0, binding = SCATTERING_DEPTH) uniform texture2D scattering_depth;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D radiance;
 layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D volume_points;
 
-vec3 radiance_at(ivec2 p) {
+// Of the samples around a pixel that has none.
+vec4 filled(ivec2 p) {
+    vec4 sum = vec4(0.0);
+    [[dont_unroll]] for (int i = 0; i < 9; ++i) {
+        ivec2 offset = ivec2(i % 3 - 1, i / 3 - 1), q = p + offset;
+        vec3 c = texelFetch(noisy_volume, nearest_inside(q), 0).rgb;
+        if (i == 4 || !is_inside(q) || !is_finite(c)) continue;
+        sum += vec4(storable(exposed(c)), 1.0) / float(offset.x * offset.x + offset.y * offset.y);
+    }
+    return sum.a > 0.0 ? vec4(storable(sum.rgb / sum.a), HOLE) : vec4(vec3(0.0), EMPTY_HOLE);
+}
+
+vec4 radiance_at(ivec2 p) {
     vec3 c = texelFetch(noisy_volume, p, 0).rgb;
-    if (is_finite(c)) return half_range(c);
+    if (is_finite(c)) {
+        if (is_saturated(exposed(c))) count_bad(SATURATED);
+        return vec4(half_range(exposed(c)), 0.0);
+    }
     count_bad(BAD_RADIANCE);
-    return vec3(0.0);
+    return filled(p);
 }
 
 // Linear depth of the pixel's point; 0: there is none.
@@ -52,7 +70,7 @@ uint contribution(vec3 c) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    vec3 c = radiance_at(p);
-    imageStore(radiance, p, vec4(storable(c), 0.0));
-    imageStore(volume_points, p, pack_point(depth_at(p), contribution(c)).bits);
+    vec4 c = radiance_at(p);
+    imageStore(radiance, p, vec4(storable(c.rgb), c.a));
+    imageStore(volume_points, p, pack_point(depth_at(p), c.a < 0.0 ? 0u : contribution(c.rgb)).bits);
 }

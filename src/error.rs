@@ -209,13 +209,23 @@ pub enum Error {
         difference: String,
     },
     /// A Vulkan call failed.
-    #[error("{call} failed with {result}")]
+    #[error("{call} failed with {result}{}", remedy(*result))]
     Vulkan {
         /// Vulkan function.
         call: &'static str,
         /// Result of the call.
         result: vk::Result,
     },
+}
+
+/// What to do about a result, as the end of a sentence.
+fn remedy(result: vk::Result) -> &'static str {
+    match result {
+        vk::Result::ERROR_DEVICE_LOST => {
+            ": the device is lost. Make another device and executor, and go on with `restart_at` and the frame that was not finished"
+        }
+        _ => "",
+    }
 }
 
 impl Error {

@@ -24,6 +24,9 @@ pub struct FrameConstants {
     pub background_depth: f32,
     pub previous_clip_w_scale: f32,
     pub previous_clip_w_offset: f32,
+    pub filter_exposure: f32,
+    pub inverse_filter_exposure: f32,
+    pub eye: [f32; 4],
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and your conventions.

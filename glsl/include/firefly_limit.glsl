@@ -8,7 +8,7 @@
 // [PSVGF] Of one block. 0: the block does not say, since next to all of its samples are black.
 float firefly_limit_of(utexture2D block_percentiles, ivec2 block) {
     vec2 low_up = unpack_block_percentiles(texelFetch(block_percentiles, block, 0).x);
-    return low_up.y > 0.0 ? push.firefly_bias + low_up.y + percentile_range(low_up) : 0.0;
+    return low_up.y > 0.0 ? push.firefly_bias * frame.filter_exposure + low_up.y + percentile_range(low_up) : 0.0;
 }
 
 // The largest limit of the 3x3 blocks around; 0: none.

@@ -1,9 +1,16 @@
 // The uniform block of the frame: camera, extents, conventions. What a host tunes is in the push constants of the shaders that read it.
+// "World" in shaders is world space seen from this frame's eye: its axes, with the eye as the origin. The matrices are composed in double
+// precision, so that what is near the eye is exact however far both are from the host's origin.
 // Twin: FrameConstants in src/frame_constants.rs; the build asserts equal offsets.
 #ifndef FRAME_GLSL
 #define FRAME_GLSL
 
-layout(set = 0, binding = 0, std140) uniform FrameConstants {
+// The stage filter_exposure alone writes it.
+#ifndef FRAME_ACCESS
+#define FRAME_ACCESS uniform
+#endif
+
+layout(set = 0, binding = 0, std140) FRAME_ACCESS FrameConstants {
     mat4 clip_from_view;            // unjittered
     mat4 world_from_view;
     mat4 previous_clip_from_world;  // unjittered
@@ -16,16 +23,22 @@ layout(set = 0, binding = 0, std140) uniform FrameConstants {
     vec2 previous_jitter;           // pixels
     uint frame_index;
     uint flags;                     // FLAG_*, and the conventions, which shaders have as a constant
-    float exposure_ratio;           // this frame's exposure / the previous one's
+    float exposure_ratio;           // this frame's exposure / the previous one's, with those of the filter
     float background_depth;         // scene units; linear depths from here on are background
     float previous_clip_w_scale;    // w = scale·linear depth + offset in the previous frame's clip space
     float previous_clip_w_offset;
+    float filter_exposure;          // a power of 2: light in the filter / light of the host
+    float inverse_filter_exposure;
+    vec4 eye;                       // of this frame, in the host's world space; w is 0
 } frame;
 
 const uint FLAG_RESET = 1u;
 const uint FLAG_RESHADED = 1u << 16;
 
 bool has_flag(uint flag) { return (frame.flags & flag) != 0u; }
+
+// Light of the host as the filter counts it: so that half floats hold it. What is finite stays finite.
+vec3 exposed(vec3 radiance) { return min(max(radiance * frame.filter_exposure, -3e38), 3e38); }
 
 bool is_inside(ivec2 p) { return all(greaterThanEqual(p, ivec2(0))) && all(lessThan(p, ivec2(frame.render_extent))); }
 

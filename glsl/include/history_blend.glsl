@@ -2,6 +2,7 @@
 #ifndef HISTORY_BLEND_GLSL
 #define HISTORY_BLEND_GLSL
 #include "frame.glsl"
+#include "holes.glsl"
 #include "luminance.glsl"
 #include "moments.glsl"
 
@@ -34,18 +35,23 @@ History in_light(History history, float origin, vec3 ratio, float scale) {
     return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0));
 }
 
-// Frames that the light of a pixel is worth: what was filled in for a sample is that of neighbours.
-float sample_worth(float alpha) { return alpha < 0.0 ? 0.5 : 1.0; }
+// Of a pixel without a history; without a sample either, its next one is its first.
+Moments first_moments(vec3 irradiance, float worth, uint reason) {
+    bool sampled = worth > 0.0;
+    return Moments(luminance(irradiance), 0.0, sampled ? 1.0 : 0.0, sampled ? reason : REASON_NONE);
+}
 
-// `worth`: frames that this one counts for. `least`: smallest weights of this frame, in the irradiance and in its moments.
+// `worth`: frames that this one counts for; 0: there is no sample, and the history stays. `least`: smallest weights of this frame, in the
+// irradiance and in its moments.
 vec3 blend(vec3 irradiance, History history, float history_length, float worth, vec2 least, out Moments moments) {
-    float alpha_moments = max(least.y, worth / history_length);
+    vec2 weights = worth > 0.0 ? max(least, worth / history_length) : vec2(0.0);
+    float alpha_moments = weights.y;
     float difference = luminance(irradiance) - history.mean;
     moments.mean = history.mean + alpha_moments * difference;
     moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
     moments.history_length = history_length;
     moments.reason = REASON_NONE;
-    float alpha = max(least.x, worth / history_length);
+    float alpha = weights.x;
     // What is dropped leaves no rounding error behind.
     return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;
 }

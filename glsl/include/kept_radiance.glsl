@@ -3,9 +3,10 @@
 #ifndef KEPT_RADIANCE_GLSL
 #define KEPT_RADIANCE_GLSL
 #include "finite.glsl"
+#include "frame.glsl"
 #include "luminance.glsl"
 
-// Radiance of all signals of a pixel. One that is not finite says nothing of how bright the light is.
+// Radiance of all signals of a pixel, as the filter counts it. One that is not finite says nothing of how bright the light is.
 struct KeptRadiance {
     vec3 radiance;
     bool known;
@@ -15,12 +16,20 @@ KeptRadiance nothing_kept() { return KeptRadiance(vec3(0.0), true); }
 
 void keep(inout KeptRadiance kept, vec3 radiance) {
     bool finite = is_finite(radiance);
-    kept.radiance += finite ? half_range(radiance) : vec3(0.0);
+    kept.radiance += finite ? half_range(exposed(radiance)) : vec3(0.0);
     kept.known = kept.known && finite;
 }
 
+// In an order of its own and never fused: one stage keeps it, another compares with it, and of equal light the difference is exactly 0.
+float luminance_to_compare(vec3 c) {
+    precise float l = 0.2126 * c.r;
+    l = l + 0.7152 * c.g;
+    l = l + 0.0722 * c.b;
+    return l;
+}
+
 // What noisy_luminance holds of a pixel: negative where its light is not known.
-float luminance_or_hole(KeptRadiance kept) { return kept.known ? luminance(kept.radiance) : -1.0; }
+float luminance_or_hole(KeptRadiance kept) { return kept.known ? luminance_to_compare(kept.radiance) : -1.0; }
 
 uint pack_halves(vec2 v) { return packHalf2x16(min(v, 65504.0)); }
 
@@ -28,7 +37,7 @@ vec2 unpack_noisy_luminance(uint packed) { return unpackHalf2x16(packed); }  // 
 vec2 unpack_noisy_red_blue(uint packed) { return unpackHalf2x16(packed); }
 
 // As a texel of either image has it: what did not change differs by 0.
-float kept_luminance(vec3 radiance) { return unpackHalf2x16(pack_halves(vec2(luminance(radiance), 0.0))).x; }
+float kept_luminance(vec3 radiance) { return unpackHalf2x16(pack_halves(vec2(luminance_to_compare(radiance), 0.0))).x; }
 vec2 kept_red_blue(vec3 radiance) { return unpackHalf2x16(pack_halves(radiance.rb)); }
 
 vec3 radiance_of(float luminance, vec2 red_blue) {

@@ -8,6 +8,9 @@ float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 vec4 half_range(vec4 c) { return min(max(c, vec4(0.0)), vec4(65504.0)); }
 vec3 half_range(vec3 c) { return half_range(vec4(c, 0.0)).rgb; }
 
+// Whether a half float cannot hold a light that is finite.
+bool is_saturated(vec3 c) { return max(max(c.r, c.g), c.b) > 65504.0; }
+
 // The nearest half float, of two the larger. A device may cut bits off as it stores, which takes light from every average that is fed back;
 // what is a half already is stored alike by all. Twin: src/reference/binary16.rs.
 vec4 storable(vec4 c) { return uintBitsToFloat((floatBitsToUint(half_range(c)) + 0x1000u) & 0xffffe000u); }

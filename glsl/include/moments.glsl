@@ -7,7 +7,7 @@
 struct Moments {
     float mean;
     float deviation;
-    float history_length;  // frames
+    float history_length;  // frames; 0: there never was a sample
     uint reason;           // REASON_*
 };
 

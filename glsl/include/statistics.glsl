@@ -19,7 +19,10 @@ const uint BAD_OCCLUDER_DISTANCE = 11u;
 // The first of five: one for each reason of moments.glsl from REASON_NONE, history was kept, to REASON_NORMAL.
 const uint HISTORY_KEPT = 12u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[17]; } statistics;
+// Light that a half float cannot hold, where it comes into the filter or goes out of it.
+const uint SATURATED = 17u;
+
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[18]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

@@ -5,7 +5,7 @@ use crate::choice::choices;
 use crate::config::check_extent;
 use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
-use glam::Mat4;
+use glam::{DMat4, DVec3, Mat4};
 
 mod forward;
 
@@ -203,15 +203,15 @@ impl FrameState {
 const FARTHEST_DEPTH: f32 = 1e15;
 
 fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64, reset: bool) -> FrameConstants {
-    let mat = |m: &[[f32; 4]; 4]| Mat4::from_cols_array_2d(m);
-    let view = mat(&now.view_from_world);
-    let (previous_view, previous_clip) = (mat(&before.view_from_world), mat(&before.clip_from_view));
-    let columns = |m: Mat4| m.to_cols_array_2d();
-    let forward = forward::ForwardProjection::new(&setup.conventions, now, before);
+    let eye = eye_of(now);
+    let world_from_view = double(&now.view_from_world).inverse();
+    let previous_view = double(&before.view_from_world) * DMat4::from_translation(eye);
+    let columns = |m: DMat4| m.to_cols_array_2d().map(|column| column.map(|x| x as f32));
+    let forward = forward::ForwardProjection::new(&setup.conventions, now, before, eye);
     FrameConstants {
         clip_from_view: now.clip_from_view,
-        world_from_view: columns(view.inverse()),
-        previous_clip_from_world: columns(previous_clip * previous_view),
+        world_from_view: columns(DMat4::from_translation(-eye) * world_from_view),
+        previous_clip_from_world: columns(double(&before.clip_from_view) * previous_view),
         previous_view_from_world: columns(previous_view),
         world_from_previous_sample: forward.world_from_previous_sample,
         sample_from_world: forward.sample_from_world,
@@ -225,5 +225,18 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         background_depth: setup.conventions.background_depth.min(FARTHEST_DEPTH),
         previous_clip_w_scale: forward.previous_clip_w[0],
         previous_clip_w_offset: forward.previous_clip_w[1],
+        // The stage `filter_exposure` chooses another, where a graph has it.
+        filter_exposure: 1.0,
+        inverse_filter_exposure: 1.0,
+        eye: eye.extend(0.0).as_vec4().into(),
     }
+}
+
+/// Where a view looks from: the origin of the world that shaders see.
+fn eye_of(params: &FrameParams) -> DVec3 {
+    double(&params.view_from_world).inverse().w_axis.truncate()
+}
+
+fn double(m: &[[f32; 4]; 4]) -> DMat4 {
+    DMat4::from_cols_array_2d(&m.map(|column| column.map(f64::from)))
 }

@@ -8,8 +8,8 @@ choices! {
     /// The counters in the buffer `statistics`, in pixels of the render extent: 32-bit words, in
     /// the order of `glsl/include/statistics.glsl`.
     ///
-    /// `temporal_accumulation` counts the last five, once for each accumulation of a graph. It
-    /// counts nothing in the background, or in a frame with a reset.
+    /// `temporal_accumulation` counts those from [`Self::HistoryKept`] to [`Self::LostNormal`], once for each
+    /// accumulation of a graph. It counts nothing in the background, or in a frame with a reset.
     #[non_exhaustive]
     pub enum Counter {
         /// A depth that is NaN.
@@ -47,6 +47,9 @@ choices! {
         LostDepth = 15 => "lost_depth",
         /// A surface without history: its motion leads to a different normal.
         LostNormal = 16 => "lost_normal",
+        /// Light above 65504, which a half float cannot hold: a signal as it comes into the filter, in the exposure of the filter, or the
+        /// picture as it goes out.
+        Saturated = 17 => "saturated",
     }
 }
 

@@ -216,19 +216,29 @@ fn create_instance(entry: &ash::Entry, validate: bool, version: u32) -> Result<a
         }
     }
     let application = vk::ApplicationInfo::default().application_name(c"atrous").api_version(version);
-    let (layers, extensions): (Vec<_>, Vec<_>) = if validate {
-        (vec![VALIDATION_LAYER.as_ptr()], vec![vk::EXT_DEBUG_UTILS_NAME.as_ptr(), vk::EXT_VALIDATION_FEATURES_NAME.as_ptr()])
-    } else {
-        (vec![], vec![])
-    };
+    let layers = if validate { vec![VALIDATION_LAYER.as_ptr()] } else { vec![] };
+    let asking = if validate { layer_extensions(entry)? } else { vec![] };
+    let mut extensions: Vec<_> = asking.iter().map(|name| name.as_ptr()).collect();
+    if validate {
+        extensions.push(vk::EXT_DEBUG_UTILS_NAME.as_ptr());
+    }
     let enabled = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
     let mut features = vk::ValidationFeaturesEXT::default().enabled_validation_features(&enabled);
+    let on = vk::TRUE.to_ne_bytes();
+    let settings = LAYER_SETTINGS.map(|name| {
+        let setting = vk::LayerSettingEXT::default().layer_name(VALIDATION_LAYER).setting_name(name);
+        vk::LayerSettingEXT { value_count: 1, ..setting.ty(vk::LayerSettingTypeEXT::BOOL32).values(&on) }
+    });
+    let mut settings = vk::LayerSettingsCreateInfoEXT::default().settings(&settings);
     let mut info = vk::InstanceCreateInfo::default()
         .application_info(&application)
         .enabled_layer_names(&layers)
         .enabled_extension_names(&extensions);
-    if validate {
+    if asking.contains(&vk::EXT_VALIDATION_FEATURES_NAME) {
         info = info.push_next(&mut features);
+    }
+    if asking.contains(&vk::EXT_LAYER_SETTINGS_NAME) {
+        info = info.push_next(&mut settings);
     }
     // SAFETY: every pointer in `info` lives until the call returns.
     unsafe { entry.create_instance(&info, None) }.map_err(|e| match e {
@@ -237,6 +247,25 @@ fn create_instance(entry: &ash::Entry, validate: bool, version: u32) -> Result<a
         }
         _ => no_device(format!("vkCreateInstance failed with {e}")),
     })
+}
+
+/// Switches by which newer validation layers look for hazards: between commands, between submissions, and inside shaders.
+const LAYER_SETTINGS: [&CStr; 3] = [c"validate_sync", c"syncval_submit_time_validation", c"syncval_shader_accesses_heuristic"];
+
+/// The extensions by which the validation layer is told to look for hazards, of those that it has: older layers have the first, newer ones
+/// the second, some both.
+fn layer_extensions(entry: &ash::Entry) -> Result<Vec<&'static CStr>, Error> {
+    // SAFETY: the loader is live.
+    let offered = unsafe { entry.enumerate_instance_extension_properties(Some(VALIDATION_LAYER)) }
+        .map_err(Error::vulkan("vkEnumerateInstanceExtensionProperties"))?;
+    let has = |name: &&CStr| offered.iter().any(|extension| extension.extension_name_as_c_str() == Ok(*name));
+    let found: Vec<_> = [vk::EXT_VALIDATION_FEATURES_NAME, vk::EXT_LAYER_SETTINGS_NAME].into_iter().filter(has).collect();
+    if found.is_empty() {
+        let missing = "VK_EXT_validation_features and VK_EXT_layer_settings";
+        let problem = format!("the Khronos validation layer has none of {missing}, and looks for no hazards; install a newer one");
+        return Err(Error::NoDevice(problem));
+    }
+    Ok(found)
 }
 
 type Errors = Mutex<Vec<String>>;

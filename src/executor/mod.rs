@@ -46,6 +46,9 @@ pub struct ExecutorOptions {
     /// Fills every transient, and every copy that is about to be written, with NaN before a frame:
     /// for tests.
     pub poison: bool,
+    /// Bytes of the largest block of memory to ask the device for. `None`: as much as it gives at once, so that everything lies in one
+    /// block for each type of memory, as large as what lies in it.
+    pub largest_block: Option<u64>,
     /// Gives every transient memory of its own: to look at intermediate images.
     pub no_aliasing: bool,
     /// Times every pass by timestamps. Needs a queue family with `timestampValidBits`.
@@ -68,6 +71,8 @@ pub struct AllocatedMemory {
     pub transient: u64,
     /// Outputs without an image of yours.
     pub output: u64,
+    /// Bytes of the blocks that the device gave for all of these: what is between them is for alignment.
+    pub device: u64,
 }
 
 /// Runs a denoiser on your command buffers.

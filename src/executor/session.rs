@@ -57,6 +57,7 @@ impl Session {
         let executor_options = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             poison: options.poison,
+            largest_block: None,
             no_aliasing: options.keep_transients,
             timestamps: options.timestamps && gpu.has_timestamps(),
             legacy_barriers: !gpu.has_synchronization2(),

@@ -46,6 +46,7 @@ stages! {
     demodulate,
     eaw,
     fill_holes,
+    filter_exposure,
     firefly,
     forward_project,
     gradient,

@@ -75,6 +75,7 @@ impl Config {
         let mut g = Graph::of_config(self);
         let guides =
             g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
+        filter_exposure(&mut g, self);
         let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
         let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));
         if let Some(denoised) = &surfaces {
@@ -144,6 +145,22 @@ pub fn noisy(g: &mut Graph, signals: Signals) -> Radiance {
             g.pair(&direct, &indirect)
         }
     }
+}
+
+/// The exposure of the filter, by all light that a configuration has the host give.
+pub fn filter_exposure(g: &mut Graph, config: &Config) {
+    let mut light = match config.preset {
+        Preset::Volume => vec![],
+        Preset::Stabilize => vec![g.radiance("other_denoised_radiance")],
+        _ => vec![noisy(g, config.signals)],
+    };
+    if config.signals == Signals::Specular && !matches!(config.preset, Preset::Volume | Preset::Stabilize) {
+        light.push(g.radiance("noisy_specular"));
+    }
+    if config.has_volume() {
+        light.push(g.radiance("noisy_volume"));
+    }
+    g.filter_exposure(&light);
 }
 
 /// Tone map and temporal anti-aliasing into the output `display`, as configured.

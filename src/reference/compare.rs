@@ -65,6 +65,8 @@ pub(crate) enum Unit {
     Block,
     /// Every stratum.
     Stratum,
+    /// The frame: it is a single texel.
+    Frame,
     /// No unit: it is a buffer, and every byte counts.
     Buffer,
 }
@@ -120,6 +122,7 @@ impl Rule {
             Unit::Pixel => render_extent,
             Unit::Block => render_extent.map(|side| side.div_ceil(BLOCK_SIZE)),
             Unit::Stratum => render_extent.map(|side| side.div_ceil(stratum_size.max(1))),
+            Unit::Frame => [1, 1],
             Unit::Buffer => gpu.extent(),
         };
         let (mut differ, mut first) = (0_usize, None);

@@ -204,7 +204,11 @@ impl Engine {
             Work::StartFrame | Work::Clear => {
                 for u in uses {
                     let (resource, copy) = place(u);
-                    stored[resource][copy] = Some(zeroed(declaration, u.resource)?);
+                    let is_block = declaration.resource(u.resource).name == "frame_constants";
+                    stored[resource][copy] = Some(match is_block {
+                        true => Texels::Bytes(bytemuck::bytes_of(&frame.constants).to_vec()),
+                        false => zeroed(declaration, u.resource)?,
+                    });
                 }
             }
             Work::Dispatch(_) => {

@@ -3,6 +3,7 @@
 use super::binary16::{half_bits, round_to_half, LARGEST_HALF};
 use super::luminance::luminance;
 use super::Image;
+use crate::FrameConstants;
 use glam::IVec2;
 
 /// Whether a texel holds a colour.
@@ -10,21 +11,33 @@ pub(crate) fn is_finite(texel: [f32; 4]) -> bool {
     texel[..3].iter().all(|c| c.is_finite())
 }
 
-/// Radiance of all signals at a pixel; `None` where one is not finite, which says nothing of how bright the light is.
-pub(crate) fn kept_radiance(noisy: &[&Image<[f32; 4]>], p: IVec2) -> Option<[f32; 3]> {
-    noisy.iter().all(|noisy| is_finite(noisy.at(p))).then(|| finite_radiance(noisy, p))
+/// Light of the host as the filter counts it. What is finite stays finite.
+pub(crate) fn exposed(frame: &FrameConstants, [r, g, b, a]: [f32; 4]) -> [f32; 4] {
+    let [r, g, b] = [r, g, b].map(|c| (c * frame.filter_exposure).clamp(-3e38, 3e38));
+    [r, g, b, a]
 }
 
-/// Radiance of all signals at a pixel, each 0 where it is not finite.
-pub(crate) fn finite_radiance(noisy: &[&Image<[f32; 4]>], p: IVec2) -> [f32; 3] {
-    let signals = noisy.iter().map(|noisy| storable(noisy.at(p)));
+/// Radiance of all signals at a pixel, as the filter counts it; `None` where one is not finite, which says nothing of how bright the light
+/// is.
+pub(crate) fn kept_radiance(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], p: IVec2) -> Option<[f32; 3]> {
+    noisy.iter().all(|noisy| is_finite(noisy.at(p))).then(|| finite_radiance(frame, noisy, p))
+}
+
+/// Radiance of all signals at a pixel, as the filter counts it, each 0 where it is not finite.
+pub(crate) fn finite_radiance(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], p: IVec2) -> [f32; 3] {
+    let signals = noisy.iter().map(|noisy| storable(frame, noisy.at(p)));
     signals.fold([0.0; 3], |sum, radiance| [0, 1, 2].map(|i| sum[i] + radiance[i]))
 }
 
-/// Radiance as a half-float image holds it; black where it is not finite.
-pub(crate) fn storable([r, g, b, _]: [f32; 4]) -> [f32; 3] {
-    let rgb = [r, g, b];
-    rgb.map(|c| if rgb.iter().all(|c| c.is_finite()) { c.clamp(0.0, LARGEST_HALF) } else { 0.0 })
+/// Radiance as the filter counts it and a half-float image holds it; black where it is not finite.
+pub(crate) fn storable(frame: &FrameConstants, texel: [f32; 4]) -> [f32; 3] {
+    let [r, g, b, _] = if is_finite(texel) { exposed(frame, texel) } else { [0.0; 4] };
+    [r, g, b].map(|c| c.clamp(0.0, LARGEST_HALF))
+}
+
+/// Whether a half float cannot hold one of the components of a light.
+pub(crate) fn is_saturated(light: [f32; 3]) -> bool {
+    light.iter().any(|c| *c > LARGEST_HALF)
 }
 
 /// Luminance as a texel of `noisy_luminance` has it.
@@ -50,7 +63,7 @@ pub(crate) fn pack_halves([low, high]: [f32; 2]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::test_scene::paint;
+    use crate::reference::test_scene::{frame, paint};
 
     #[test]
     fn green_follows_of_luminance_red_and_blue() {
@@ -64,9 +77,12 @@ mod tests {
     #[test]
     fn signals_are_added_and_of_what_is_not_finite_nothing_is_known() {
         let [good, bad] = [1.0, f32::NAN].map(|r| paint([1, 1], |_, _| [r, 2.0, 1e9, 0.0]));
-        assert_eq!(finite_radiance(&[&good, &bad, &good], IVec2::ZERO), [2.0, 4.0, 2.0 * LARGEST_HALF]);
-        assert_eq!(kept_radiance(&[&good, &good], IVec2::ZERO), Some([2.0, 4.0, 2.0 * LARGEST_HALF]));
-        assert_eq!(kept_radiance(&[&good, &bad, &good], IVec2::ZERO), None);
+        let frame = frame([1, 1]);
+        assert_eq!(finite_radiance(&frame, &[&good, &bad, &good], IVec2::ZERO), [2.0, 4.0, 2.0 * LARGEST_HALF]);
+        assert_eq!(kept_radiance(&frame, &[&good, &good], IVec2::ZERO), Some([2.0, 4.0, 2.0 * LARGEST_HALF]));
+        assert_eq!(kept_radiance(&frame, &[&good, &bad, &good], IVec2::ZERO), None);
+        let darker = FrameConstants { filter_exposure: 0.25, ..frame };
+        assert_eq!(kept_radiance(&darker, &[&good], IVec2::ZERO), Some([0.25, 0.5, LARGEST_HALF]));
         assert_eq!(kept_red_blue([2.0, 4.0, 2.0 * LARGEST_HALF]), [2.0, LARGEST_HALF]);
     }
 }

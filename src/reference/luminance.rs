@@ -1,7 +1,4 @@
-//! Luminance, and the alpha of light that there is none of.
-
-/// Alpha of irradiance where a pixel has no sample.
-pub(crate) const HOLE: f32 = -1.0;
+//! Luminance.
 
 /// Rec. 709 luminance of linear RGB, in the unit of `c`.
 pub fn luminance(c: [f32; 3]) -> f32 {

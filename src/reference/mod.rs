@@ -27,6 +27,7 @@ mod engine;
 pub(crate) mod forward_projection;
 pub(crate) mod geometry_weights;
 pub(crate) mod guide;
+pub(crate) mod holes;
 mod image;
 pub(crate) mod kept_radiance;
 pub(crate) mod light_ratio;

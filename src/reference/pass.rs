@@ -67,7 +67,10 @@ impl Declaration {
         let twin = dispatch.on_cpu().ok_or_else(|| without_twin(stage))?.twin;
         let (constants, tuning) = (dispatch.named_constants(), dispatch.tuning(frame));
         let names: Vec<&str> = pass.bindings().map(|(_, name)| name).collect();
-        let bindings = Bindings::new(stage, &frame.constants, &tuning).with_constants(&constants);
+        let block = names.iter().zip(&pass.uses).find(|(name, _)| **name == "frame").and_then(|(_, u)| read(u));
+        // A stage may have written it since the frame began.
+        let block = block.and_then(Texels::as_constants).unwrap_or(frame.constants);
+        let bindings = Bindings::new(stage, &block, &tuning).with_constants(&constants);
         let mut bindings = bindings.with_level(dispatch.level(frame));
         for (name, u) in names.iter().zip(&pass.uses) {
             if let Some(texels) = read(u).filter(|_| u.access.reads()) {

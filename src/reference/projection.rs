@@ -28,6 +28,9 @@ pub(crate) fn extent([width, height]: [u32; 2]) -> Vec2 {
 /// Depths beyond it are no farther: squares of differences stay finite.
 const FARTHEST: f32 = 1e15;
 
+/// Nearer depths are none: squares of them, and sums of tolerances, are 0.
+const NEAREST: f32 = 1e-30;
+
 /// The surface point of a pixel in view space.
 pub(crate) fn view_position(frame: &FrameConstants, p: IVec2, linear_depth: f32) -> Vec3 {
     let ndc = (p.as_vec2() + 0.5 + sample_offset(frame)) / extent(frame.render_extent) * 2.0 - 1.0;
@@ -115,7 +118,7 @@ impl Projections {
             DepthEncoding::Device => self.linear_depth_of_device(depth),
             DepthEncoding::RayLength => depth / self.view_ray(self.sample_position(pixel)).direction.length(),
         };
-        let surface = z.is_finite() && z > 0.0 && z < background_depth;
+        let surface = z.is_finite() && z >= NEAREST && z < background_depth;
         (if surface { z } else { 0.0 }, false)
     }
 

@@ -38,7 +38,8 @@ pub(crate) fn reproject(
     linear_depth: f32,
     host: HostMotion,
 ) -> Reprojection {
-    let carried = carry(projections.world_point(p.into(), linear_depth), host.transform);
+    let transform = host.transform.map(|transform| about_eye(frame, transform));
+    let carried = carry(projections.world_point(p.into(), linear_depth), transform.as_ref());
     let given = host.texel.filter(|v| v[0].is_finite() && v[1].is_finite());
     let motion = match given {
         Some(v) => motion_in_pixels(frame, [v[0], v[1]]).into(),
@@ -78,6 +79,18 @@ pub fn motion_in_pixels(frame: &FrameConstants, motion: [f32; 2]) -> [f32; 2] {
 
 /// A coordinate that is carried farther is of a transform that is none: its instance counts as one that did not move.
 const FARTHEST: f32 = 1e15;
+
+/// A transform of the host's world space as one of the world seen from this frame's eye, in which [`Projections`] are: (R − 1)·eye is
+/// added to its translation, which is exactly 0 where nothing turns.
+pub(crate) fn about_eye(frame: &FrameConstants, transform: &InstanceTransform) -> InstanceTransform {
+    let [ex, ey, ez, _] = frame.eye;
+    std::array::from_fn(|i| {
+        let [x, y, z, w] = transform[i];
+        let less_one = |value: f32, at: usize| value - if i == at { 1.0 } else { 0.0 };
+        let moved = less_one(x, 0) * ex + less_one(y, 1) * ey + less_one(z, 2) * ez;
+        [x, y, z, w + moved]
+    })
+}
 
 fn carry(world: [f32; 4], transform: Option<&InstanceTransform>) -> [f32; 4] {
     let point = Vec4::from(world);

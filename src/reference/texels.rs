@@ -2,7 +2,7 @@
 
 use super::binary16::from_half_bits;
 use super::Image;
-use crate::{Component, Error, ImageFormat};
+use crate::{Component, Error, FrameConstants, ImageFormat};
 use ash::vk;
 
 /// Texels in the representation that the twins read and write, or the bytes of a buffer.
@@ -88,6 +88,14 @@ impl Texels {
             Self::Packed(image) => image.texels().iter().map(|t| t.map(f32::from)).collect(),
             Self::Uint(image) => image.texels().iter().map(|x| [*x as f32, 0.0, 0.0, 0.0]).collect(),
             Self::Bytes(bytes) => bytes.iter().map(|x| [f32::from(*x), 0.0, 0.0, 0.0]).collect(),
+        }
+    }
+
+    /// The constants of a frame, where that is what a buffer holds.
+    pub(crate) fn as_constants(&self) -> Option<FrameConstants> {
+        match self {
+            Self::Bytes(bytes) => bytemuck::try_pod_read_unaligned(bytes).ok(),
+            _ => None,
         }
     }
 

@@ -147,7 +147,7 @@ fn names_of_bindings_match_those_of_resources() {
     for declaration in declarations_with(unshared) {
         for (pass, _) in dispatches(&declaration) {
             for ((_, binding), used) in pass.bindings().zip(&pass.uses) {
-                let name = binding.trim_end_matches("_0").trim_end_matches("_1");
+                let name = binding.trim_end_matches("_0").trim_end_matches("_1").trim_end_matches("_2");
                 let previous = name.strip_prefix("previous_").filter(|_| used.frame == UseFrame::Previous);
                 let resource = &declaration.resource(used.resource).name;
                 let name = previous.unwrap_or(name);

@@ -1,18 +1,25 @@
 //! Attacks: what a host may do wrong or to excess, in every preset. Pictures stay finite, and bad input is forgotten within a few
 //! frames. `ATROUS_SOAK` makes them last longer (scripts/soak.sh).
 
+mod brightness;
+mod chaos;
 mod endurance;
 mod extremes;
 mod values;
 
 use super::support::{session, soak};
-use atrous::config::{GradientSource, Preset, Signals};
+use atrous::config::{GradientSource, Preset, Sampling, Signals};
 use atrous::executor::Session;
 use atrous::{Config, FrameParams, ImageFormat, Lifetime, ResourceDecl, Shape, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
     ("bad_values_are_forgotten_within_a_few_frames", values::bad_values_are_forgotten_within_a_few_frames),
+    ("a_hundred_bad_frames_are_forgotten_within_a_few", values::a_hundred_bad_frames_are_forgotten_within_a_few),
+    ("samples_that_are_not_finite_take_no_light", values::samples_that_are_not_finite_take_no_light),
+    ("any_configuration_survives_chaos", chaos::any_configuration_survives_chaos),
+    ("any_unit_of_light_is_filtered_alike", brightness::any_unit_of_light_is_filtered_alike),
+    ("the_filter_holds_light_of_any_unit", brightness::the_filter_holds_light_of_any_unit),
     ("any_exposure_ratio_gives_a_picture", extremes::any_exposure_ratio_gives_a_picture),
     ("any_extent_gives_a_picture", extremes::any_extent_gives_a_picture),
     ("a_picture_of_sky_alone_passes_untouched", extremes::a_picture_of_sky_alone_passes_untouched),
@@ -27,7 +34,8 @@ pub const TESTS: &[DeviceTest] = &[
 /// Light of every pixel.
 const LIGHT: f32 = 0.5;
 
-/// Every preset with each number of signals that it takes, and with each source of gradients.
+/// Every preset with each number of signals that it takes, and with each source of gradients; two with all that there is beside surfaces.
+/// [`chaos`] draws from all options.
 fn configs(extent: [u32; 2]) -> Vec<Config> {
     let of = |preset| Signals::ALL.map(|signals| Config { preset, signals, ..Config::new(extent) });
     let has_one = |config: &Config| matches!(config.preset, Preset::Stabilize | Preset::Volume);
@@ -36,7 +44,8 @@ fn configs(extent: [u32; 2]) -> Vec<Config> {
     let sourced = [Preset::Asvgf, Preset::Stabilize]
         .into_iter()
         .flat_map(|preset| sources.map(|gradient_source| Config { preset, gradient_source, ..Config::new(extent) }));
-    all.chain(sourced).collect()
+    let beside = |preset, sampling| Config { preset, sampling, visibility: true, volume: true, ..Config::new(extent) };
+    all.chain(sourced).chain([beside(Preset::Svgf, Sampling::OneOf2x2), beside(Preset::Best, Sampling::Full)]).collect()
 }
 
 /// Every preset as it is by default, two with specular light; all of [`configs`] in a long run.
@@ -56,7 +65,7 @@ fn plain(name: &str) -> [f32; 4] {
     match name {
         "depth" | "scattering_depth" => [5.0; 4],
         "normal" | "object_normal" => [0.0, 0.0, 1.0, 0.0],
-        "motion" | "forward_motion" | "emission" | "sparse_gradient" => [0.0; 4],
+        "motion" | "forward_motion" | "emission" | "sparse_gradient" | "unshadowed_direct" => [0.0; 4],
         "confidence" => [1.0; 4],
         "noisy_direct" | "noisy_indirect" | "noisy_diffuse" | "noisy_specular" => [LIGHT / 2.0; 4],
         _ => [LIGHT; 4],
@@ -109,7 +118,10 @@ impl Wall {
             if let Some(bad) = texels.iter().position(|t| !t.iter().all(|v| v.is_finite())) {
                 panic!("{what}: texel {bad} of {name} is {:?}", texels[bad]);
             }
-            all.extend(texels);
+            // It has no colour.
+            if name != "denoised_visibility" {
+                all.extend(texels);
+            }
         }
         all
     }

@@ -1,6 +1,6 @@
 //! Values that no renderer should give.
 
-use super::{configs, plain, Wall, LIGHT};
+use super::{configs, plain, presets, Wall, LIGHT};
 use crate::graphs::dice::Dice;
 use crate::support::{assert_valid, soak};
 use atrous::Tuning;
@@ -46,9 +46,77 @@ fn frames_until_healed(wall: &mut Wall, (name, count): (&str, usize), spoilt: Sp
     wall.session.upload(name, &spoilt.texels(name, count)).expect(what);
     wall.frame(|_| {}, &tuning, what);
     wall.session.upload(name, &vec![plain(name); count]).expect(what);
-    let shows_light = |texel: &[f32; 4]| texel[..3].iter().all(|c| (c / LIGHT - 1.0).abs() < 0.15);
-    let ill = (1..=good).filter(|_| !wall.frame(|_| {}, &tuning, what).iter().all(shows_light));
+    let ill = (1..=good).filter(|_| !shows_light(&wall.frame(|_| {}, &tuning, what), 0.15));
     ill.last().unwrap_or(0)
+}
+
+/// Inputs that hold samples of light.
+fn light(wall: &Wall) -> Vec<(String, usize)> {
+    let is_light =
+        |(name, _): &&(String, usize)| name.starts_with("noisy_") && !name.ends_with("visibility") || name.starts_with("other_");
+    wall.inputs.iter().filter(is_light).cloned().collect()
+}
+
+/// Whether every pixel shows the light, within a share of it.
+fn shows_light(texels: &[[f32; 4]], tolerance: f32) -> bool {
+    texels.iter().flat_map(|texel| &texel[..3]).all(|c| (c / LIGHT - 1.0).abs() < tolerance)
+}
+
+pub fn a_hundred_bad_frames_are_forgotten_within_a_few() {
+    const BAD_FRAMES: u32 = 100;
+    for config in presets(EXTENT) {
+        let mut wall = Wall::new(&config);
+        let tuning = Tuning::default();
+        let name_of = format!("{} {} {}", config.preset, config.signals, config.gradient_source);
+        // With a history before them, and with none.
+        for good in [3, 0] {
+            wall.session.invalidate();
+            for _ in 0..good {
+                wall.frame(|_| {}, &tuning, &name_of);
+            }
+            let light = light(&wall);
+            for (name, count) in &light {
+                wall.session.upload(name, &vec![[f32::NAN; 4]; *count]).expect(name);
+            }
+            for _ in 0..BAD_FRAMES {
+                wall.frame(|_| {}, &tuning, &name_of);
+            }
+            for (name, count) in &light {
+                wall.session.upload(name, &vec![plain(name); *count]).expect(name);
+            }
+            let healed = (1..=FRAMES_TO_HEAL).find(|_| shows_light(&wall.frame(|_| {}, &tuning, &name_of), 0.02));
+            println!("{name_of}: {good} good frames, {BAD_FRAMES} bad ones, healed after {healed:?}");
+            assert!(healed.is_some(), "{name_of}: not healed after {FRAMES_TO_HEAL} frames");
+        }
+    }
+    assert_valid();
+}
+
+/// A host whose every fourth sample is not finite loses samples, and no light.
+pub fn samples_that_are_not_finite_take_no_light() {
+    for (number, config) in (0..).zip(presets(EXTENT)) {
+        let mut wall = Wall::new(&config);
+        let mut dice = Dice::new(number);
+        let name_of = format!("{} {} {}", config.preset, config.signals, config.gradient_source);
+        for share in [10, 4] {
+            wall.session.invalidate();
+            for (name, count) in light(&wall) {
+                wall.session.upload(&name, &vec![plain(&name); count]).expect(&name);
+            }
+            // Corners may have no sample around them, and then show their past.
+            wall.frame(|_| {}, &Tuning::default(), &name_of);
+            for frame in 0..8 {
+                for (name, count) in light(&wall) {
+                    let bad = BAD[dice.below(3) as usize];
+                    let texel = |_| if dice.below(share) == 0 { [bad; 4] } else { plain(&name) };
+                    wall.session.upload(&name, &(0..count).map(texel).collect::<Vec<_>>()).expect(&name);
+                }
+                let what = format!("{name_of}, frame {frame}, one of {share}");
+                assert!(shows_light(&wall.frame(|_| {}, &Tuning::default(), &what), 0.01), "{what}: light is lost");
+            }
+        }
+    }
+    assert_valid();
 }
 
 pub fn bad_values_are_forgotten_within_a_few_frames() {

@@ -52,11 +52,31 @@ impl Life {
         if self.extent != EXTENTS[0] {
             self.resize().expect("the first extent");
         }
-        self.session.restart_at(0);
-        self.frames = 0;
-        self.frame().expect("a frame");
-        let texels = self.session.download("denoised_radiance").expect("an output");
-        texels.iter().map(|texel| texel.map(f32::to_bits)).collect()
+        self.go_on_from(0);
+        self.frame_bits().expect("a frame")
+    }
+
+    /// Frames that ran to their end.
+    pub fn finished(&self) -> u32 {
+        self.frames
+    }
+
+    /// The next frame is of this number, and has no history.
+    pub fn go_on_from(&mut self, frame: u32) {
+        self.session.restart_at(frame.into());
+        self.frames = frame;
+    }
+
+    /// The next frame has no history.
+    pub fn invalidate(&mut self) {
+        self.session.invalidate();
+    }
+
+    /// The bits of a frame.
+    pub fn frame_bits(&mut self) -> Result<Vec<[u32; 4]>, Error> {
+        self.frame()?;
+        let texels = self.session.download("denoised_radiance")?;
+        Ok(texels.iter().map(|texel| texel.map(f32::to_bits)).collect())
     }
 
     pub fn frame(&mut self) -> Result<(), Error> {

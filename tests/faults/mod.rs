@@ -16,6 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_call_that_fails_is_named_and_the_session_goes_on", a_call_that_fails_is_named_and_the_session_goes_on),
     ("a_session_that_cannot_be_opened_leaves_nothing_behind", a_session_that_cannot_be_opened_leaves_nothing_behind),
     ("a_lost_device_is_told_and_nothing_hangs", a_lost_device_is_told_and_nothing_hangs),
+    ("a_new_device_goes_on_where_a_lost_one_ended", a_new_device_goes_on_where_a_lost_one_ended),
     ("what_a_failed_wait_leaves_running_is_kept", what_a_failed_wait_leaves_running_is_kept),
     ("an_image_whose_upload_failed_is_not_read", an_image_whose_upload_failed_is_not_read),
     ("what_was_recorded_and_never_ran_is_forgotten", forgotten::what_was_recorded_and_never_ran_is_forgotten),
@@ -163,6 +164,31 @@ fn a_lost_device_is_told_and_nothing_hangs() {
             device.faults.set(&[]);
             device.assert_valid(&format!("{fault:?}"));
         }
+    }
+}
+
+/// A host that loses a device makes another, and an executor on it that starts with the frame that was not finished: with the bits of one
+/// that dropped its history there.
+fn a_new_device_goes_on_where_a_lost_one_ended() {
+    const FRAMES: u32 = 4;
+    let mut undisturbed = Life::open(&gpu()).expect("a session");
+    (0..FRAMES).for_each(|_| undisturbed.frame().expect("no call fails"));
+    undisturbed.invalidate();
+    let expected: Vec<_> = (0..3).map(|_| undisturbed.frame_bits().expect("no call fails")).collect();
+    for call in ["vkQueueSubmit", "vkWaitForFences"] {
+        let lost = Faulty::new();
+        let mut life = Life::open(&lost.gpu()).expect("a session");
+        (0..FRAMES).for_each(|_| life.frame().expect("no call fails"));
+        lost.faults.set(&[Fault { call, after: 0, result: LOST }]);
+        let error = life.frame().expect_err(call);
+        assert!(error.to_string().contains("device is lost"), "{error}");
+        let finished = life.finished();
+        drop(life);
+        let other = HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() }).expect("a device");
+        let mut next = Life::open(&Arc::new(other)).expect("a session");
+        next.go_on_from(finished);
+        let bits: Vec<_> = (0..3).map(|_| next.frame_bits().expect("no call fails")).collect();
+        assert!(finished == FRAMES && bits == expected, "{call}: {finished} frames were finished");
     }
 }
 

@@ -1,8 +1,8 @@
 //! The matrices by which `forward_project` carries a pixel of the previous frame to this one without a division.
 
-use super::FrameParams;
+use super::{double, FrameParams};
 use crate::config::{Conventions, ViewForward};
-use glam::{DMat2, DMat4, DVec2, DVec4};
+use glam::{DMat2, DMat4, DVec2, DVec3, DVec4};
 
 /// Computed in double precision: both matrices replace a chain of inverses in the shader.
 #[derive(Clone, Copy, Debug)]
@@ -16,26 +16,23 @@ pub(super) struct ForwardProjection {
 }
 
 impl ForwardProjection {
-    pub(crate) fn new(conventions: &Conventions, now: &FrameParams, before: &FrameParams) -> Self {
+    /// `eye`: the origin of the world that shaders see.
+    pub(crate) fn new(conventions: &Conventions, now: &FrameParams, before: &FrameParams, eye: DVec3) -> Self {
         let forward = match conventions.view_forward {
             ViewForward::NegativeZ => -1.0,
             ViewForward::PositiveZ => 1.0,
         };
-        let clip_from_view = matrix(&before.clip_from_view);
+        let clip_from_view = double(&before.clip_from_view);
         let row_w = clip_from_view.row(3);
-        let world_from_view = matrix(&before.view_from_world).inverse();
+        let world_from_view = DMat4::from_translation(-eye) * double(&before.view_from_world).inverse();
         let world_from_previous_sample = world_from_view * view_from_sample(before, clip_from_view, forward);
-        let sample_from_world = sample_from_view(now, forward) * matrix(&now.view_from_world);
+        let sample_from_world = sample_from_view(now, forward) * double(&now.view_from_world) * DMat4::from_translation(eye);
         Self {
             world_from_previous_sample: columns(world_from_previous_sample),
             sample_from_world: columns(sample_from_world),
             previous_clip_w: [(row_w.z * forward) as f32, row_w.w as f32],
         }
     }
-}
-
-fn matrix(m: &[[f32; 4]; 4]) -> DMat4 {
-    DMat4::from_cols_array_2d(&m.map(|column| column.map(f64::from)))
 }
 
 /// Zeros, which lead nowhere, where a projection has no solution.
@@ -70,7 +67,7 @@ fn view_from_sample(params: &FrameParams, clip_from_view: DMat4, forward: f64) -
 
 /// `(x·w, y·w, z, w)` from a view position: x, y such that the sample of pixel p lies at p + 0.5.
 fn sample_from_view(params: &FrameParams, forward: f64) -> DMat4 {
-    let clip = matrix(&params.clip_from_view);
+    let clip = double(&params.clip_from_view);
     let position = |i: usize| {
         let (side, jitter) = (f64::from(params.render_extent[i]), f64::from(params.jitter[i]));
         (clip.row(i) + clip.row(3)) * (0.5 * side) - clip.row(3) * jitter

@@ -1,8 +1,7 @@
 //! Mistakes in a graph that types cannot see.
 
 use super::*;
-use crate::config::{Preset, Sampling, Signals};
-use crate::contract::{Lifetime, PassDecl, Phase, UseFrame};
+use crate::contract::{Lifetime, Phase, UseFrame};
 use crate::nodes::*;
 
 /// A graph with guides, accumulated irradiance and its history.
@@ -141,6 +140,7 @@ fn two_writers_of_one_image_are_refused() {
     for node in ["first", "second"] {
         let pass = Pass::new(node, &crate::shaders::DEMODULATE_LUMINANCE_0)
             .bind("guide", guides.guide)
+            .bind("depth_gradient", guides.depth_gradient)
             .bind("noisy_0", noisy.image())
             .bind("irradiance_0", image);
         g.add(pass);
@@ -152,6 +152,7 @@ fn two_writers_of_one_image_are_refused() {
 fn copy(g: &mut Graph, node: &str, guides: &Guides, from: Image, to: Image) {
     let pass = Pass::new(node, &crate::shaders::DEMODULATE_LUMINANCE_0)
         .bind("guide", guides.guide)
+        .bind("depth_gradient", guides.depth_gradient)
         .bind("noisy_0", from)
         .bind("irradiance_0", to);
     g.add(pass);
@@ -264,37 +265,4 @@ fn a_transient_lies_in_an_output_that_is_written_later() {
         let uses = declaration.passes().iter().flat_map(|pass| &pass.uses);
         assert!(uses.map(|u| u.resource.0 as usize).collect::<BTreeSet<_>>().into_iter().eq(0..declaration.resources().len()));
     }
-}
-
-/// Whether the constant HOLES of a pass is on; `None` for a stage without.
-fn knows_of_holes(pass: &PassDecl) -> Option<bool> {
-    let dispatch = pass.dispatch()?;
-    let id = dispatch.shader.constant("HOLES")?.id;
-    Some(dispatch.constants.contains(&(id, 1)))
-}
-
-#[test]
-fn every_accumulation_behind_filled_holes_knows_of_them() {
-    let accumulations = |preset, signals, sampling| {
-        let config = Config { preset, signals, sampling, ..Config::new([64, 32]) };
-        let declaration = config.declare().expect("a declaration");
-        declaration.passes().iter().filter_map(knows_of_holes).collect::<Vec<_>>()
-    };
-    for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best] {
-        for (signals, count) in [(Signals::Together, 1), (Signals::Specular, 2)] {
-            assert_eq!(accumulations(preset, signals, Sampling::OneOf4x4), vec![true; count], "{preset}, {signals}");
-            assert_eq!(accumulations(preset, signals, Sampling::Full), vec![false; count], "{preset}, {signals}");
-        }
-    }
-}
-
-#[test]
-fn a_stage_of_the_host_may_have_filled_holes() {
-    let of_holes = |mark: fn(Irradiance) -> Irradiance| {
-        let (mut g, guides, irradiance, history) = begun(Feedback::Accumulated);
-        g.temporal_accumulation(&guides, &mark(irradiance), &history, Accumulation::default());
-        g.passes.last().and_then(knows_of_holes)
-    };
-    assert_eq!(of_holes(Irradiance::with_filled_holes), Some(true));
-    assert_eq!(of_holes(|irradiance| irradiance), Some(false));
 }

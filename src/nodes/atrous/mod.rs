@@ -115,6 +115,7 @@ impl Graph {
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, &shaders::ATROUS_SIGNALS_1, level)
                 .constant("VOLUME", 1)
+                .constant("LAST", u32::from(level + 1 == atrous.levels))
                 .value("sigma_l", Value::Tunable("volume_sigma_l"))
                 .value("sigma_n", UNREAD)
                 .value("sigma_z", UNREAD)

@@ -221,6 +221,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let level = AtrousLevel { number: b.level, kernel, luminance_weight };
     let reflection = b.has("reflection").then(|| b.uint("reflection")).transpose()?;
     let lobes = reflection.map(|reflection| Lobes::new(b.frame, b.tuning, guide, reflection));
-    let filtered = filter(b.frame, &geometry, lobes.as_ref(), level, &b.colours("input")?);
+    let mut filtered = filter(b.frame, &geometry, lobes.as_ref(), level, &b.colours("input")?);
+    if b.is_on("LAST")? {
+        // What goes out is in the exposure of the host.
+        let scale = b.frame.inverse_filter_exposure;
+        filtered = filtered.iter().map(|image| image.map(|texel| texel.map(|c| store(c * scale)))).collect();
+    }
     b.write_signals("output", filtered)
 }

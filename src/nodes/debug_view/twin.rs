@@ -11,6 +11,7 @@ use crate::reference::binary16::round_image_to_half;
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::blocks::block_of;
 use crate::reference::guide::{pcg, unpack_guide};
+use crate::reference::kept_radiance::exposed;
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
 use crate::reference::projection::pixel_size;
@@ -200,6 +201,7 @@ impl DebugViewInputs<'_> {
             return 0.0;
         }
         let (divisor, _) = divisor(self.albedo.map(|a| a.at(p)));
+        let texel = exposed(frame, texel);
         let l = texel_luminance([0, 1, 2, 3].map(|i| (texel[i] / divisor.get(i).unwrap_or(&1.0)).clamp(0.0, LARGEST_HALF)));
         let limit = limit_around(frame, tuning, self.block_percentiles[signal], p);
         if limit > 0.0 && l > limit {

@@ -4,10 +4,10 @@
 
 pub(crate) mod twin;
 
-use super::pass;
+use super::{pass, UNREAD};
 use crate::config::Sampling;
 use crate::contract::Input;
-use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, HDR};
+use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, Value, HDR};
 use crate::shaders;
 
 /// The reflectance that divides radiance, and multiplies it again.
@@ -31,7 +31,7 @@ pub struct Demodulate {
     /// The divisor. Default: [`Albedo::Diffuse`].
     pub albedo: Albedo,
     /// Share of the pixels that have a sample: holes are marked, for the node `fill_holes` or for the node `eaw` to paint in. Default: all
-    /// of them.
+    /// of them, and the few whose radiance is not finite are filled here.
     pub sampling: Sampling,
     /// Gradients that compare the luminance of the noisy radiance with that of the frame before, which this node keeps for them.
     /// Default: none.
@@ -40,6 +40,10 @@ pub struct Demodulate {
     /// divided by that of the point instead, in a pass of its own, `sample_albedo`. Default: none.
     pub samples: Option<GradientSamples>,
 }
+
+/// Edges over which a pixel without a sample takes nothing from its neighbours: no tunables, since such pixels are rare.
+const HOLE_SIGMA_N: f32 = 32.0;
+const HOLE_SIGMA_Z: f32 = 1.0;
 
 /// The images that make the divisor.
 #[derive(Clone, Copy)]
@@ -70,7 +74,8 @@ impl Default for Demodulate {
 }
 
 impl Graph {
-    /// Irradiance of one or two signals. Values that are not finite become 0 and are counted.
+    /// Irradiance of one or two signals. Radiance that is not finite is no sample: it is counted, its pixel takes the mean of the samples
+    /// around it, and a negative alpha tells the accumulation so.
     pub fn demodulate(&mut self, guides: &Guides, noisy: &Radiance, demodulate: Demodulate) -> Irradiance {
         let node = self.node("demodulate", &self.label_of(noisy));
         let irradiance: Irradiance = self.image_each(noisy, "filter_ping", HDR, 1);
@@ -78,7 +83,11 @@ impl Graph {
         let module = if kept.is_some() { &shaders::DEMODULATE_LUMINANCE_1 } else { &shaders::DEMODULATE_LUMINANCE_0 };
         let mut pass = pass(&node, module)
             .constant("PAINTING", demodulate.sampling as u32)
+            .value("sigma_n", Value::Fixed(HOLE_SIGMA_N))
+            .value("sigma_z", Value::Fixed(HOLE_SIGMA_Z))
+            .value("edge_falloff", UNREAD)
             .bind("guide", guides.guide)
+            .bind("depth_gradient", guides.depth_gradient)
             .each("noisy", noisy.images())
             .each("irradiance", irradiance.images());
         let divisor = Divisor::new(self, demodulate.albedo);

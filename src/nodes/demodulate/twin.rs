@@ -4,15 +4,16 @@ use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::kept_radiance::{finite_radiance, is_finite, kept_radiance, pack_halves};
-use crate::reference::luminance::{luminance, HOLE};
+use crate::reference::holes::{fill_holes, FillHolesInputs, HOLE};
+use crate::reference::kept_radiance::{exposed, finite_radiance, is_finite, is_saturated, kept_radiance, pack_halves};
+use crate::reference::luminance::luminance;
 use crate::reference::reflection::FARTHEST_HIT;
 use crate::reference::rules::{pixels, rounded, rule, HALF, STATISTICS};
 use crate::reference::specular_albedo::specular_albedo_from;
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
-use crate::{Error, FrameConstants};
+use crate::{Error, FrameConstants, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -33,6 +34,8 @@ pub(crate) const SATURATED_ALBEDO: f32 = 0.1;
 pub(crate) struct DemodulateInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
+    /// The image `depth_gradient`, from the stage `import`.
+    pub depth_gradient: &'a Image<u32>,
     /// rgb: noisy radiance of every signal, linear, scene units.
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// rgb: albedo at the primary hit.
@@ -41,15 +44,16 @@ pub(crate) struct DemodulateInputs<'a> {
     pub specular_f0: Option<&'a Image<[f32; 4]>>,
     /// x: distance from the surface to what is seen in it, scene units; 0 or infinite: beyond the scene.
     pub specular_hit_distance: Option<&'a Image<[f32; 4]>>,
-    /// Whether the input is sub-sampled: what is not finite is a pixel without a sample then, and no bad value.
-    pub has_holes: bool,
+    /// Whether the input is sub-sampled: pixels without a sample are no bad values then, and others fill them.
+    pub is_sub_sampled: bool,
 }
 
 /// Outputs of [`demodulate`].
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct DemodulateOutputs {
-    /// rgb: irradiance of every signal, half precision; alpha 0, [`HOLE`] where the input is sub-sampled and not finite,
-    /// or the hit distance (0: unknown; [`FARTHEST_HIT`]: beyond the scene) where that is given.
+    /// rgb: irradiance of every signal, half precision; alpha 0, or the hit distance (0: unknown; [`FARTHEST_HIT`]: beyond the scene)
+    /// where that is given. [`HOLE`] where the radiance is not finite, and of a whole input what the 3×3 pixels around it gave:
+    /// [`EMPTY_HOLE`](crate::reference::holes::EMPTY_HOLE) for nothing.
     pub irradiance: Vec<Image<[f32; 4]>>,
     /// Bad radiances (once a signal) and albedos (once a pixel).
     pub statistics: Statistics,
@@ -93,7 +97,7 @@ fn stored_hit_distance(distance: f32) -> (f32, bool) {
 }
 
 /// Divides the radiance of every signal by the albedo. The background passes.
-pub(crate) fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> DemodulateOutputs {
+pub(crate) fn demodulate(frame: &FrameConstants, tuning: &Tuning, inputs: &DemodulateInputs) -> DemodulateOutputs {
     let extent = inputs.guide.extent();
     let divisors = Image::compute(extent, frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
@@ -104,7 +108,7 @@ pub(crate) fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> D
     });
     let distances = inputs.specular_hit_distance.map(|image| {
         Image::compute(extent, frame.render_extent, |p| {
-            let is_hole = inputs.has_holes && inputs.noisy.first().is_some_and(|noisy| !is_finite(noisy.at(p)));
+            let is_hole = inputs.noisy.first().is_some_and(|noisy| !is_finite(noisy.at(p)));
             match is_hole || unpack_guide(inputs.guide.at(p)).is_background() {
                 true => (0.0, false),
                 false => stored_hit_distance(image.at(p)[0]),
@@ -117,20 +121,29 @@ pub(crate) fn demodulate(frame: &FrameConstants, inputs: &DemodulateInputs) -> D
     let mut irradiance = Vec::with_capacity(inputs.noisy.len());
     for noisy in inputs.noisy {
         let texels = Image::compute(extent, frame.render_extent, |p| {
-            let ([r, g, b, _], [dr, dg, db]) = (noisy.at(p), divisors.at(p).0);
+            let ([r, g, b, _], [dr, dg, db]) = (exposed(frame, noisy.at(p)), divisors.at(p).0);
             if is_finite(noisy.at(p)) {
-                ([store(r / dr), store(g / dg), store(b / db), 0.0], false)
+                let irradiance = [r / dr, g / dg, b / db];
+                let [r, g, b] = irradiance.map(store);
+                ([r, g, b, 0.0], false, is_saturated(irradiance))
             } else {
-                ([0.0, 0.0, 0.0, if inputs.has_holes { HOLE } else { 0.0 }], !inputs.has_holes)
+                ([0.0, 0.0, 0.0, HOLE], !inputs.is_sub_sampled, false)
             }
         });
         statistics[Counter::Radiance] += count(texels.texels().iter().map(|t| t.1));
+        statistics[Counter::Saturated] += count(texels.texels().iter().map(|t| t.2));
+        let holed = texels.map(|t| t.0);
+        let whole = || {
+            let inputs = FillHolesInputs { guide: inputs.guide, depth_gradient: inputs.depth_gradient, holed: &holed, radius: 1 };
+            fill_holes(frame, tuning, &inputs).0
+        };
+        let filled = if inputs.is_sub_sampled { holed.clone() } else { whole() };
         irradiance.push(match &distances {
             Some(distances) if irradiance.is_empty() => Image::compute(extent, frame.render_extent, |p| {
-                let ([r, g, b, alpha], _) = texels.at(p);
-                [r, g, b, if alpha == HOLE { HOLE } else { store(distances.at(p).0) }]
+                let [r, g, b, alpha] = filled.at(p);
+                [r, g, b, if alpha < 0.0 { alpha } else { store(distances.at(p).0) }]
             }),
-            _ => texels.map(|t| t.0),
+            _ => filled,
         });
     }
     DemodulateOutputs { irradiance, statistics }
@@ -146,7 +159,7 @@ pub(crate) fn luminances(
 ) -> Image<(Option<f32>, f32)> {
     Image::compute(guide.extent(), frame.render_extent, |p| {
         let is_background = unpack_guide(guide.at(p)).is_background();
-        let l = kept_radiance(noisy, p).map(|radiance| luminance(radiance).min(LARGEST_HALF));
+        let l = kept_radiance(frame, noisy, p).map(|radiance| luminance(radiance).min(LARGEST_HALF));
         let (a, _) = divisor(albedo.filter(|_| !is_background).map(|albedo| albedo.at(p)));
         (l, luminance(a))
     })
@@ -166,7 +179,7 @@ pub(crate) fn noisy_luminance(
 /// Red and blue of the radiance of all signals that are finite, of every pixel as two halves.
 pub(crate) fn noisy_red_blue(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>], extent: [u32; 2]) -> Image<u32> {
     Image::compute(extent, frame.render_extent, |p| {
-        let [r, _, b] = finite_radiance(noisy, p);
+        let [r, _, b] = finite_radiance(frame, noisy, p);
         pack_halves([r, b])
     })
 }
@@ -187,13 +200,14 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let noisy = b.colours("noisy")?;
     let inputs = DemodulateInputs {
         guide: b.packed("guide")?,
+        depth_gradient: b.uint("depth_gradient")?,
         noisy: &noisy,
         albedo: b.optional_colour("albedo")?,
         specular_f0: b.optional_colour("specular_f0")?,
         specular_hit_distance: b.optional_colour("specular_hit_distance")?,
-        has_holes: b.is_on("PAINTING")?,
+        is_sub_sampled: b.is_on("PAINTING")?,
     };
-    let outputs = demodulate(b.frame, &inputs);
+    let outputs = demodulate(b.frame, b.tuning, &inputs);
     b.count(&outputs.statistics)?;
     b.write_signals("irradiance", outputs.irradiance)?;
     if b.has("noisy_luminance") {

@@ -25,7 +25,7 @@ const SMALLEST_WEIGHT_SUM: f32 = 1e-6;
 pub(crate) struct EawInputs<'a> {
     /// The image `guide`, from the stage `import`.
     pub guide: &'a Image<[u16; 4]>,
-    /// Irradiance of every signal in rgb; alpha: [`HOLE`] where there is none.
+    /// Irradiance of every signal in rgb; alpha: negative where there is none.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Edge functions that are on.
     pub weights: EawWeights,
@@ -62,14 +62,14 @@ struct Sharpness {
 }
 
 impl Sharpness {
-    fn new(edges: &Edges, linear_depth: f32) -> Self {
+    fn new(frame: &FrameConstants, edges: &Edges, linear_depth: f32) -> Self {
         let Edges { tuning, weights, painting_levels, level } = *edges;
         let step = (1_u64 << level) as f32;
         let on = |on: bool, sharpness: f32| if on { sharpness } else { 0.0 };
         // While holes are left, radiance says nothing.
         let by_radiance = weights.radiance && level >= painting_levels;
         Self {
-            radiance: on(by_radiance, step / tuning.sigma_rt),
+            radiance: on(by_radiance, step / (tuning.sigma_rt * frame.filter_exposure)),
             normal: on(weights.normal, 1.0 / (step * tuning.sigma_rt_n)),
             position: on(weights.position, 1.0 / (tuning.sigma_rt_x * linear_depth.max(1e-15))),
         }
@@ -82,7 +82,7 @@ fn filtered(frame: &FrameConstants, edges: &Edges, points: &Image<(Surface, Vec3
     if is_background && !is_hole {
         return centre;
     }
-    let sharpness = Sharpness::new(edges, surface.linear_depth);
+    let sharpness = Sharpness::new(frame, edges, surface.linear_depth);
     let (mut sum, mut plain) = ([0.0; 4], [0.0; 4]);
     for (offset, q) in RenderRect::new(frame.render_extent).window(p, 2, 1 << edges.level) {
         let (texel, (tap, tap_position)) = (image.at(q), points.at(q));

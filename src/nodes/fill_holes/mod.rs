@@ -11,8 +11,8 @@ use crate::shaders;
 
 impl Graph {
     /// Irradiance whose holes are filled, which [`Self::demodulate`] marked; one pass for every signal. Filled pixels keep their mark,
-    /// and the accumulation behind it counts them for half a frame: see [`Irradiance::with_filled_holes`]. With [`Sampling::Full`]
-    /// there are none, and the irradiance is returned as it came.
+    /// and the accumulation behind it counts them for half a frame. With [`Sampling::Full`] they are rare, and [`Self::demodulate`]
+    /// fills them itself: the irradiance is returned as it came.
     pub fn fill_holes(&mut self, guides: &Guides, irradiance: &Irradiance, sampling: Sampling) -> Irradiance {
         // As far as the one sample of a block of pixels may lie.
         let radius = match sampling {

@@ -76,7 +76,7 @@ pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percen
     let limit_of = |block| {
         let percentiles = unpack_percentiles(block_percentiles.at(block));
         if percentiles.up > 0.0 {
-            tuning.firefly_bias + percentiles.up + percentiles.range(tuning)
+            tuning.firefly_bias * frame.filter_exposure + percentiles.up + percentiles.range(tuning)
         } else {
             0.0
         }

@@ -9,7 +9,7 @@ use crate::reference::forward_projection::{
     covering_pixel, invert_transform, is_visible, previous_world_position, project, ForwardPosition,
 };
 use crate::reference::guide::{pcg, unpack_guide};
-use crate::reference::reprojection::InstanceTransform;
+use crate::reference::reprojection::{about_eye, InstanceTransform};
 use crate::reference::rules::{strata, EXACT, STATISTICS};
 use crate::reference::strata::{pack_gradient_sample, GradientSample, Strata, NO_PIXEL};
 use crate::reference::surface_motion::unpack_depth_gradient;
@@ -189,7 +189,7 @@ impl Projection<'_> {
     fn carried(&self, world: Vec4, id: u32) -> Option<Vec4> {
         let transform = self.inputs.instance_transforms.and_then(|t| t.get(id as usize));
         match transform.filter(|t| t.iter().flatten().all(|x| x.is_finite())) {
-            Some(transform) => invert_transform(transform, world),
+            Some(transform) => invert_transform(&about_eye(self.frame, transform), world),
             None => Some(world),
         }
     }

@@ -7,7 +7,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Condition, Rule, Tolerance};
 use crate::reference::conventions::{is_reset, is_reshaded};
 use crate::reference::guide::unpack_guide;
-use crate::reference::kept_radiance::{is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
+use crate::reference::kept_radiance::{exposed, is_finite, kept_luminance, kept_radiance, kept_red_blue, radiance_of, storable};
 use crate::reference::projection::extent_ratio;
 use crate::reference::rules::{strata, EXACT};
 use crate::reference::strata::{unpack_gradient_sample, Strata};
@@ -130,12 +130,13 @@ impl Changes<'_> {
         let variance = mean_of(&values.iter().map(|l| (l - mean) * (l - mean)).collect::<Vec<_>>());
         let changes: Vec<Change> = match self.inputs.source {
             GradientInput::ForwardProjected { .. } => {
-                sample.iter().filter_map(|(p, j)| self.change(kept_radiance(self.inputs.noisy, *p)?, *j)).collect()
+                sample.iter().filter_map(|(p, j)| self.change(kept_radiance(self.frame, self.inputs.noisy, *p)?, *j)).collect()
             }
             GradientInput::Reshaded { .. } => pixels.iter().filter_map(|(_, p)| self.reshaded(*p)).collect(),
             GradientInput::Sparse(host) => host
                 .map(|host| host.at(s))
                 .filter(|[change, brightest, ..]| change.is_finite() && brightest.is_finite())
+                .map(|sparse| exposed(self.frame, sparse))
                 .map(|[change, brightest, ..]| Change { change, brightest: brightest.max(0.0), ..Change::default() })
                 .into_iter()
                 .collect(),
@@ -212,7 +213,7 @@ impl Changes<'_> {
         let tolerance = self.tuning.depth_tolerance * expected + slope;
         let is_same = !before.is_background() && before.id == now.id && (before.linear_depth - expected).abs() <= tolerance;
         let radiance = reshaded_radiance?.at(j);
-        (is_same && is_finite(radiance)).then(|| self.change(storable(radiance), j)).flatten()
+        (is_same && is_finite(radiance)).then(|| self.change(storable(self.frame, radiance), j)).flatten()
     }
 }
 

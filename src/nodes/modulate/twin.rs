@@ -5,6 +5,7 @@ use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
+use crate::reference::kept_radiance::is_saturated;
 use crate::reference::rules::{pixels, rounded, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
@@ -58,12 +59,14 @@ pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> Modul
         let emission = if is_bad { [0.0; 3] } else { [r, g, b] };
         let radiance = [0, 1, 2].map(|i| {
             let reflected: f32 = inputs.irradiance.iter().zip(factors).map(|(signal, albedo)| signal.at(p)[i] * albedo[i]).sum();
-            store(reflected + emission[i])
+            reflected * frame.inverse_filter_exposure + emission[i]
         });
-        ([radiance[0], radiance[1], radiance[2], 1.0], is_bad)
+        let [r, g, b] = radiance.map(store);
+        ([r, g, b, 1.0], is_bad, is_saturated(radiance))
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Emission] = count(texels.texels().iter().map(|t| t.1));
+    statistics[Counter::Saturated] = count(texels.texels().iter().map(|t| t.2));
     ModulateOutputs { denoised_radiance: texels.map(|t| t.0), statistics }
 }
 

@@ -106,11 +106,12 @@ mod tests {
         let guides = guides(EXTENT, |_, _| surface(4.0));
         let sample = GradientSample { pixel: [1, 2], previous_pixel: [4, 0] };
         let albedo = paint(EXTENT, |x, _| if x % 2 == 0 { [0.8, 0.4, 0.2, 0.0] } else { [0.1, 0.2, 0.0, 0.0] });
+        let divisors = paint([2, 1], |x, _| if x == 1 { previous } else { [f32::NAN; 4] });
         let inputs = SampleAlbedoInputs {
             guide: &guides.guide,
             gradient_samples: &paint([2, 1], |x, _| pack_gradient_sample(3, (x == 0).then_some(sample))),
             candidates: &paint([2, 1], |x, _| [x as u16 * 3 + 2, 1, 0, 0]),
-            previous_candidate_albedo: Some(&paint([2, 1], |x, _| if x == 1 { previous } else { [f32::NAN; 4] })),
+            previous_candidate_albedo: Some(&divisors),
             irradiance: &[&Image::new(EXTENT, [2.0, 3.0, 5.0, 7.0]), &Image::new(EXTENT, [1.0, 1.0, 1.0, 0.0])],
             albedo: Some(&albedo),
             specular_f0: None,

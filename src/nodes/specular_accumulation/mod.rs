@@ -71,7 +71,6 @@ impl Graph {
         let SpecularHistory { history, accumulated, feedback } = history;
         let reflection = self.named_image("reflection", &label, PACKED_32, 1, Lifetime::History);
         let pass = pass(&node, &shaders::SPECULAR_ACCUMULATION)
-            .constant("HOLES", u32::from(irradiance.has_filled_holes()))
             .constant("FILTERED", u32::from(*feedback == Feedback::Filtered))
             .constant("SHARP", u32::from(parameters.sharp))
             .value("alpha", parameters.alpha)

@@ -1,6 +1,6 @@
 //! The stage `specular_accumulation`: specular irradiance blended with what was seen in the surface before.
 
-use crate::nodes::temporal_accumulation::twin::{blend, fresh, worth_of, AlphaBounds, Reprojected};
+use crate::nodes::temporal_accumulation::twin::{blend, fresh, AlphaBounds, Reprojected};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
@@ -50,8 +50,6 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub depth_gradient: &'a Image<u32>,
     /// rgb: specular irradiance; alpha: hit distance, as the stage `demodulate` has it (0: unknown; negative: no sample).
     pub noisy: &'a Image<[f32; 4]>,
-    /// Whether a negative alpha marks pixels without a sample of their own.
-    pub has_holes: bool,
     /// Whether the history was filtered.
     pub is_filtered: bool,
     /// Whether history that lies between pixels is looked up by a cubic.
@@ -184,10 +182,9 @@ impl Scene<'_> {
         let Tuning { alpha, alpha_moments, .. } = *self.tuning;
         let tuning = Tuning { alpha: alpha * scale, alpha_moments: alpha_moments * scale, ..*self.tuning };
         let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
-        let worth = if self.inputs.has_holes { worth_of(noisy) } else { 1.0 };
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
         let before = Moments { mean: best.origin + past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
-        blend(self.frame, (noisy, worth), past.irradiance, &before, bounds, [1.0; 3])
+        blend(self.frame, noisy, past.irradiance, &before, bounds, [1.0; 3])
     }
 }
 
@@ -211,7 +208,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         surface_motion: b.packed("surface_motion")?,
         depth_gradient: b.uint("depth_gradient")?,
         noisy: b.colour("noisy")?,
-        has_holes: b.is_on("HOLES")?,
         is_filtered: b.is_on("FILTERED")?,
         is_sharp: b.is_on("SHARP")?,
         roughness: b.optional_colour("roughness")?,

@@ -37,8 +37,9 @@ pub struct Accumulation {
 }
 
 impl Graph {
-    /// Accumulates one or two signals in place. Their moments reach `history` by the node `variance`. Behind
-    /// [`Irradiance::with_filled_holes`] each has a history length of its own. \[SVGF\] 4.1, \[ASVGF\] 3.5.
+    /// Accumulates one or two signals in place. Their moments reach `history` by the node `variance`. A pixel with a negative alpha has
+    /// no sample of its own: its history stays, and what was filled in (-1) counts for half a frame, nothing (-2) for none.
+    /// \[SVGF\] 4.1, \[ASVGF\] 3.5.
     pub fn temporal_accumulation(
         &mut self,
         guides: &Guides,
@@ -51,7 +52,6 @@ impl Graph {
         let mut pass = pass(&node, by_signals(irradiance, modules.0, modules.1))
             .constant("REPAIR", u32::from(accumulation.repair))
             .constant("SHARP", u32::from(accumulation.sharp))
-            .constant("HOLES", u32::from(irradiance.has_filled_holes()))
             .value("alpha", accumulation.alpha)
             .value("alpha_moments", accumulation.alpha_moments)
             .value("max_history_length", accumulation.max_history_length)

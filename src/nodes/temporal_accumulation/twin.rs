@@ -22,7 +22,7 @@ mod tests;
 mod volume;
 
 pub(crate) use adapter::{twin, RULES};
-pub(crate) use blend::{blend, fresh, worth_of, AlphaBounds};
+pub(crate) use blend::{blend, fresh, AlphaBounds};
 pub(crate) use taps::{cubic_taps, MIN_TAP_WEIGHT};
 pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
@@ -62,7 +62,8 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// The image `depth_gradient`, from the stage `import`.
     pub depth_gradient: &'a Image<u32>,
-    /// rgb: irradiance of every signal, as written by `demodulate` or `fill_holes`.
+    /// rgb: irradiance of every signal, as written by `demodulate` or `fill_holes`; a negative alpha marks pixels without a sample of
+    /// their own.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Object normals, where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
@@ -72,8 +73,6 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
     pub repair: bool,
     /// Whether irradiance is looked up by a cubic, where 4×4 pixels show the surface.
     pub sharp: bool,
-    /// Whether a negative alpha of the irradiance marks pixels without a sample of their own.
-    pub has_holes: bool,
     /// The ratio of light by which the history is scaled.
     pub light_ratio: Option<StrataRatio<'a>>,
     /// The previous frame, which is not read in a reset frame; `None` is treated as one.
@@ -156,8 +155,7 @@ pub(crate) fn temporal_accumulation(
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
             let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
             let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
-            let worth = if inputs.has_holes { worth_of(irradiance.at(p)) } else { 1.0 };
-            let (c, moments) = accumulate(frame, (irradiance.at(p), worth), histories.at(p), bounds, signal, ratio);
+            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
             (c, pack_moments(&moments))
         });
         outputs.irradiance.push(texels.map(|t| t.0));
@@ -303,10 +301,10 @@ impl Reprojected {
     }
 }
 
-/// Blends one signal of one pixel, which counts for so many frames, with its history \[SVGF 4.1\].
+/// Blends one signal of one pixel with its history \[SVGF 4.1\].
 fn accumulate(
     frame: &FrameConstants,
-    (c, worth): ([f32; 4], f32),
+    c: [f32; 4],
     history: History,
     bounds: AlphaBounds,
     signal: Option<&SignalHistory>,
@@ -324,7 +322,7 @@ fn accumulate(
         irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum::<f32>().max(0.0));
     }
     let before = Moments { history_length: before.history_length.min(longest), ..before };
-    blend(frame, (c, worth), irradiance, &before, bounds, ratio)
+    blend(frame, c, irradiance, &before, bounds, ratio)
 }
 
 /// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does

@@ -1,14 +1,17 @@
 //! The stage `volume_points` \[PSVGF\]: what a volume scatters towards the camera, and the points that the next frame carries
 //! forward.
 
-use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
+use crate::reference::holes::{EMPTY_HOLE, HOLE};
+use crate::reference::kept_radiance::{exposed, is_finite, is_saturated, storable};
 use crate::reference::rules::{pixels, EXACT, HALF, STATISTICS};
 use crate::reference::statistics::count;
-use crate::reference::Image;
+use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
+use glam::IVec2;
 
 /// A pixel of `volume_points`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,7 +45,8 @@ pub(crate) struct VolumePointsInputs<'a> {
 /// Outputs of [`volume_points`].
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct VolumePointsOutputs {
-    /// rgb: radiance, half precision; alpha 0.
+    /// rgb: radiance, half precision; alpha 0, [`HOLE`] where the mean of the samples around stands in for it, [`EMPTY_HOLE`] where
+    /// there are none.
     pub radiance: Image<[f32; 4]>,
     /// See [`unpack_volume_point`].
     pub volume_points: Image<[u16; 4]>,
@@ -53,20 +57,41 @@ pub(crate) struct VolumePointsOutputs {
 /// Stops what is not finite, and keeps the points for the next frame.
 pub(crate) fn volume_points(frame: &FrameConstants, inputs: &VolumePointsInputs) -> VolumePointsOutputs {
     let texels = Image::compute(inputs.noisy_volume.extent(), frame.render_extent, |p| {
-        let [r, g, b, _] = inputs.noisy_volume.at(p);
-        let bad_radiance = ![r, g, b].iter().all(|c| c.is_finite());
-        let rgb = if bad_radiance { [0.0; 3] } else { [r, g, b].map(|c| c.clamp(0.0, LARGEST_HALF)) };
+        let [r, g, b, _] = exposed(frame, inputs.noisy_volume.at(p));
+        let light = [r, g, b].map(|c| if c.is_finite() { c } else { 0.0 });
+        let sample = sample_at(frame, inputs.noisy_volume, p);
+        let [r, g, b, alpha] = sample.map_or_else(|| filled(frame, inputs.noisy_volume, p), |[r, g, b]| [r, g, b, 0.0]);
+        let rgb = [r, g, b];
         let depth = inputs.scattering_depth.map_or(0.0, |image| image.at(p)[0]);
         let linear_depth = if depth.is_finite() && depth > 0.0 { depth } else { 0.0 };
-        let luminance = 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+        let luminance = sample.map_or(0.0, |_| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]);
         let point = VolumePoint { linear_depth, contribution: (luminance.to_bits() >> 16) as u16 };
         let [r, g, b] = rgb.map(store);
-        (([r, g, b, 0.0], pack_volume_point(&point)), (bad_radiance, depth.is_nan()))
+        (([r, g, b, alpha], pack_volume_point(&point)), (sample.is_none(), depth.is_nan(), is_saturated(light)))
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Radiance] = count(texels.texels().iter().map(|t| t.1 .0));
     statistics[Counter::ScatteringDepth] = count(texels.texels().iter().map(|t| t.1 .1));
+    statistics[Counter::Saturated] = count(texels.texels().iter().map(|t| t.1 .2 && !t.1 .0));
     VolumePointsOutputs { radiance: texels.map(|t| t.0 .0), volume_points: texels.map(|t| t.0 .1), statistics }
+}
+
+/// Radiance of a pixel as the filter counts it, within what a half float holds; `None` where it is not finite.
+fn sample_at(frame: &FrameConstants, noisy: &Image<[f32; 4]>, p: IVec2) -> Option<[f32; 3]> {
+    is_finite(noisy.at(p)).then(|| storable(frame, noisy.at(p)))
+}
+
+/// The mean of the samples around a pixel that has none, weighed by their distance.
+fn filled(frame: &FrameConstants, noisy: &Image<[f32; 4]>, p: IVec2) -> [f32; 4] {
+    let window = RenderRect::new(frame.render_extent).window(p, 1, 1).filter(|(offset, _)| *offset != IVec2::ZERO);
+    let samples = window.filter_map(|(offset, q)| Some((1.0 / offset.as_vec2().length_squared(), sample_at(frame, noisy, q)?)));
+    let samples: Vec<_> = samples.map(|(weight, sample)| (weight, sample.map(store))).collect();
+    let weights: f32 = samples.iter().map(|sample| sample.0).sum();
+    if weights == 0.0 {
+        return [0.0, 0.0, 0.0, EMPTY_HOLE];
+    }
+    let [r, g, b] = [0, 1, 2].map(|i| samples.iter().map(|(weight, sample)| weight * sample[i]).sum::<f32>() / weights);
+    [r, g, b, HOLE]
 }
 
 /// How what it writes is compared with the GPU.
@@ -110,11 +135,12 @@ mod tests {
     }
 
     #[test]
-    fn bad_radiance_is_black_and_counted() {
+    fn bad_radiance_is_no_sample_and_counted() {
         let noisy =
             paint([3, 1], |x, _| [[f32::NAN, 1.0, 1.0, 0.0], [1.0, f32::INFINITY, 0.0, 0.0], [1e9, -1.0, 0.25, 0.0]][x as usize]);
         let outputs = taken_in(&noisy, None);
-        assert_eq!(outputs.radiance.texels(), [[0.0; 4], [0.0; 4], [65504.0, 0.0, 0.25, 0.0]]);
+        assert_eq!(outputs.radiance.texels(), [[0.0, 0.0, 0.0, EMPTY_HOLE], [65504.0, 0.0, 0.25, HOLE], [65504.0, 0.0, 0.25, 0.0]]);
+        assert_eq!(unpack_volume_point(outputs.volume_points.texels()[1]).contribution, 0);
         assert_eq!(outputs.statistics[Counter::Radiance], 2);
     }
 

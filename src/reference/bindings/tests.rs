@@ -6,6 +6,7 @@ use super::*;
 use crate::nodes::atrous::twin::*;
 use crate::nodes::volume_points::twin::*;
 use crate::nodes::{Kernel, LuminanceWeight};
+use crate::reference::holes::HOLE;
 use crate::Counter;
 
 const EXTENT: [u32; 2] = [12, 9];
@@ -63,9 +64,10 @@ fn counts_are_added_to_those_before() {
     let counts = |counts: &[(Counter, u32)]| Texels::Bytes(counted(counts).as_bytes().to_vec());
     let before = counts(&[(Counter::Depth, 1), (Counter::Radiance, 7)]);
     let guide = Texels::Packed(Image::new([2, 1], pack_guide(&surface(2.0))));
+    let flat = Texels::Uint(Image::new([2, 1], 0));
     let noisy = Texels::Colour(paint([2, 1], |x, _| [if x == 0 { f32::NAN } else { 1.0 }; 4]));
     let mut b = Bindings::new("demodulate", &frame, &tuning).with_constants(&[("PAINTING", 0)]);
-    for (name, texels) in [("statistics", &before), ("guide", &guide), ("noisy_0", &noisy)] {
+    for (name, texels) in [("statistics", &before), ("guide", &guide), ("depth_gradient", &flat), ("noisy_0", &noisy)] {
         b.reads(name, texels);
     }
     b.writes("statistics", [size_of::<Statistics>() as u32, 1]);
@@ -73,7 +75,10 @@ fn counts_are_added_to_those_before() {
     crate::nodes::demodulate::twin::twin(&mut b).expect("all is bound");
     let written = b.into_written();
     assert_eq!(written[0], ("statistics", counts(&[(Counter::Depth, 1), (Counter::Radiance, 8)])));
-    assert_eq!(written[1].1, Texels::Colour(Image::from_texels([2, 1], vec![[0.0; 4], [1.0, 1.0, 1.0, 0.0]]).expect("two")));
+    assert_eq!(
+        written[1].1,
+        Texels::Colour(Image::from_texels([2, 1], vec![[1.0, 1.0, 1.0, HOLE], [1.0, 1.0, 1.0, 0.0]]).expect("two"))
+    );
 }
 
 #[test]
@@ -106,7 +111,7 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
         ([0, 1, 0], volume_atrous(&frame, &tuning, level, &scene.guide, &image)),
     ];
     for ([kernel, volume, ours], expected) in expected {
-        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("OURS", ours)];
+        let constants = [("KERNEL", kernel), ("VOLUME", volume), ("OURS", ours), ("LAST", 0)];
         assert_eq!(run(&constants), Texels::Colour(expected), "{constants:?}");
     }
 }

@@ -4,6 +4,7 @@ use super::*;
 use crate::nodes::modulate::twin::SpecularAlbedos;
 use crate::nodes::modulate::twin::{modulate, ModulateInputs};
 use crate::reference::test_scene::*;
+use crate::reference::holes::EMPTY_HOLE;
 use crate::reference::LARGEST_HALF;
 
 const EXTENT: [u32; 2] = [6, 4];
@@ -11,7 +12,16 @@ const EXTENT: [u32; 2] = [6, 4];
 fn run(guides: &Guides, noisy: &[&Image<[f32; 4]>], albedo: Option<&Image<[f32; 4]>>) -> DemodulateOutputs {
     demodulate(
         &frame(EXTENT),
-        &DemodulateInputs { guide: &guides.guide, noisy, albedo, specular_f0: None, specular_hit_distance: None, has_holes: false },
+        &Tuning::default(),
+        &DemodulateInputs {
+            guide: &guides.guide,
+            depth_gradient: &guides.depth_gradient,
+            noisy,
+            albedo,
+            specular_f0: None,
+            specular_hit_distance: None,
+            is_sub_sampled: false,
+        },
     )
 }
 
@@ -61,7 +71,7 @@ fn modulation_brings_the_radiance_back() {
 }
 
 #[test]
-fn bad_radiance_is_counted_and_zero() {
+fn bad_radiance_is_counted_and_no_sample() {
     let bad = [
         [f32::NAN, 1.0, 1.0, 0.0],
         [1.0, f32::INFINITY, 1.0, 0.0],
@@ -71,9 +81,10 @@ fn bad_radiance_is_counted_and_zero() {
     let first = paint(EXTENT, |x, _| if x < 4 { bad[x as usize] } else { [1.0; 4] });
     let second = paint(EXTENT, |x, _| if x == 5 { bad[0] } else { [1.0; 4] });
     let output = run(&flat(), &[&first, &second], None);
-    assert_eq!(output.statistics, counted(&[(Counter::Radiance, 3 * 4 + 4)]));
+    assert_eq!(output.statistics, counted(&[(Counter::Radiance, 3 * 4 + 4), (Counter::Saturated, 4)]));
     let row = &output.irradiance[0].texels()[..6];
-    assert_eq!(row[..3], [[0.0; 4]; 3]);
+    assert_eq!(row[..2], [[0.0, 0.0, 0.0, EMPTY_HOLE]; 2], "no sample around them");
+    assert_eq!(row[2], [0.0, 2.0, LARGEST_HALF, HOLE], "of the only samples around it");
     assert_eq!(row[3], [0.0, 2.0, LARGEST_HALF, 0.0]);
     assert_eq!(row[4], [1.0, 1.0, 1.0, 0.0]);
 }
@@ -93,8 +104,8 @@ fn the_background_keeps_its_radiance_but_no_bad_value() {
     let sky = guides(EXTENT, |_, _| surface(0.0));
     let noisy = paint(EXTENT, |x, _| [if x == 0 { f32::NAN } else { 3.0 }, -1.0, 1e6, 0.0]);
     let output = run(&sky, &[&noisy], Some(&Image::new(EXTENT, [f32::NAN; 4])));
-    assert_eq!(output.statistics, counted(&[(Counter::Radiance, 4)]), "albedo is not looked at");
-    assert_eq!(output.irradiance[0].texels()[..2], [[0.0; 4], [3.0, 0.0, LARGEST_HALF, 0.0]]);
+    assert_eq!(output.statistics, counted(&[(Counter::Radiance, 4), (Counter::Saturated, 5 * 4)]), "albedo is not looked at");
+    assert_eq!(output.irradiance[0].texels()[..2], [[3.0, 0.0, LARGEST_HALF, HOLE], [3.0, 0.0, LARGEST_HALF, 0.0]]);
 }
 
 #[test]
@@ -107,13 +118,14 @@ fn outside_the_render_extent_nothing_is_read() {
     let guides = guides(large, |_, _| surface(4.0));
     let inputs = DemodulateInputs {
         guide: &guides.guide,
+        depth_gradient: &guides.depth_gradient,
         noisy: &[&loose],
         albedo: Some(&loose),
         specular_f0: None,
         specular_hit_distance: None,
-        has_holes: false,
+        is_sub_sampled: false,
     };
-    let output = demodulate(&in_large, &inputs);
+    let output = demodulate(&in_large, &Tuning::default(), &inputs);
     assert_eq!(output.irradiance[0], embed(&expected.irradiance[0], large, [0.0; 4]));
     assert_eq!(output.statistics, Statistics::default());
 }
@@ -126,13 +138,14 @@ fn hit_distances_stand_in_alpha_and_bad_ones_are_counted() {
     let (noisy, distances) = (Image::new(extent, [1.0; 4]), paint(extent, |x, _| [given[x as usize]; 4]));
     let inputs = DemodulateInputs {
         guide: &guides.guide,
+        depth_gradient: &guides.depth_gradient,
         noisy: &[&noisy],
         albedo: None,
         specular_f0: None,
         specular_hit_distance: Some(&distances),
-        has_holes: false,
+        is_sub_sampled: false,
     };
-    let output = demodulate(&frame(extent), &inputs);
+    let output = demodulate(&frame(extent), &Tuning::default(), &inputs);
     let stored: Vec<f32> = output.irradiance[0].texels().iter().map(|texel| texel[3]).collect();
     assert_eq!(stored, [FARTHEST_HIT, 2.5, 0.0, 0.0, FARTHEST_HIT, 0.0]);
     assert_eq!(output.statistics[Counter::HitDistance], 2, "the background has no hit");
@@ -146,14 +159,15 @@ fn specular_light_comes_back_through_either_albedo() {
     for (albedo, f0) in [(Some(&reflectance), None), (None, Some(&reflectance))] {
         let inputs = DemodulateInputs {
             guide: &guides.guide,
+            depth_gradient: &guides.depth_gradient,
             noisy: &[&noisy],
             albedo,
             specular_f0: f0,
             specular_hit_distance: None,
-            has_holes: false,
+            is_sub_sampled: false,
         };
         let frame = frame(EXTENT);
-        let divided = demodulate(&frame, &inputs);
+        let divided = demodulate(&frame, &Tuning::default(), &inputs);
         assert_eq!(divided.statistics[Counter::Albedo], EXTENT[1]);
         assert_ne!(divided.irradiance[0].at(IVec2::X), noisy.at(IVec2::X));
         let inputs = ModulateInputs {
@@ -167,4 +181,15 @@ fn specular_light_comes_back_through_either_albedo() {
             assert!((0..3).all(|i| (texel[i] / noisy.at(IVec2::ZERO)[i] - 1.0).abs() < 2e-3), "{texel:?}");
         }
     }
+}
+
+#[test]
+fn a_pixel_without_a_sample_takes_that_of_its_surface_and_not_its_texture() {
+    let guides = guides(EXTENT, |x, _| surface(if x < 3 { 4.0 } else { 9.0 }));
+    let albedo = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.25 } else { 0.5 }; 4]);
+    let light = |x: i32| if x < 3 { 2.0 } else { 8.0 };
+    let noisy = paint(EXTENT, |x, y| [if (x, y) == (2, 1) { f32::NAN } else { light(x) * albedo.at(IVec2::new(x, y))[0] }; 4]);
+    let output = run(&guides, &[&noisy], Some(&albedo));
+    assert_eq!(*output.irradiance[0].get(2, 1).expect("inside"), [2.0, 2.0, 2.0, HOLE]);
+    assert_eq!(output.irradiance[0].get(3, 1).expect("inside")[0], 8.0);
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::config::{EawWeights, Sampling};
-use crate::reference::luminance::HOLE;
+use crate::reference::holes::HOLE;
 use crate::reference::test_scene::*;
 use crate::{Config, FrameParams};
 

@@ -31,11 +31,11 @@ fn luminance_of(l: f32, albedo: f32) -> Image<u32> {
 }
 
 fn left(frame: &FrameConstants, now: f32, albedo: f32, previous: &Image<u32>) -> [f32; 4] {
-    let guides = guides(EXTENT, |_, _| surface(4.0));
+    let (guides, albedo) = (guides(EXTENT, |_, _| surface(4.0)), grey(albedo));
     let inputs = GradientInputs {
         guide: &guides.guide,
         noisy: &[&grey(now)],
-        albedo: Some(&grey(albedo)),
+        albedo: Some(&albedo),
         previous_luminance: Some(previous),
         previous_red_blue: None,
         source: GradientInput::ForwardProjected { gradient_samples: &samples() },
@@ -92,12 +92,13 @@ fn a_dense_image_counts_where_the_surface_was() {
     // The right column of the left stratum has no sample, and half of the others changed.
     let again = paint(EXTENT, |x, _| [[1.0, 3.0, f32::NAN, 1.0, 1.0, 1.0][x as usize]; 4]);
     let guides = guides(EXTENT, |x, _| surface(if x == 5 { 0.0 } else { 4.0 }));
+    let (albedo, red_blue) = (grey(0.5), Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001));
     let inputs = GradientInputs {
         guide: &guides.guide,
         noisy: &[&grey(1.0)],
-        albedo: Some(&grey(0.5)),
+        albedo: Some(&albedo),
         previous_luminance: Some(&previous),
-        previous_red_blue: Some(&Image::new(EXTENT, u32::from(half_bits(1.0)) * 0x1_0001)),
+        previous_red_blue: Some(&red_blue),
         source: GradientInput::Reshaded {
             reshaded_radiance: Some(&again),
             previous_guide: Some(&guides.guide),

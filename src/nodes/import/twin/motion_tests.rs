@@ -221,3 +221,39 @@ fn bad_motion_is_counted_and_replaced_by_the_matrices() {
         assert_eq!(with.1[Counter::Motion], 48);
     }
 }
+
+/// A camera somewhere, turned, with so long a lens that a pixel is what it is at 1080p.
+fn far_camera(position: Vec3) -> FrameParams {
+    let lens = perspective(EXTENT) * Mat4::from_scale(Vec3::new(180.0, 180.0, 1.0));
+    let turned = Mat4::from_rotation_y(0.7) * Mat4::from_rotation_x(-0.4);
+    let view = turned * Mat4::from_translation(-position);
+    FrameParams { view_from_world: view.to_cols_array_2d(), clip_from_view: lens.to_cols_array_2d(), ..FrameParams::new(EXTENT) }
+}
+
+#[test]
+fn far_from_the_origin_what_stands_still_does_not_move() {
+    for distance in [0.0, 1e4, 1e5, 1e6, 1e7] {
+        let camera = far_camera(Vec3::new(distance, 0.3 * distance, -0.7 * distance));
+        let (motions, _) = Scene::new(camera, camera).import();
+        let worst = motions.texels().iter().map(|m| Vec2::from(m.motion).length()).fold(0.0, f32::max);
+        assert!(worst < 0.001, "{worst} pixels at a distance of {distance}");
+        assert!(motions.texels().iter().all(|m| m.depth_ratio.abs() < 1e-3));
+    }
+}
+
+#[test]
+fn far_from_the_origin_an_instance_moves_as_near_it() {
+    let moved: InstanceTransform = [[1.0, 0.0, 0.0, 0.01], [0.0, 1.0, 0.0, -0.02], [0.0, 0.0, 1.0, 0.005]];
+    let transforms = [moved; 2];
+    let of = |distance: f32| {
+        let camera = far_camera(Vec3::new(distance, 0.3 * distance, -0.7 * distance));
+        Scene { transforms: Some(&transforms), ..Scene::new(camera, camera) }.import().0
+    };
+    let near = of(0.0);
+    assert!(near.texels().iter().all(|m| Vec2::from(m.motion).length() > 0.5), "{:?}", near.texels()[0]);
+    for distance in [1e4, 1e6] {
+        for (far, near) in of(distance).texels().iter().zip(near.texels()) {
+            assert!(close(far.motion, Vec2::from(near.motion), 0.01), "{far:?} {near:?} at a distance of {distance}");
+        }
+    }
+}

@@ -54,7 +54,6 @@ fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFra
         history_confidence: b.optional_scalar("history_confidence")?,
         repair: b.is_on("REPAIR")?,
         sharp: b.is_on("SHARP")?,
-        has_holes: b.is_on("HOLES")?,
         light_ratio,
         previous: Some(previous),
     };

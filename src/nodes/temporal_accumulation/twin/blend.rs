@@ -1,6 +1,7 @@
 //! A pixel blended with its past \[SVGF 4.1\].
 
 use crate::reference::binary16::{store, LARGEST_HALF};
+use crate::reference::holes::sample_worth;
 use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::moments::{Moments, Reason};
 use crate::{FrameConstants, Tuning};
@@ -33,29 +34,17 @@ fn adapted(alpha: f32, change: f32) -> f32 {
     alpha + change * (1.0 - alpha)
 }
 
-/// Frames that a pixel is worth which has no sample of its own, but the light of its neighbours.
-pub(super) const FILLED_WORTH: f32 = 0.5;
-
-/// Frames that a texel of irradiance is worth, of a sub-sampled input: alpha is negative where there is no sample.
-pub(crate) fn worth_of([.., alpha]: [f32; 4]) -> f32 {
-    if alpha < 0.0 {
-        FILLED_WORTH
-    } else {
-        1.0
-    }
-}
-
-/// A pixel without a past.
+/// A pixel without a past; one without a sample either has none for the next frame.
 pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], Moments) {
-    let moments = Moments { mean: texel_luminance(c), deviation: 0.0, history_length: 1.0, reason: reason as u16 };
+    let (history_length, reason) = if sample_worth(c) > 0.0 { (1.0, reason) } else { (0.0, Reason::None) };
+    let moments = Moments { mean: texel_luminance(c), deviation: 0.0, history_length, reason: reason as u16 };
     ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
 }
 
-/// Irradiance `c`, which counts for `worth` frames, with its past: irradiance and moments, of which `ratio` says by how much light is
-/// brighter now.
+/// Irradiance `c` with its past: irradiance and moments, of which `ratio` says by how much light is brighter now.
 pub(crate) fn blend(
     frame: &FrameConstants,
-    (c, worth): ([f32; 4], f32),
+    c: [f32; 4],
     past: [f32; 3],
     before: &Moments,
     bounds: AlphaBounds,
@@ -63,8 +52,12 @@ pub(crate) fn blend(
 ) -> ([f32; 4], Moments) {
     // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
     let scaled = |x: f32| (x * (frame.exposure_ratio * luminance(ratio)).min(1e38)).min(LARGEST_HALF);
+    let worth = sample_worth(c);
     let history_length = (before.history_length + worth).min(bounds.history_length);
-    let weight = |alpha: f32| adapted(alpha * worth, bounds.change).max(worth / history_length);
+    let weight = |alpha: f32| match worth {
+        0.0 => 0.0,
+        _ => adapted(alpha * worth, bounds.change).max(worth / history_length),
+    };
     let (alpha, alpha_moments) = (weight(bounds.alpha), weight(bounds.alpha_moments));
     let [r, g, b] = [0, 1, 2].map(|i| {
         let before = (past[i] * ratio[i] * frame.exposure_ratio).min(LARGEST_HALF);

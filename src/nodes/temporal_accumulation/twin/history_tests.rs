@@ -176,7 +176,6 @@ fn another_render_extent_is_scaled() {
             history_confidence: None,
             repair: false,
             sharp: false,
-            has_holes: false,
             light_ratio: None,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
@@ -212,7 +211,6 @@ fn signals_are_independent_but_for_taps_and_length() {
                     history_confidence: None,
                     repair: false,
                     sharp: false,
-                    has_holes: false,
                     light_ratio: None,
                     previous: output.as_ref().map(|_| PreviousFrame { guide: &guides.guide, signals: &signals }),
                 },

@@ -1,9 +1,8 @@
 //! The blend: running mean, moments, cap, exposure, reset.
 
-use super::blend::FILLED_WORTH;
 use super::*;
-use crate::reference::luminance::HOLE;
 use crate::reference::test_scene::*;
+use crate::reference::holes::{EMPTY_HOLE, HOLE};
 
 const EXTENT: [u32; 2] = [6, 5];
 
@@ -40,7 +39,6 @@ pub(super) fn inputs<'a>(guides: &'a Guides, irradiance: &'a [&'a Image<[f32; 4]
         history_confidence: None,
         repair: false,
         sharp: false,
-        has_holes: false,
         light_ratio: None,
         previous: None,
     }
@@ -196,7 +194,6 @@ fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
         let inputs = TemporalAccumulationInputs {
             irradiance: &[&sample, &filled],
             history_confidence: Some(&confidence),
-            has_holes: true,
             previous,
             ..inputs(&guides, &[])
         };
@@ -206,12 +203,42 @@ fn a_hole_keeps_its_history_and_a_filled_one_counts_for_less() {
     };
     let previous = Some(PreviousFrame { guide: &guides.guide, signals: &signals });
     let [(mean, frames), (kept, frames_kept)] = step(0.0, previous);
-    assert_eq!((frames, frames_kept), (5.0, 4.0 + FILLED_WORTH), "a length for each signal");
-    assert!(
-        (mean - (1.0 + 2.0 / 5.0)).abs() < 1e-3 && (kept - (1.0 + 2.0 * FILLED_WORTH / frames_kept)).abs() < 1e-3,
-        "{mean} {kept}"
-    );
+    assert_eq!((frames, frames_kept), (5.0, 4.5), "a length for each signal");
+    assert!((mean - (1.0 + 2.0 / 5.0)).abs() < 1e-3 && (kept - (1.0 + 2.0 * 0.5 / 4.5)).abs() < 1e-3, "{mean} {kept}");
     // What is filled in takes the place of light that is no longer true, and of a history that is lost.
     assert_eq!(step(1.0, previous).map(|of| of.0), [3.0, 3.0]);
     assert_eq!(step(0.0, None), [(3.0, 1.0), (3.0, 1.0)]);
+}
+
+#[test]
+fn a_hole_that_nothing_fills_keeps_its_history_and_is_none() {
+    let guides = flat(EXTENT);
+    let moments = Moments { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: 0 };
+    let signal = (grey(EXTENT, 1.0), Image::new(EXTENT, pack_moments(&moments)));
+    let signals = [SignalHistory { irradiance: &signal.0, moments: &signal.1 }];
+    let (empty, sample) = (Image::new(EXTENT, [0.0, 0.0, 0.0, EMPTY_HOLE]), grey(EXTENT, 3.0));
+    let changed = Image::new(EXTENT, 0.0);
+    let step = |irradiance: &Image<[f32; 4]>, confidence: Option<&Image<f32>>, signals: Option<&[SignalHistory]>| {
+        let previous = signals.map(|signals| PreviousFrame { guide: &guides.guide, signals });
+        let inputs = TemporalAccumulationInputs {
+            irradiance: &[irradiance],
+            history_confidence: confidence,
+            previous,
+            ..inputs(&guides, &[])
+        };
+        let mut output = temporal_accumulation(&frame(EXTENT), &Tuning::default(), &inputs);
+        (output.irradiance.remove(0), output.moments.remove(0))
+    };
+    // Also where the light is known to have changed: to what is not known.
+    for confidence in [None, Some(&changed)] {
+        let (kept, after) = step(&empty, confidence, Some(&signals));
+        assert_eq!(kept.texels()[7][0], 1.0);
+        let after = unpack_moments(after.texels()[7]);
+        assert_eq!((after.mean, after.deviation), (1.0, 0.5));
+    }
+    // Without a history there is none for the next frame either.
+    let (irradiance, moments) = step(&empty, None, None);
+    assert_eq!(unpack_moments(moments.texels()[7]).history_length, 0.0);
+    let (healed, moments) = step(&sample, None, Some(&[SignalHistory { irradiance: &irradiance, moments: &moments }]));
+    assert_eq!((healed.texels()[7][0], unpack_moments(moments.texels()[7]).history_length), (3.0, 1.0));
 }

@@ -11,7 +11,7 @@ pub(crate) struct VolumeAccumulationInputs<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// The image `volume_motion`, from the stage of that name.
     pub volume_motion: &'a Image<u32>,
-    /// rgb: radiance of the volume, as written by `volume_points`.
+    /// rgb: radiance of the volume, as written by `volume_points`; a negative alpha marks pixels without a sample of their own.
     pub radiance: &'a Image<[f32; 4]>,
     /// One signal. Not read in a reset frame; `None` is treated as one.
     pub previous: Option<PreviousFrame<'a>>,
@@ -43,7 +43,7 @@ pub(crate) fn volume_accumulation(
             let s = (p.as_vec2() + 0.5) * extent_ratio(frame) + motion - 0.5;
             taps::find(s, refusal).unwrap_or_else(|| History::Disoccluded(refusal(taps::nearest(s))))
         });
-        let (c, moments) = accumulate(frame, (inputs.radiance.at(p), 1.0), history, bounds, signal, [1.0; 3]);
+        let (c, moments) = accumulate(frame, inputs.radiance.at(p), history, bounds, signal, [1.0; 3]);
         (c, pack_moments(&moments))
     });
     (texels.map(|t| t.0), texels.map(|t| t.1))

@@ -58,10 +58,11 @@ pub(super) fn deviation_of_filled_mean(
 }
 
 fn deviation(tuning: &Tuning, centre: Moments, around: Surroundings) -> f32 {
-    let share = (tuning.spatial_variance_frames / centre.history_length).min(1.0);
-    let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / centre.history_length);
+    let frames = centre.history_length.max(1.0);
+    let share = (tuning.spatial_variance_frames / frames).min(1.0);
+    let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     let of_sample = share * spatial + (1.0 - share) * centre.deviation * centre.deviation;
-    let averaging = (1.0 / centre.history_length).max(tuning.alpha / (2.0 - tuning.alpha));
+    let averaging = (1.0 / frames).max(tuning.alpha / (2.0 - tuning.alpha));
     (of_sample * averaging).max(SEEN_NOISE * around.noise).sqrt()
 }
 

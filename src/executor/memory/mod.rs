@@ -1,19 +1,20 @@
 //! Images, buffers and their memory: histories with memory of their own, transients aliased by lifetime.
 
+mod blocks;
+
 use super::storage::{Object, Storages, StoredImage};
 use super::{AllocatedMemory, ExecutorOptions};
 use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span, WHOLE};
 use crate::error::Error;
 use crate::record::Device;
 use ash::vk;
-use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme, Allocator, AllocatorCreateDesc};
-use gpu_allocator::MemoryLocation;
+use blocks::{Demand, Limits};
 use std::ffi::{CStr, CString};
 
 /// Everything that an executor allocates, and the images and buffers that a host bound.
 pub(crate) struct Memory {
     device: ash::Device,
-    allocator: Allocator,
+    limits: Limits,
     objects: Objects,
     pub storages: Storages,
     labels: Vec<CString>,
@@ -23,7 +24,7 @@ pub(crate) struct Memory {
 #[derive(Default)]
 struct Objects {
     owned: Vec<Owned>,
-    allocations: Vec<Allocation>,
+    blocks: Vec<vk::DeviceMemory>,
     allocated: AllocatedMemory,
 }
 
@@ -34,22 +35,21 @@ enum Owned {
     Buffer(vk::Buffer),
 }
 
+/// What waits for a place in memory.
+enum Waiting {
+    Own(ResourceId, usize, Object),
+    /// Images at their offsets in what they share.
+    Transients(Vec<(ResourceId, StoredImage, u64)>),
+}
+
 impl Memory {
     /// # Safety
     /// Obligations of `Executor::new`.
     pub(crate) unsafe fn new(host: Device<'_>, declaration: &Declaration, options: &ExecutorOptions) -> Result<Self, Error> {
-        let allocator = Allocator::new(&AllocatorCreateDesc {
-            instance: host.instance.clone(),
-            device: host.device.clone(),
-            physical_device: host.physical_device,
-            debug_settings: Default::default(),
-            buffer_device_address: false,
-            allocation_sizes: Default::default(),
-        })
-        .map_err(|_| Error::OutOfMemory { what: "the allocator".into(), bytes: 0 })?;
         let mut this = Self {
             device: host.device.clone(),
-            allocator,
+            // SAFETY: instance and physical device are live.
+            limits: unsafe { Limits::new(host, options.largest_block) },
             objects: Objects::default(),
             storages: Storages::new(declaration),
             labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
@@ -69,8 +69,7 @@ impl Memory {
         let objects = std::mem::take(&mut self.objects);
         let storages = std::mem::replace(&mut self.storages, Storages::new(declaration));
         // SAFETY: the device is live, and formats, extents and limits were checked against it.
-        let result =
-            unsafe { self.allocate_own(declaration, options).and_then(|()| self.allocate_transient_images(declaration, options)) };
+        let result = unsafe { self.allocate(declaration, options) };
         let replaced = if result.is_ok() {
             self.storages.take_over(&storages);
             objects
@@ -92,21 +91,81 @@ impl Memory {
         &self.labels[pass]
     }
 
+    /// Everything is created before memory is asked for, so that it takes as few blocks as there are types of memory.
+    unsafe fn allocate(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+        let (mut demands, mut waiting) = (Vec::new(), Vec::new());
+        // SAFETY: the device is live, and formats, extents and limits were checked against it; objects are bound once, to memory that
+        // meets their requirements.
+        unsafe {
+            self.create_own(declaration, options, &mut demands, &mut waiting)?;
+            self.create_transient_images(declaration, options, &mut demands, &mut waiting)?;
+            let (blocks, places) = self.limits.plan(&demands)?;
+            for block in &blocks {
+                let memory = block.allocate(&self.device, &blocks)?;
+                self.objects.blocks.push(memory);
+                self.objects.allocated.device += block.size;
+            }
+            for (waiting, place) in waiting.into_iter().zip(places) {
+                self.place(waiting, self.objects.blocks[place.block], place.offset)?;
+            }
+        }
+        Ok(())
+    }
+
+    unsafe fn place(&mut self, waiting: Waiting, memory: vk::DeviceMemory, offset: u64) -> Result<(), Error> {
+        match waiting {
+            Waiting::Own(id, copy, Object::Image(image)) => {
+                // SAFETY: the obligations are the same.
+                let image = unsafe { self.bind_image(image, memory, offset)? };
+                self.storages.set(id, copy, Object::Image(image));
+            }
+            Waiting::Own(id, copy, Object::Buffer { buffer, size }) => {
+                // SAFETY: the memory meets the buffer's requirements at this offset, and it has none yet.
+                unsafe { self.device.bind_buffer_memory(buffer, memory, offset) }.map_err(Error::vulkan("vkBindBufferMemory"))?;
+                self.storages.set(id, copy, Object::Buffer { buffer, size });
+            }
+            Waiting::Transients(images) => {
+                for (id, image, inside) in images {
+                    // SAFETY: the obligations are the same.
+                    let image = unsafe { self.bind_image(image, memory, offset + inside)? };
+                    self.storages.set(id, 0, Object::Image(image));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// With its view.
+    unsafe fn bind_image(&mut self, image: StoredImage, memory: vk::DeviceMemory, offset: u64) -> Result<StoredImage, Error> {
+        // SAFETY: the memory meets the image's requirements at this offset, and it has none yet.
+        unsafe {
+            self.device.bind_image_memory(image.image, memory, offset).map_err(Error::vulkan("vkBindImageMemory"))?;
+            Ok(StoredImage { view: self.create_view(&image)?, ..image })
+        }
+    }
+
     /// Histories, outputs, and every buffer.
-    unsafe fn allocate_own(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+    unsafe fn create_own(
+        &mut self,
+        declaration: &Declaration,
+        options: &ExecutorOptions,
+        demands: &mut Vec<Demand>,
+        waiting: &mut Vec<Waiting>,
+    ) -> Result<(), Error> {
         for (index, resource) in declaration.resources().iter().enumerate() {
             for copy in 0..resource.lifetime.copies() {
                 if matches!(resource.shape, Shape::Image { .. }) && resource.lifetime == Lifetime::Transient {
                     continue;
                 }
                 // SAFETY: the device is live, and formats, extents and limits were checked against it.
-                let (object, bytes) = unsafe {
+                let (object, requirements, bytes) = unsafe {
                     match resource.shape {
                         Shape::Image { format, .. } => self.own_image(declaration, resource, format.preferred(), options)?,
                         Shape::Buffer { size } => self.own_buffer(resource, size)?,
                     }
                 };
-                self.storages.set(ResourceId(index as u32), copy, object);
+                demands.push(Demand { name: resource.name.clone(), requirements });
+                waiting.push(Waiting::Own(ResourceId(index as u32), copy, object));
                 match resource.lifetime {
                     Lifetime::Output => self.objects.allocated.output += bytes,
                     Lifetime::Transient => self.objects.allocated.transient += bytes,
@@ -123,36 +182,36 @@ impl Memory {
         resource: &ResourceDecl,
         format: vk::Format,
         options: &ExecutorOptions,
-    ) -> Result<(Object, u64), Error> {
-        // SAFETY: the device is live; the memory fits the image's own requirements.
+    ) -> Result<(Object, vk::MemoryRequirements, u64), Error> {
+        // SAFETY: the device is live, and format and extent were checked against it.
         unsafe {
-            let mut image = self.create_image(declaration, resource, format, options, vk::ImageCreateFlags::empty())?;
+            let image = self.create_image(declaration, resource, format, options, vk::ImageCreateFlags::empty())?;
             let requirements = self.device.get_image_memory_requirements(image.image);
-            let (memory, offset) = self.allocate(&resource.name, requirements, false)?;
-            self.device.bind_image_memory(image.image, memory, offset).map_err(Error::vulkan("vkBindImageMemory"))?;
-            image.view = self.create_view(&image)?;
-            Ok((Object::Image(image), requirements.size))
+            Ok((Object::Image(image), requirements, requirements.size))
         }
     }
 
-    unsafe fn own_buffer(&mut self, resource: &ResourceDecl, size: u64) -> Result<(Object, u64), Error> {
+    unsafe fn own_buffer(&mut self, resource: &ResourceDecl, size: u64) -> Result<(Object, vk::MemoryRequirements, u64), Error> {
         let usage = resource.buffer_usage | vk::BufferUsageFlags::TRANSFER_SRC;
         let info = vk::BufferCreateInfo::default().size(size).usage(usage).sharing_mode(vk::SharingMode::EXCLUSIVE);
-        // SAFETY: the device is live; the memory fits the buffer's own requirements.
+        // SAFETY: the device is live.
         unsafe {
             let buffer = self.device.create_buffer(&info, None).map_err(Error::vulkan("vkCreateBuffer"))?;
             self.objects.owned.push(Owned::Buffer(buffer));
-            let requirements = self.device.get_buffer_memory_requirements(buffer);
-            let (memory, offset) = self.allocate(&resource.name, requirements, true)?;
-            self.device.bind_buffer_memory(buffer, memory, offset).map_err(Error::vulkan("vkBindBufferMemory"))?;
-            Ok((Object::Buffer { buffer, size }, size))
+            Ok((Object::Buffer { buffer, size }, self.device.get_buffer_memory_requirements(buffer), size))
         }
     }
 
-    /// One block for all transient images, each at the offset that the planner gave it.
-    unsafe fn allocate_transient_images(&mut self, declaration: &Declaration, options: &ExecutorOptions) -> Result<(), Error> {
+    /// One place for all transient images, each at the offset that the planner gave it.
+    unsafe fn create_transient_images(
+        &mut self,
+        declaration: &Declaration,
+        options: &ExecutorOptions,
+        demands: &mut Vec<Demand>,
+        waiting: &mut Vec<Waiting>,
+    ) -> Result<(), Error> {
         let (mut ids, mut spans, mut images) = (Vec::new(), Vec::new(), Vec::new());
-        let mut block = vk::MemoryRequirements { size: 0, alignment: 1, memory_type_bits: u32::MAX };
+        let mut shared = vk::MemoryRequirements { size: 0, alignment: 1, memory_type_bits: u32::MAX };
         for (id, first, last) in declaration.transients() {
             let resource = declaration.resource(id);
             let Shape::Image { format, .. } = resource.shape else { continue };
@@ -164,8 +223,8 @@ impl Memory {
             let whole = (0, declaration.passes().len());
             let (first, last) = if options.no_aliasing { whole } else { (first, last) };
             spans.push(Span { first, last, size: requirements.size, alignment: requirements.alignment });
-            block.alignment = block.alignment.max(requirements.alignment);
-            block.memory_type_bits &= requirements.memory_type_bits;
+            shared.alignment = shared.alignment.max(requirements.alignment);
+            shared.memory_type_bits &= requirements.memory_type_bits;
             ids.push(id);
             images.push(image);
         }
@@ -173,18 +232,12 @@ impl Memory {
             return Ok(());
         }
         let (offsets, total) = alias(&spans);
-        block.size = total;
+        shared.size = total;
         self.objects.allocated.transient += total;
-        // SAFETY: the block satisfies the requirements of every image at its offset.
-        unsafe {
-            let (memory, base) = self.allocate("transients", block, false)?;
-            for ((id, image), offset) in ids.iter().zip(images).zip(&offsets) {
-                self.device.bind_image_memory(image.image, memory, base + offset).map_err(Error::vulkan("vkBindImageMemory"))?;
-                let view = self.create_view(&image)?;
-                self.storages.set(*id, 0, Object::Image(StoredImage { view, ..image }));
-            }
-        }
         self.storages.share(&ids, &spans, &offsets);
+        demands.push(Demand { name: "transients".to_owned(), requirements: shared });
+        waiting
+            .push(Waiting::Transients(ids.into_iter().zip(images).zip(offsets).map(|((id, image), at)| (id, image, at)).collect()));
         Ok(())
     }
 
@@ -229,27 +282,6 @@ impl Memory {
         Ok(view)
     }
 
-    unsafe fn allocate(
-        &mut self,
-        name: &str,
-        requirements: vk::MemoryRequirements,
-        linear: bool,
-    ) -> Result<(vk::DeviceMemory, u64), Error> {
-        let out_of_memory = || Error::OutOfMemory { what: name.to_owned(), bytes: requirements.size };
-        let desc = AllocationCreateDesc {
-            name,
-            requirements,
-            location: MemoryLocation::GpuOnly,
-            linear,
-            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
-        };
-        let allocation = self.allocator.allocate(&desc).map_err(|_| out_of_memory())?;
-        // SAFETY: the allocation is kept as long as the objects in it.
-        let place = (unsafe { allocation.memory() }, allocation.offset());
-        self.objects.allocations.push(allocation);
-        Ok(place)
-    }
-
     /// # Safety
     /// GPU work that uses the objects is complete.
     unsafe fn destroy(&mut self, objects: Objects) {
@@ -264,10 +296,9 @@ impl Memory {
                 }
             }
         }
-        for allocation in objects.allocations {
-            if let Err(error) = self.allocator.free(allocation) {
-                log::error!("atrous: freeing memory failed: {error}");
-            }
+        for block in objects.blocks {
+            // SAFETY: ours, and what lay in it is destroyed.
+            unsafe { self.device.free_memory(block, None) };
         }
     }
 }
