@@ -2,7 +2,7 @@
 
 use super::support::{assert_valid, frame, pixels, rmse, scene::Guides, scene::Scene, session};
 use atrous::config::{EawWeights, Preset, Sampling};
-use atrous::{Config, Lifetime, Tuning, UseFrame};
+use atrous::{Config, Tuning, UseFrame};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
@@ -48,10 +48,14 @@ fn no_frame_depends_on_the_one_before() {
 
 fn nothing_survives_the_frame() {
     let declaration = config().declare().expect("valid");
-    assert_eq!(declaration.memory().history, 0);
-    let lives: Vec<Lifetime> = declaration.resources().iter().map(|r| r.lifetime).collect();
-    assert!(!lives.iter().any(|l| l.is_history()));
-    assert!(declaration.passes().iter().flat_map(|p| &p.uses).all(|u| u.frame == UseFrame::Current));
+    // But for the unit in which light is counted: one texel, in two copies.
+    assert_eq!(declaration.memory().history, 8);
+    let is_unit = |name: &str| name == "filter_exposure";
+    let kept: Vec<_> = declaration.resources().iter().filter(|r| r.lifetime.is_history()).map(|r| r.name.as_str()).collect();
+    assert_eq!(kept, ["filter_exposure"]);
+    let uses = declaration.passes().iter().flat_map(|p| &p.uses);
+    let before = uses.filter(|u| u.frame != UseFrame::Current).map(|u| declaration.resource(u.resource).name.as_str());
+    assert!(before.into_iter().all(is_unit));
 }
 
 fn sub_sampled_input_is_painted_in() {

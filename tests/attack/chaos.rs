@@ -72,7 +72,7 @@ fn texels(dice: &mut Dice, count: usize) -> Vec<[f32; 4]> {
     let (kind, value, scale) = (dice.below(6), any(dice), 10_f32.powi(dice.below(17) as i32 - 8));
     let mut texel = |i: usize| match kind {
         0 => [0.5; 4],
-        1 if i % 7 != 0 => [0.5; 4],
+        1 if !i.is_multiple_of(7) => [0.5; 4],
         1 | 2 => [value; 4],
         3 => [0; 4].map(|_: i32| of_scale(dice, scale)),
         4 => [0; 4].map(|_: i32| of_scale(dice, 1.0)),

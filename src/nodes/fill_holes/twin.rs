@@ -25,11 +25,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::Image;
-    use crate::{Counter, Statistics, Tuning};
     use crate::reference::holes::{EMPTY_HOLE, HOLE};
     use crate::reference::test_scene::*;
+    use crate::reference::Image;
     use crate::reference::Surface;
+    use crate::{Counter, Statistics, Tuning};
 
     const EXTENT: [u32; 2] = [9, 6];
 

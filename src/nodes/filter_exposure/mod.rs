@@ -4,9 +4,9 @@
 
 pub(crate) mod twin;
 
+use super::pass;
 use crate::config::Config;
 use crate::contract::{Grid, Lifetime};
-use super::pass;
 use crate::graph::{Graph, Radiance, PACKED_32};
 use crate::shaders;
 

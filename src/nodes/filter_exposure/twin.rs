@@ -1,7 +1,7 @@
 //! The stage `filter_exposure`: the power of 2 by which light is multiplied in the filter. Equal to the bit on every device.
 
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::{Unit, Reading, Rule};
+use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::rules::{rule, EXACT};
 use crate::reference::{Image, Texels};

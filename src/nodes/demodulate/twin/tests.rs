@@ -3,8 +3,8 @@
 use super::*;
 use crate::nodes::modulate::twin::SpecularAlbedos;
 use crate::nodes::modulate::twin::{modulate, ModulateInputs};
-use crate::reference::test_scene::*;
 use crate::reference::holes::EMPTY_HOLE;
+use crate::reference::test_scene::*;
 use crate::reference::LARGEST_HALF;
 
 const EXTENT: [u32; 2] = [6, 4];
@@ -34,7 +34,11 @@ fn radiance_is_divided_by_albedo_and_by_a_tenth_of_its_largest_component_at_leas
     let noisy = Image::new(EXTENT, [1.0, 0.5, 0.25, 7.0]);
     let albedo = Image::new(EXTENT, [0.625, 0.0, -1.0, 7.0]);
     let output = run(&flat(), &[&noisy], Some(&albedo));
-    assert!(output.irradiance[0].texels().iter().all(|t| *t == [1.5996094, 8.0, 4.0, 0.0]), "{:?}", output.irradiance[0].texels()[0]);
+    assert!(
+        output.irradiance[0].texels().iter().all(|t| *t == [1.5996094, 8.0, 4.0, 0.0]),
+        "{:?}",
+        output.irradiance[0].texels()[0]
+    );
     assert_eq!(run(&flat(), &[&noisy], None).irradiance[0].texels()[0], [1.0, 0.5, 0.25, 0.0]);
 }
 

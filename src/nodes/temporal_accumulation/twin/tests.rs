@@ -1,8 +1,8 @@
 //! The blend: running mean, moments, cap, exposure, reset.
 
 use super::*;
-use crate::reference::test_scene::*;
 use crate::reference::holes::{EMPTY_HOLE, HOLE};
+use crate::reference::test_scene::*;
 
 const EXTENT: [u32; 2] = [6, 5];
 
