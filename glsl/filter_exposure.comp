@@ -3,7 +3,7 @@
 // floats hold it in whatever unit the host counts.
 // Source: ours. In: noisy radiance of all signals; the exponent of the previous frame. Out: the exponent + 128, one texel; in place: the
 // constants of the frame: filter_exposure, its inverse, and exposure_ratio, by which the history follows.
-// It stays while the mean of log2 of the luminance of what is not black lies within BAND of 0, and else becomes what makes that mean 0. Whole
+// It stays while the mean of log2 of the luminance of what is not black lies between -DARK_BAND and BAND, and else becomes what makes that mean 0. Whole
 // numbers all the way: any order of execution gives the same bits.
 // optional: noisy_1, noisy_2
 #extension GL_EXT_samplerless_texture_functions : require
@@ -33,6 +33,8 @@ layout(set = 0, binding = 5, r32ui) uniform writeonly uimage2D exposure;
 const uint SIDE = 64u;
 // Powers of 2 that the mean may be away from 1 before the exposure changes.
 const int BAND = 6;
+// More where it is dark: a brighter filter leaves less room for a sky or a lamp that is seen directly.
+const int DARK_BAND = 10;
 const int LARGEST = 40;
 // Darker is black.
 const float DARKEST = 1e-36;
@@ -56,7 +58,8 @@ void add(texture2D noisy, ivec2 p) {
 float power_of_2(int exponent) { return uintBitsToFloat(uint(exponent + 127) << 23); }
 
 int chosen(int before) {
-    if (count == 0 || abs(sum + before * count) <= BAND * count) return before;
+    int lit = sum + before * count;
+    if (count == 0 || (lit >= -DARK_BAND * count && lit <= BAND * count)) return before;
     // Rounded, and of a positive number, since the quotient of others is the device's choice.
     int mean = (2 * (sum + OFFSET * count) + count) / (2 * count) - OFFSET;
     return clamp(-mean, -LARGEST, LARGEST);

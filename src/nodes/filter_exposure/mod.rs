@@ -12,7 +12,7 @@ use crate::shaders;
 
 impl Graph {
     /// A power of 2 by which the stages behind it multiply light where it comes in, and divide it where it goes out: the one that brings
-    /// the mean of log2 of the luminance of what is given here near 0. It stays while that mean is within 6 of 0, so that pictures
+    /// the mean of log2 of the luminance of what is given here near 0. It stays while that mean is between −10 and 6, so that pictures
     /// whose light is around 1 are left as they are. Up to three images; once in a graph, before the first stage that reads light.
     pub fn filter_exposure(&mut self, noisy: &[Radiance]) {
         let node = self.node("filter_exposure", "");

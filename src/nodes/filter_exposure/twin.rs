@@ -12,6 +12,8 @@ use glam::{IVec2, UVec2};
 const SIDE: u32 = 64;
 /// Powers of 2 that the mean may be away from 1 before the exposure changes.
 const BAND: i32 = 6;
+/// More where it is dark: a brighter filter leaves less room for a sky or a lamp that is seen directly.
+const DARK_BAND: i32 = 10;
 const LARGEST: i32 = 40;
 /// Darker is black.
 const DARKEST: f32 = 1e-36;
@@ -26,7 +28,7 @@ pub(crate) fn filter_exposure(frame: &FrameConstants, noisy: &[&Image<[f32; 4]>]
     let pixels = places.map(|cell| ((2 * cell + 1) * extent / (2 * cells)).as_ivec2());
     let exponents: Vec<i32> = pixels.flat_map(|p| noisy.iter().filter_map(move |noisy| exponent(noisy.at(p)))).collect();
     let (sum, count) = (exponents.iter().sum::<i32>(), exponents.len() as i32);
-    if count == 0 || (sum + before * count).abs() <= BAND * count {
+    if count == 0 || (-DARK_BAND * count..=BAND * count).contains(&(sum + before * count)) {
         return before;
     }
     let mean = (f64::from(sum) / f64::from(count) + 0.5).floor() as i32;
@@ -82,7 +84,9 @@ mod tests {
 
     #[test]
     fn light_around_1_is_left_as_it_is_and_other_light_comes_near() {
-        for (l, expected) in [(1.0, 0), (0.02, 0), (60.0, 0), (1e-6, 20), (1e7, -23), (0.0, 0), (3e38, -40), (1e-30, 40)] {
+        for (l, expected) in
+            [(1.0, 0), (0.02, 0), (0.002, 0), (60.0, 0), (1e-6, 20), (1e7, -23), (0.0, 0), (3e38, -40), (1e-30, 40)]
+        {
             assert_eq!(chosen(&Image::new(EXTENT, [l; 4]), 0), expected, "{l}");
         }
     }
