@@ -11,5 +11,6 @@ mod requirements;
 
 pub use denoiser::Denoiser;
 pub use device::{Device, LoadedDevice};
+#[cfg(feature = "executor")]
 pub(crate) use frame_life::check_slot;
 pub use requirements::Requirements;

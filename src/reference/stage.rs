@@ -17,6 +17,7 @@ pub(crate) struct CpuStage {
 
 impl CpuStage {
     /// The function of a host.
+    #[cfg(feature = "host-stages")]
     pub(crate) const fn of_host(twin: Twin) -> Self {
         Self { twin, rules: &[] }
     }

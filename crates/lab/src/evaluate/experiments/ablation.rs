@@ -37,10 +37,8 @@ const PARTS: [(&str, GraphOfConfig); 8] = [
     ("25 taps instead of 9", |config| with(config, |best| best.spatial.kernel = Kernel::Spline)),
 ];
 /// Numbers that are those of A-SVGF.
-const NUMBERS: [(&str, &[(&str, f32)]); 2] = [
-    ("sigma_n 128", &[("sigma_n", 128.0)]),
-    ("tolerances 0.02, 0.9", &[("depth_tolerance", 0.02), ("normal_tolerance", 0.9)]),
-];
+const NUMBERS: [(&str, &[(&str, f32)]); 2] =
+    [("sigma_n 128", &[("sigma_n", 128.0)]), ("tolerances 0.02, 0.9", &[("depth_tolerance", 0.02), ("normal_tolerance", 0.9)])];
 
 fn with(config: &Config, change: fn(&mut Best)) -> std::result::Result<Declaration, atrous::Error> {
     let mut best = Best::new(config);
