@@ -20,7 +20,7 @@ mod resource;
 mod setup;
 mod statistics;
 // Texels are decoded for copies and captures alone.
-#[cfg_attr(not(any(feature = "executor", feature = "capture")), allow(dead_code))]
+#[cfg_attr(not(feature = "executor"), allow(dead_code))]
 pub(crate) mod texel;
 mod tracker;
 mod tuning;
