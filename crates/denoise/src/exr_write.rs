@@ -187,7 +187,7 @@ fn compression(input: Option<Compression>) -> Compression {
     }
 }
 
-/// Reads back what [`write`] wrote.
+/// Reads back what [`write()`] wrote.
 pub fn read_back(path: &Path, names: &OutputChannels) -> Result<Vec<[f32; 3]>> {
     let Some(set) = names.colours.first() else { return Err(ToolError::exr(path, "it has no colour")) };
     let header = exr_read::read_header(path)?;
