@@ -28,7 +28,8 @@ impl Sources {
             engine: folder.join("demo/glsl"),
             others: vec![OtherShaders { folder: folder.join("program/glsl"), built: atrous_engine::tracer::shaders::ALL }],
         };
-        copy(&built.engine, &folders.others[0].folder);
+        std::fs::create_dir_all(&folders.others[0].folder).expect("a folder");
+        std::fs::copy(built.engine.join("sun.comp"), folders.others[0].folder.join("sun.comp")).expect("a copy");
         for (from, to) in [(&built.denoiser, &folders.denoiser), (&built.engine, &folders.engine)] {
             for part in ["", "include", "host"] {
                 copy(&from.join(part), &to.join(part));
