@@ -107,5 +107,6 @@ fn main() {
         Group { name: "visibility", tests: visibility::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },
     ];
-    atrous_harness::run(&groups, &support::try_gpu());
+    let open_devices = ["faults", "hosts::a_session_runs_on_each_version_of_vulkan", "sync_validation"];
+    atrous_harness::run_apart(&open_devices, &groups, &support::open_devices(atrous_harness::threads()));
 }

@@ -1,12 +1,13 @@
 //! A device that notes what the executor records, instead of recording it: barriers, work, and where images and buffers lie.
 
-use crate::support::{gpu, intercepted::Intercepted};
+use crate::support::intercepted::Intercepted;
 use ash::vk;
 use ash::vk::Handle;
+use atrous::executor::HeadlessDevice;
 use atrous::Device;
 use std::collections::BTreeMap;
 use std::ffi::{c_void, CStr};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Stage and access mask of one side of a barrier.
 pub type Side = (vk::PipelineStageFlags2, vk::AccessFlags2);
@@ -46,6 +47,8 @@ impl Place {
 
 #[derive(Default)]
 struct Log {
+    /// The device that calls are passed on to.
+    gpu: Option<Arc<HeadlessDevice>>,
     events: Vec<Event>,
     sizes: BTreeMap<u64, u64>,
     places: BTreeMap<u64, Place>,
@@ -58,6 +61,10 @@ fn with_log<T>(body: impl FnOnce(&mut Log) -> T) -> T {
     body(LOG.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_default())
 }
 
+fn real() -> Arc<HeadlessDevice> {
+    with_log(|log| log.gpu.clone()).expect("Recorder::new gave it")
+}
+
 /// The device.
 pub struct Recorder(Intercepted);
 
@@ -65,7 +72,9 @@ impl Recorder {
     pub fn new() -> Self {
         static ALONE: Mutex<()> = Mutex::new(());
         // SAFETY: the functions have the signatures of those that they stand for.
-        Self(unsafe { Intercepted::new(&ALONE, || with_log(|log| *log = Log::default()), replacement) })
+        Self(unsafe {
+            Intercepted::new(&ALONE, |gpu| with_log(|log| *log = Log { gpu: Some(gpu), ..Log::default() }), replacement)
+        })
     }
 
     /// The handles for an executor.
@@ -192,7 +201,7 @@ unsafe extern "system" fn write_set(_: vk::Device, _: vk::DescriptorSet, _: vk::
 unsafe extern "system" fn image_needs(device: vk::Device, image: vk::Image, needs: *mut vk::MemoryRequirements) {
     // SAFETY: what was given is passed on, and is written by it.
     unsafe {
-        (gpu().device().fp_v1_0().get_image_memory_requirements)(device, image, needs);
+        (real().device().fp_v1_0().get_image_memory_requirements)(device, image, needs);
         with_log(|log| log.sizes.insert(image.as_raw(), (*needs).size));
     }
 }
@@ -200,7 +209,7 @@ unsafe extern "system" fn image_needs(device: vk::Device, image: vk::Image, need
 unsafe extern "system" fn buffer_needs(device: vk::Device, buffer: vk::Buffer, needs: *mut vk::MemoryRequirements) {
     // SAFETY: what was given is passed on, and is written by it.
     unsafe {
-        (gpu().device().fp_v1_0().get_buffer_memory_requirements)(device, buffer, needs);
+        (real().device().fp_v1_0().get_buffer_memory_requirements)(device, buffer, needs);
         with_log(|log| log.sizes.insert(buffer.as_raw(), (*needs).size));
     }
 }
@@ -208,13 +217,13 @@ unsafe extern "system" fn buffer_needs(device: vk::Device, buffer: vk::Buffer, n
 unsafe extern "system" fn bind_image(device: vk::Device, image: vk::Image, memory: vk::DeviceMemory, offset: u64) -> vk::Result {
     note_place(image.as_raw(), memory, offset);
     // SAFETY: what was given is passed on.
-    unsafe { (gpu().device().fp_v1_0().bind_image_memory)(device, image, memory, offset) }
+    unsafe { (real().device().fp_v1_0().bind_image_memory)(device, image, memory, offset) }
 }
 
 unsafe extern "system" fn bind_buffer(device: vk::Device, buffer: vk::Buffer, memory: vk::DeviceMemory, offset: u64) -> vk::Result {
     note_place(buffer.as_raw(), memory, offset);
     // SAFETY: what was given is passed on.
-    unsafe { (gpu().device().fp_v1_0().bind_buffer_memory)(device, buffer, memory, offset) }
+    unsafe { (real().device().fp_v1_0().bind_buffer_memory)(device, buffer, memory, offset) }
 }
 
 /// Pipelines of no use: nothing runs.

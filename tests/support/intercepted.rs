@@ -15,14 +15,19 @@ pub struct Intercepted {
 
 impl Intercepted {
     /// Calls what `replacement` gives for a name in the place of the device's function. `alone` is held as long as this lives; `start`
-    /// runs behind it.
+    /// runs behind it, and is given the device whose functions pass calls on: the library makes pipelines on threads of its own, which
+    /// have no [`gpu`].
     ///
     /// # Safety
     /// Each function has the signature of the Vulkan function of that name.
-    pub unsafe fn new(alone: &'static Mutex<()>, start: impl FnOnce(), replacement: fn(&CStr) -> Option<*const c_void>) -> Self {
+    pub unsafe fn new(
+        alone: &'static Mutex<()>,
+        start: impl FnOnce(Arc<HeadlessDevice>),
+        replacement: fn(&CStr) -> Option<*const c_void>,
+    ) -> Self {
         let alone = alone.lock().unwrap_or_else(PoisonError::into_inner);
-        start();
         let gpu = gpu();
+        start(gpu.clone());
         // SAFETY: the functions have the signatures of those that they stand for.
         let device = unsafe { gpu.device_with(replacement) };
         Self { device, gpu, _alone: alone }

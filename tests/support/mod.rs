@@ -15,10 +15,10 @@ use atrous::reference::Engine;
 use atrous::{Config, Error, FrameContext, FrameParams, Tuning};
 use scene::Guides;
 use std::cell::{OnceCell, RefCell};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 thread_local! {
-    static GPU: OnceCell<Result<Arc<HeadlessDevice>, Error>> = const { OnceCell::new() };
+    static GPU: OnceCell<Arc<HeadlessDevice>> = const { OnceCell::new() };
     static WARNINGS: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -48,25 +48,32 @@ pub fn warnings() -> Vec<String> {
     WARNINGS.with_borrow(Clone::clone)
 }
 
-/// The device of the tests that this thread runs, under validation. Not one for all: the queue of a software device compiles shaders, and tests
-/// of other threads would wait for it.
-pub fn try_gpu() -> Result<Arc<HeadlessDevice>, Error> {
-    let open = || {
+/// Devices that no thread has yet.
+static FREE: Mutex<Vec<Arc<HeadlessDevice>>> = Mutex::new(Vec::new());
+
+/// Opens the devices for so many threads of tests, under validation, before there is a second thread: layers of 2023 find the device of a
+/// call in a table without a lock, and crash where another thread opens one at that time.
+///
+/// Not one for all: the queue of a software device compiles shaders, and tests of other threads would wait for it.
+pub fn open_devices(threads: usize) -> Result<(), Error> {
+    for _ in 0..threads {
         let device = Arc::new(HeadlessDevice::new(&HeadlessOptions { validation: Validation::On, ..Default::default() })?);
         // Threads of tests end while the process does: by then no driver may be called any more.
         std::mem::forget(device.clone());
-        Ok(device)
-    };
-    GPU.with(|gpu| gpu.get_or_init(open).clone())
+        FREE.lock().unwrap_or_else(PoisonError::into_inner).push(device);
+    }
+    Ok(())
 }
 
 /// Gives the tests of this thread the device of another.
 pub fn share_gpu(device: Arc<HeadlessDevice>) {
-    GPU.with(|gpu| assert!(gpu.set(Ok(device)).is_ok(), "this thread has a device already"));
+    GPU.with(|gpu| assert!(gpu.set(device).is_ok(), "this thread has a device already"));
 }
 
+/// The device of the tests that this thread runs.
 pub fn gpu() -> Arc<HeadlessDevice> {
-    try_gpu().expect("tests that need a device are ignored without one")
+    let free = || FREE.lock().unwrap_or_else(PoisonError::into_inner).pop();
+    GPU.with(|gpu| gpu.get_or_init(|| free().expect("a thread of tests, on a machine with a device, or `share_gpu`")).clone())
 }
 
 /// SVGF, for tests of what it does and of passes that it has.

@@ -1,13 +1,13 @@
 //! The device of the tests with functions between that count what is created and destroyed, and that can refuse a call.
 
-use super::gpu;
 use super::intercepted::Intercepted;
 use ash::vk;
 use ash::vk::Handle;
+use atrous::executor::HeadlessDevice;
 use atrous::Device;
 use std::collections::{BTreeMap, HashSet};
 use std::ffi::{c_void, CStr};
-use std::sync::{Condvar, Mutex, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::thread::ThreadId;
 use std::time::Duration;
 
@@ -16,6 +16,8 @@ pub struct Spy(Intercepted);
 
 #[derive(Default)]
 struct Log {
+    /// The device that calls are passed on to.
+    gpu: Option<Arc<HeadlessDevice>>,
     /// Calls that succeeded, by the name of what they make.
     created: BTreeMap<&'static str, u32>,
     destroyed: BTreeMap<&'static str, u32>,
@@ -39,11 +41,17 @@ fn with_log<T>(body: impl FnOnce(&mut Log) -> T) -> T {
     body(LOG.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_default())
 }
 
+fn real() -> Arc<HeadlessDevice> {
+    with_log(|log| log.gpu.clone()).expect("Spy::new gave it")
+}
+
 impl Spy {
     pub fn new() -> Self {
         static ALONE: Mutex<()> = Mutex::new(());
         // SAFETY: the functions have the signatures of those that they stand for.
-        Self(unsafe { Intercepted::new(&ALONE, || with_log(|log| *log = Log::default()), replacement) })
+        Self(unsafe {
+            Intercepted::new(&ALONE, |gpu| with_log(|log| *log = Log { gpu: Some(gpu), ..Log::default() }), replacement)
+        })
     }
 
     /// The handles for a denoiser.
@@ -139,7 +147,7 @@ unsafe extern "system" fn create_compute_pipelines(
         return REFUSED;
     }
     // SAFETY: what was given is passed on.
-    let result = unsafe { (gpu().device().fp_v1_0().create_compute_pipelines)(device, cache, count, infos, allocator, pipelines) };
+    let result = unsafe { (real().device().fp_v1_0().create_compute_pipelines)(device, cache, count, infos, allocator, pipelines) };
     if result == vk::Result::SUCCESS {
         count_created("pipeline");
     }
@@ -153,7 +161,7 @@ unsafe extern "system" fn destroy_pipeline(
 ) {
     count_destroyed("pipeline", handle);
     // SAFETY: what was given is passed on.
-    unsafe { (gpu().device().fp_v1_0().destroy_pipeline)(device, handle, allocator) }
+    unsafe { (real().device().fp_v1_0().destroy_pipeline)(device, handle, allocator) }
 }
 
 macro_rules! counted {
@@ -169,7 +177,7 @@ macro_rules! counted {
                     return REFUSED;
                 }
                 // SAFETY: what was given is passed on.
-                let result = unsafe { (gpu().device().fp_v1_0().$create)(device, info, allocator, handle) };
+                let result = unsafe { (real().device().fp_v1_0().$create)(device, info, allocator, handle) };
                 if result == vk::Result::SUCCESS {
                     count_created($kind);
                 }
@@ -183,7 +191,7 @@ macro_rules! counted {
             ) {
                 count_destroyed($kind, handle);
                 // SAFETY: what was given is passed on.
-                unsafe { (gpu().device().fp_v1_0().$destroy)(device, handle, allocator) }
+                unsafe { (real().device().fp_v1_0().$destroy)(device, handle, allocator) }
             }
         )*
 

@@ -12,6 +12,7 @@ pub mod faults;
 use libtest_mimic::{Arguments, Failed, Trial};
 use std::fmt::Display;
 use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::process::Command;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -46,16 +47,33 @@ pub struct Need {
 /// A Vulkan device.
 pub const DEVICE: Need = Need { tests: "GPU tests", required_by: "ATROUS_REQUIRE_DEVICE" };
 
+/// Threads that tests run on.
+pub fn threads() -> usize {
+    // A frame keeps every core busy on a software device: more threads than two only cost memory.
+    Arguments::from_args().test_threads.unwrap_or(2)
+}
+
 /// Runs the tests that the command line asks for, and ends the process. `device` is what opening the device gave.
 pub fn run<D, E: Display>(groups: &[Group], device: &Result<D, E>) -> ! {
-    run_with(&DEVICE, groups, device)
+    run_apart(&[], groups, device)
+}
+
+/// Runs tests as [`run`] does, those whose names begin as one of `apart` each in a process of its own. That is for tests that open or drop
+/// devices under validation: layers of 2023 find the device of a call in a table without a lock, and crash where another thread changes
+/// the table at that time.
+pub fn run_apart<D, E: Display>(apart: &[&str], groups: &[Group], device: &Result<D, E>) -> ! {
+    run_all(&DEVICE, apart, groups, device)
 }
 
 /// Runs tests as [`run`] does, with another need in place of the device. `found` is what looking for it gave.
 pub fn run_with<D, E: Display>(need: &Need, groups: &[Group], found: &Result<D, E>) -> ! {
+    run_all(need, &[], groups, found)
+}
+
+fn run_all<D, E: Display>(need: &Need, apart: &[&str], groups: &[Group], found: &Result<D, E>) -> ! {
     let mut arguments = Arguments::from_args();
-    // A frame keeps every core busy on a software device: more threads than two only cost memory.
-    arguments.test_threads.get_or_insert(2);
+    arguments.test_threads = Some(threads());
+    let is_apart = std::env::var_os(APART).is_some();
     if let Err(error) = found {
         eprintln!("{} are ignored: {error}", need.tests);
         assert!(std::env::var_os(need.required_by).is_none(), "{} is set, but: {error}", need.required_by);
@@ -66,9 +84,10 @@ pub fn run_with<D, E: Display>(need: &Need, groups: &[Group], found: &Result<D, 
             let name = if group.name.is_empty() { name.to_owned() } else { format!("{}::{name}", group.name) };
             let ignored = group.needs_device && found.is_err();
             let (times, timed) = (times.clone(), name.clone());
+            let to_start = !is_apart && apart.iter().any(|beginning| name.starts_with(beginning));
             let run = move || {
                 let start = Instant::now();
-                let result = caught(test);
+                let result = if to_start { in_own_process(&timed) } else { caught(test) };
                 times.lock().unwrap_or_else(PoisonError::into_inner).push((start.elapsed(), timed));
                 result
             };
@@ -78,6 +97,20 @@ pub fn run_with<D, E: Display>(need: &Need, groups: &[Group], found: &Result<D, 
     let conclusion = libtest_mimic::run(&arguments, trials);
     name_longest(&mut times.lock().unwrap_or_else(PoisonError::into_inner));
     conclusion.exit()
+}
+
+/// Set in a process that runs one test alone.
+const APART: &str = "ATROUS_TEST_APART";
+
+fn in_own_process(name: &str) -> Result<(), Failed> {
+    let program = std::env::current_exe()?;
+    let output = Command::new(program).args(["--exact", name, "--test-threads", "1"]).env(APART, "1").output()?;
+    let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).concat();
+    if !output.status.success() {
+        return Err(format!("its process ended with {}\n{text}", output.status).into());
+    }
+    println!("{}", text.trim());
+    Ok(())
 }
 
 fn name_longest(times: &mut [(Duration, String)]) {
