@@ -4,6 +4,7 @@
 // In:  filtered irradiance per signal; albedo and emission of the host, and for specular light, the second signal then, an albedo of its own,
 //      or specular_f0; guide. Out: denoised_radiance, linear Rec. 709.
 // Constant SPECULAR: the second signal is specular light.
+// variants: FLOAT=0 FLOAT=1
 // optional: albedo, emission, filtered_1, specular_albedo, specular_f0
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -18,7 +19,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "guide.glsl"
-#include "luminance.glsl"
+#include "outgoing.glsl"
 #include "demodulation.glsl"
 #include "specular_albedo.glsl"
 
@@ -33,7 +34,7 @@ const uint SPECULAR_F0 = 9u;
 layout(set = 0, binding = 2) uniform utexture2D guide;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = EMISSION) uniform texture2D emission;
-layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D denoised_radiance;
+layout(set = 0, binding = 5, OUTGOING_FORMAT) uniform writeonly image2D denoised_radiance;
 layout(set = 0, binding = 6) uniform texture2D filtered_0;
 layout(set = 0, binding = FILTERED_1) uniform texture2D filtered_1;
 layout(set = 0, binding = SPECULAR_ALBEDO) uniform texture2D specular_albedo;
@@ -66,6 +67,6 @@ void main() {
     vec3 radiance = irradiance * factor_at(p);
     if (SPECULAR) radiance += second * specular_factor_at(p);
     radiance = radiance * frame.inverse_filter_exposure + emission_at(p);
-    if (is_saturated(radiance)) count_bad(SATURATED);
-    imageStore(denoised_radiance, p, vec4(storable(radiance), 1.0));
+    if (is_too_bright(radiance)) count_bad(SATURATED);
+    imageStore(denoised_radiance, p, vec4(outgoing(radiance), 1.0));
 }

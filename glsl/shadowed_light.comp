@@ -1,6 +1,7 @@
 #version 450
 // Adds the light of the source whose visibility was filtered: what it would give if nothing stood in between, times its visibility.
 // Source: ours. In: denoised_visibility; unshadowed_direct of the host, linear Rec. 709, times albedo and BSDF. In place: radiance.
+// variants: FLOAT=0 FLOAT=1
 // optional: unshadowed_direct
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -10,8 +11,8 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
-#include "luminance.glsl"
 #include "optional.glsl"
+#include "outgoing.glsl"
 #include "statistics.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -20,7 +21,7 @@ const uint UNSHADOWED_DIRECT = 3u;
 
 layout(set = 0, binding = 2) uniform texture2D denoised_visibility;
 layout(set = 0, binding = UNSHADOWED_DIRECT) uniform texture2D unshadowed_direct;
-layout(set = 0, binding = 4, rgba16f) uniform image2D radiance;
+layout(set = 0, binding = 4, OUTGOING_FORMAT) uniform image2D radiance;
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
@@ -30,6 +31,6 @@ void main() {
         count_bad(BAD_RADIANCE);
         return;
     }
-    vec3 sum = imageLoad(radiance, p).rgb + half_range(light) * texelFetch(denoised_visibility, p, 0).x;
-    imageStore(radiance, p, vec4(storable(sum), 1.0));
+    vec3 sum = imageLoad(radiance, p).rgb + outgoing_range(light) * texelFetch(denoised_visibility, p, 0).x;
+    imageStore(radiance, p, vec4(outgoing(sum), 1.0));
 }

@@ -35,7 +35,8 @@ void main() {
     if (!is_inside(p)) return;
     vec3 radiance = texelFetch(radiance_0, p, 0).rgb;
     if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, p, 0).rgb;
-    vec3 x = max(radiance * push.exposure, 0.0);
+    // Beyond any light, so that what is made of it is finite.
+    vec3 x = max(min(radiance, 1e30) * push.exposure, 0.0);
     if (push.tone_curve == CURVE_ACES) x = aces(min(x, 1e4));
     else if (push.tone_curve == CURVE_REINHARD) x /= 1.0 + luminance(x);
     imageStore(tone_mapped, p, vec4(clamp(x, 0.0, 1.0), 1.0));

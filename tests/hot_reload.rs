@@ -56,7 +56,7 @@ fn replace(session: &mut Session, (name, spirv): &(String, Vec<u32>)) -> Result<
 
 fn another_shader_changes_the_output_and_keeps_the_history() {
     let sources = Sources::new();
-    sources.edit("modulate.comp", "storable(radiance", "storable(0.5 * radiance");
+    sources.edit("modulate.comp", "outgoing(radiance", "outgoing(0.5 * radiance");
     let shaders = sources.compile("modulate.comp").expect("GLSL");
     let config = Config::new(EXTENT);
     let (mut changed, mut same) = (session(&config), session(&config));
@@ -85,7 +85,12 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
     let byte = std::mem::offset_of!(FrameConstants, render_extent);
     let moved = format!("set 0 binding 0 byte {byte} is `render_extent: vec2<i32>`, and was `render_extent: vec2<u32>`");
     let edits = [
-        ("modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`"),
+        (
+            "modulate.comp",
+            "binding = 5, OUTGOING_FORMAT",
+            "binding = 5, rgba32f",
+            "set 0 binding 5 is `StorageImage2D<Rgba32f> WriteOnly`",
+        ),
         ("modulate.comp", "EMISSION = 4u", "EMISSION = 10u", "set 0 binding 10 is new"),
         ("modulate.comp", "local_size_y = 8", "local_size_y = 4", "LocalSize is `8 x 4 x 1`"),
         ("modulate.comp", "uint present;", "uint other; uint present;", "push constants byte 0 is `other: u32`"),
@@ -97,7 +102,7 @@ fn a_shader_that_does_not_fit_is_refused_and_the_old_one_stays() {
             "void main() { double d = double(gl_GlobalInvocationID.x); if (d < -1.0) return;",
             "Float64",
         ),
-        ("modulate.comp", "// optional:", "// variants: OTHER=1\n// optional:", "none of this name"),
+        ("modulate.comp", "variants: FLOAT=0", "variants: FLOAT=2", "none of this name"),
     ];
     let config = Config::new(EXTENT);
     let (mut refused, mut same) = (session(&config), session(&config));

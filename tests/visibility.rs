@@ -16,6 +16,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_render_rect_gives_the_bits_of_a_tight_image", a_render_rect_gives_the_bits_of_a_tight_image),
     ("surfaces_are_as_they_were_and_the_product_is_added", surfaces_are_as_they_were_and_the_product_is_added),
     ("what_is_no_visibility_is_counted_and_does_not_spread", what_is_no_visibility_is_counted_and_does_not_spread),
+    ("odd_depths_beside_missing_samples_are_no_nan", odd_depths_beside_missing_samples_are_no_nan),
 ];
 
 const EXTENT: [u32; 2] = [96, 54];
@@ -177,5 +178,29 @@ fn what_is_no_visibility_is_counted_and_does_not_spread() {
         assert_eq!(count(Counter::Radiance), 1.0);
         let radiance = s.download("denoised_radiance").expect("output");
         assert_finite(&radiance, EXTENT, EXTENT);
+    }
+}
+
+/// Depths at which a pixel is as large as nothing, or the way to the next pixel longer than a half float holds.
+fn odd_depths_beside_missing_samples_are_no_nan() {
+    let scene = Scene { speed: 0.05, ..Scene::new([32, 18]) };
+    let pixels = 32 * 18;
+    for preset in [Preset::Best, Preset::Svgf, Preset::Eaw] {
+        let mut s = session(&Config { preset, ..config(scene.extent) });
+        for (i, depth) in (0..).zip([1.5e-39, 1e-30, 1e-9, 65504.0, 1e7, 9e14, f32::MAX]) {
+            // One pixel, every second one, and all but one; samples are missing around them, or everywhere.
+            for (k, every) in (0..).zip([pixels, 2, 1]) {
+                let mut g = scene.frame(i, i);
+                let start = if every == pixels { pixels / 2 + 16 } else { 0 };
+                for p in (start..pixels).step_by(every).filter(|p| every > 1 || *p != pixels / 2) {
+                    g.depth[p] = [depth; 4];
+                }
+                let is_missing = |p: usize| i % 2 == 1 || p % 32 >= 12;
+                (0..pixels).filter(|p| is_missing(*p)).for_each(|p| g.noisy_visibility[p] = [f32::NAN; 4]);
+                g.occluder_distance.fill([[0.5, 0.0, 65504.0][k]; 4]);
+                let image = visibility_of(&mut s, &g, &scene.params(i));
+                assert!(image.iter().all(|v| (0.0..=1.0).contains(v)), "{preset}, depth {depth:e} in one of {every} pixels");
+            }
+        }
     }
 }

@@ -600,8 +600,8 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static MODULATE: Shader = Shader {
-    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate"), spirv: Cow::Borrowed(include_bytes!("modulate.spv")), workgroup: [8, 8, 1],
+pub(crate) static MODULATE_FLOAT_0: Shader = Shader {
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_0"), spirv: Cow::Borrowed(include_bytes!("modulate_float_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -620,6 +620,31 @@ pub(crate) static MODULATE: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
+    ]),
+};
+pub(crate) static MODULATE_FLOAT_1: Shader = Shader {
+    stage: Cow::Borrowed("modulate"), name: Cow::Borrowed("modulate_float_1"), spirv: Cow::Borrowed(include_bytes!("modulate_float_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("emission"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("denoised_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("filtered_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("filtered_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 8, name: Cow::Borrowed("specular_albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("specular_f0"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SPECULAR"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -670,8 +695,8 @@ pub(crate) static SAMPLE_ALBEDO: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static SHADOWED_LIGHT: Shader = Shader {
-    stage: Cow::Borrowed("shadowed_light"), name: Cow::Borrowed("shadowed_light"), spirv: Cow::Borrowed(include_bytes!("shadowed_light.spv")), workgroup: [8, 8, 1],
+pub(crate) static SHADOWED_LIGHT_FLOAT_0: Shader = Shader {
+    stage: Cow::Borrowed("shadowed_light"), name: Cow::Borrowed("shadowed_light_float_0"), spirv: Cow::Borrowed(include_bytes!("shadowed_light_float_0.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
         ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
@@ -684,6 +709,24 @@ pub(crate) static SHADOWED_LIGHT: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static SHADOWED_LIGHT_FLOAT_1: Shader = Shader {
+    stage: Cow::Borrowed("shadowed_light"), name: Cow::Borrowed("shadowed_light_float_1"), spirv: Cow::Borrowed(include_bytes!("shadowed_light_float_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("denoised_visibility"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("unshadowed_direct"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::ReadWrite), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
     ]),
 };
 pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
@@ -1012,4 +1055,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

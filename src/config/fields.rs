@@ -74,6 +74,10 @@ macro_rules! config_fields {
                 object_normal: host flag bool = false;
                 /// Post-process. Default: [`PostProcess::None`].
                 post_process: host choice PostProcess = PostProcess::default();
+                /// Whether `denoised_radiance` and `denoised_volume` are of 32-bit floats (R32G32B32A32_SFLOAT) instead of halves.
+                /// The filter takes light in any unit; halves hold it from about 1e-4 to 65504. Costs 8 bytes per pixel of each,
+                /// and one pass for a volume. Default: false.
+                float_output: host flag bool = false;
                 /// A last pass `debug_view`, which shows the state of each pixel: see [`crate::DebugView`]. It
                 /// keeps the shown images alive to the end, so that transients cannot share their memory. You
                 /// may leave the pass out of a frame. Default: false.

@@ -30,6 +30,7 @@ fn config() -> Config {
         surface_id: false,
         object_normal: true,
         post_process: PostProcess::ToneMapTaa,
+        float_output: true,
         debug_view: true,
         conventions: Conventions {
             depth: DepthEncoding::Device,

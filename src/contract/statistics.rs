@@ -48,7 +48,7 @@ choices! {
         /// A surface without history: its motion leads to a different normal.
         LostNormal = 16 => "lost_normal",
         /// Light above 65504, which a half float cannot hold: a signal as it comes into the filter, in the exposure of the filter, or the
-        /// picture as it goes out.
+        /// picture as it goes out, unless that is of 32-bit floats.
         Saturated = 17 => "saturated",
     }
 }

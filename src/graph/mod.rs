@@ -48,7 +48,7 @@ pub use stage::{Stage, StageCall, StageOutputs};
 
 pub(crate) use pass::Pass;
 pub(crate) use port::KeptLuminance;
-pub(crate) use resources::{CONFIDENCE, HDR, PACKED_32, PACKED_64};
+pub(crate) use resources::{CONFIDENCE, HDR, PACKED_32, PACKED_64, WIDE_HDR};
 
 use crate::config::{Config, Conventions};
 use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId, Setup};

@@ -6,6 +6,8 @@ use ash::vk;
 
 /// Linear HDR colour with a fourth value.
 pub(crate) const HDR: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A16_SFLOAT);
+/// The same in 32 bits a component.
+pub(crate) const WIDE_HDR: ImageFormat = ImageFormat::Exactly(vk::Format::R32G32B32A32_SFLOAT);
 /// 64 packed bits. Four times 16 and not twice 32, since that one needs no device feature as a storage image.
 pub(crate) const PACKED_64: ImageFormat = ImageFormat::Exactly(vk::Format::R16G16B16A16_UINT);
 /// 32 packed bits.
@@ -172,6 +174,15 @@ impl Graph {
             self.current(image.id)
         } else {
             image
+        }
+    }
+
+    /// The format of an image of this graph.
+    pub(crate) fn format_of(&self, image: Image) -> Option<ImageFormat> {
+        let own = Some(image).filter(|image| image.graph == self.key);
+        match self.resources.get(own?.id.0 as usize)?.shape {
+            Shape::Image { format, .. } => Some(format),
+            Shape::Buffer { .. } => None,
         }
     }
 

@@ -1,10 +1,10 @@
 //! Edge-avoiding à-trous wavelets [EAW]: one frame, no history.
 
-use super::specular::sum;
+use super::specular::{modulate, sum};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Graph, Guides};
-use crate::nodes::{Albedo, Demodulate, Eaw, Known, Modulate};
+use crate::nodes::{Albedo, Demodulate, Eaw, Known};
 
 /// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
 ///
@@ -22,9 +22,9 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             let irradiance =
                 g.demodulate(guides, &noisy, Demodulate { albedo: Albedo::Specular, sampling, ..Demodulate::default() });
             let specular = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
-            sum(g, guides, &filtered, &specular)
+            sum(g, guides, config, &filtered, &specular)
         }
-        _ => g.modulate(guides, &filtered, Modulate::default()),
+        _ => g.modulate(guides, &filtered, modulate(config)),
     };
     Denoised { radiance, known: Known { percentiles, ..Known::new(&noisy) } }
 }

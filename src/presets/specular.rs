@@ -103,16 +103,21 @@ pub(super) fn modulated(
     parameters: Specular,
 ) -> (Radiance, Option<Reflection>) {
     if config.signals != Signals::Specular {
-        return (g.modulate(guides, &filtered, Modulate::default()), None);
+        return (g.modulate(guides, &filtered, modulate(config)), None);
     }
     let (reflected, reflection) = specular(g, guides, config, parameters);
-    (sum(g, guides, &filtered, &reflected), Some(reflection))
+    (sum(g, guides, config, &filtered, &reflected), Some(reflection))
 }
 
 /// Radiance of diffuse and specular irradiance.
-pub(super) fn sum(g: &mut Graph, guides: &Guides, diffuse: &Irradiance, specular: &Irradiance) -> Radiance {
+pub(super) fn sum(g: &mut Graph, guides: &Guides, config: &Config, diffuse: &Irradiance, specular: &Irradiance) -> Radiance {
     let both = g.pair(diffuse, specular);
-    g.modulate(guides, &both, Modulate { specular: true, ..Modulate::default() })
+    g.modulate(guides, &both, Modulate { specular: true, ..modulate(config) })
+}
+
+/// Radiance of the whole picture, as the configuration has it.
+pub(super) fn modulate(config: &Config) -> Modulate {
+    Modulate { float_output: config.float_output, ..Modulate::default() }
 }
 
 /// The noisy radiance of the whole picture, of which gradients are made: diffuse and specular light as a pair.

@@ -1,10 +1,11 @@
 //! A temporal accumulation over the output of any other denoiser, driven by the gradients of the noisy radiance (A-RAE, \[ASVGF\]
 //! 4).
 
+use super::specular::modulate;
 use super::{change_of_light, firefly_filter, gradient_samples, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Demodulate, Estimator, Known, Modulate, Variance};
+use crate::nodes::{Accumulation, Demodulate, Estimator, Known, Variance};
 
 /// A-RAE: `noisy_radiance` is compared and `other_denoised_radiance` is accumulated. Both are
 /// divided by the albedo, so that textures stay. \[ASVGF\] 4
@@ -24,7 +25,7 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
     let variance = Variance { estimator: Estimator::Temporal, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
-    let radiance = g.modulate(guides, &estimate.into(), Modulate::default());
+    let radiance = g.modulate(guides, &estimate.into(), modulate(config));
     let known = Known {
         history: Some(history),
         confidence: Some(change.confidence),

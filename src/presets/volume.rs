@@ -2,8 +2,8 @@
 
 use super::Denoised;
 use crate::config::Config;
-use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Known, VolumeAtrous};
+use crate::graph::{Feedback, Graph, Guides, Radiance};
+use crate::nodes::{Known, Modulate, VolumeAtrous};
 
 /// The passes of a volume, alone or after those of any preset for surfaces, whose guides they read.
 /// \[PSVGF\]
@@ -22,8 +22,11 @@ pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let history = g.history(&radiance, Feedback::Filtered);
     let accumulated = g.volume_accumulation(guides, &radiance, &history, &motion);
     let estimate = g.volume_variance(guides, &accumulated, &history);
-    let atrous = VolumeAtrous { levels: config.levels().max(2), feedback: Some(history) };
-    let filtered = g.volume_atrous(guides, &estimate, atrous);
+    let atrous = VolumeAtrous { levels: config.levels().max(2), feedback: Some(history), keeps_exposure: config.float_output };
+    let filtered: Radiance = g.volume_atrous(guides, &estimate, atrous).into();
+    // Its levels are of halves, and those hold it in the exposure of the filter alone.
+    let modulate = Modulate { albedo: false, emission: false, float_output: true, ..Modulate::default() };
+    let radiance = if config.float_output { g.modulate(guides, &filtered.cast(), modulate) } else { filtered };
     let known = Known { albedo: false, history: Some(history), deviation: true, percentiles, ..Known::new(&volume.noisy()) };
-    Denoised { radiance: filtered.into(), known }
+    Denoised { radiance, known }
 }

@@ -27,6 +27,18 @@ pub(crate) fn store(x: f32) -> f32 {
     }
 }
 
+/// The nearest number that a half holds, of two the larger, at most the largest one. `nearest_half` of
+/// `glsl/include/kept_radiance.glsl`.
+pub(crate) fn nearest_half(x: f32) -> f32 {
+    const SMALLEST_NORMAL: f32 = 6.103_515_6e-5;
+    const STEPS: f32 = 16_777_216.0;
+    if x < SMALLEST_NORMAL {
+        (x * STEPS + 0.5).floor() / STEPS
+    } else {
+        f32::from_bits((x.min(LARGEST_HALF).to_bits() + 0x1000) & 0xffff_e000)
+    }
+}
+
 /// The bits of `x` as binary16.
 pub(crate) fn half_bits(x: f32) -> u16 {
     f16::from_f32(x).to_bits()
@@ -52,6 +64,18 @@ mod tests {
     fn a_store_takes_the_larger_of_two_that_are_as_near() {
         assert_eq!(store(1.0 + 1.0 / 2048.0), 1.0 + 1.0 / 1024.0);
         assert_eq!(store(1.0 + 0.99 / 2048.0), 1.0);
+    }
+
+    #[test]
+    fn the_nearest_half_is_a_half() {
+        for x in [0.0, -1.0, 1e-8, 2.9e-8, 3e-8, 1e-6, 3e-5, 6.1e-5, 6.2e-5, 0.1, 1.0 + 1.0 / 2048.0, 777.7, 65504.0, 65519.0, 1e9]
+        {
+            let half = nearest_half(x);
+            assert_eq!(round_to_half(half), half, "{x}");
+            let difference = (half - x.min(LARGEST_HALF)).abs();
+            assert!(difference <= (x.abs() / 2048.0).max(2f32.powi(-25)), "{x}: {half}");
+        }
+        assert_eq!(nearest_half(1.0 + 1.0 / 2048.0), 1.0 + 1.0 / 1024.0);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The noisy radiance that one frame keeps, so that the next one can tell how the light changed.
 
-use super::binary16::{half_bits, round_to_half, LARGEST_HALF};
+use super::binary16::{half_bits, nearest_half, LARGEST_HALF};
 use super::luminance::luminance;
 use super::Image;
 use crate::FrameConstants;
@@ -42,12 +42,12 @@ pub(crate) fn is_saturated(light: [f32; 3]) -> bool {
 
 /// Luminance as a texel of `noisy_luminance` has it.
 pub(crate) fn kept_luminance(radiance: [f32; 3]) -> f32 {
-    round_to_half(luminance(radiance).min(LARGEST_HALF))
+    nearest_half(luminance(radiance))
 }
 
 /// Red and blue as a texel of `noisy_red_blue` has them.
 pub(crate) fn kept_red_blue([r, _, b]: [f32; 3]) -> [f32; 2] {
-    [r, b].map(|c| round_to_half(c.min(LARGEST_HALF)))
+    [r, b].map(nearest_half)
 }
 
 /// The colour that has this luminance, and these components red and blue.
@@ -57,7 +57,7 @@ pub(crate) fn radiance_of(luminance: f32, [red, blue]: [f32; 2]) -> [f32; 3] {
 
 /// Two numbers as the halves of a texel.
 pub(crate) fn pack_halves([low, high]: [f32; 2]) -> u32 {
-    u32::from(half_bits(low.min(LARGEST_HALF))) | u32::from(half_bits(high.min(LARGEST_HALF))) << 16
+    u32::from(half_bits(nearest_half(low))) | u32::from(half_bits(nearest_half(high))) << 16
 }
 
 #[cfg(test)]

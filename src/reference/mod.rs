@@ -35,6 +35,7 @@ pub(crate) mod luminance;
 pub(crate) mod moments;
 pub(crate) mod nearest_history;
 pub(crate) mod octahedral;
+pub(crate) mod outgoing;
 mod pass;
 pub(crate) mod projection;
 pub(crate) mod reflection;

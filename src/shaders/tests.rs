@@ -43,6 +43,7 @@ fn add_declarations(all: &mut Vec<Declaration>, declare: fn(&Config) -> Declarat
             }
             all.push(declare(&Config { firefly_filter: true, ..config }));
             all.push(declare(&Config { visibility: true, ..config }));
+            all.push(declare(&Config { visibility: true, volume: true, float_output: true, ..config }));
             for preset in [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best, Preset::Eaw] {
                 all.extend(Sampling::ALL.map(|sampling| declare(&Config { preset, sampling, ..config })));
             }
@@ -118,7 +119,7 @@ fn what_stands_in_for_a_binding_is_always_there_and_of_its_kind() {
 /// Holds names of bindings to those of the resources at them, but for signals by number, ports of filters and images in place.
 #[test]
 fn names_of_bindings_match_those_of_resources() {
-    const RENAMED: [(&str, &[&str]); 23] = [
+    const RENAMED: [(&str, &[&str]); 24] = [
         ("frame", &["frame_constants"]),
         ("input", &["filter_", "accumulated", "atrous_", "irradiance_history", "denoised_volume"]),
         ("output", &["atrous_", "irradiance_history", "denoised_volume"]),
@@ -129,6 +130,7 @@ fn names_of_bindings_match_those_of_resources() {
         ("filled", &["filter_filled", "irradiance_history"]),
         ("history", &["irradiance_history"]),
         ("radiance", &["denoised_", "filter_ping"]),
+        ("denoised_radiance", &["denoised_volume"]),
         ("filtered", &["atrous_", "irradiance_history"]),
         ("accumulated", &["irradiance_history"]),
         ("gradient_in", &["gradient"]),

@@ -37,17 +37,18 @@ fn error(config: &Config, gain: f32) -> (f64, u32) {
     (rmse(&scaled(&denoised, 1.0 / gain), &scaled(&clean, 1.0 / gain)), saturated)
 }
 
-/// The output is of half floats: light that these hold is filtered alike. Of brighter light it is said that it does not fit.
+/// Outputs of floats hold light of any unit, those of halves some of it: it is filtered alike. Of brighter light it is said that it does
+/// not fit.
 pub fn any_unit_of_light_is_filtered_alike() {
     let of_surfaces = |config: &Config| !matches!(config.preset, Preset::Volume | Preset::Stabilize | Preset::Eaw);
     for config in presets(EXTENT).into_iter().filter(of_surfaces) {
         let what = format!("{} {}", config.preset, config.signals);
         let (at_one, saturated) = error(&config, 1.0);
         assert_eq!(saturated, 0, "{what}");
-        for gain in [1e-4, 1e-3, 1e2, 1e4] {
-            let (error, saturated) = error(&config, gain);
-            println!("{what}: RMSE {at_one:.5}, {error:.5} at {gain:e}, {saturated} saturated");
-            assert!(error < 1.05 * at_one, "{what}: {error} at {gain:e}, {at_one} at 1");
+        for (float_output, gain) in [(false, 1e-4), (false, 1e4), (true, 1e-6), (true, 1e-2), (true, 1e7)] {
+            let (error, saturated) = error(&Config { float_output, ..config }, gain);
+            println!("{what}, floats {float_output}: RMSE {at_one:.5}, {error:.5} at {gain:e}, {saturated} saturated");
+            assert!(error < 1.05 * at_one && saturated == 0, "{what}: {error} at {gain:e}, {at_one} at 1, {saturated} saturated");
         }
         assert!(error(&config, 1e6).1 > 0, "{what}: nothing is said of light that does not fit");
     }
@@ -68,6 +69,28 @@ pub fn the_filter_holds_light_of_any_unit() {
             let difference = rmse(&history(gain), &at_one);
             println!("{preset}: {difference:.2e} of {light:.2e} at {gain:e}");
             assert!(difference < 0.01 * light, "{preset}: {difference} of {light} at {gain:e}");
+        }
+    }
+    assert_valid();
+}
+
+/// The light of a volume, and the light whose visibility is filtered, go out in 32 bits as well.
+pub fn whatever_goes_out_holds_light_of_any_unit() {
+    let outputs = |gain: f32| {
+        let config = Config { volume: true, visibility: true, float_output: true, ..Config::new(EXTENT) };
+        let (mut session, _) = run(&config, gain);
+        ["denoised_radiance", "denoised_volume"].map(|name| {
+            let texels = session.download(name).expect(name);
+            // Alpha is no light of the picture.
+            texels.into_iter().map(|[r, g, b, _]| [r / gain, g / gain, b / gain, 0.0]).collect::<Vec<_>>()
+        })
+    };
+    let at_one = outputs(1.0);
+    for gain in [1e-6, 1e7] {
+        for (one, other) in at_one.iter().zip(outputs(gain)) {
+            let (light, difference) = (rmse(one, &vec![[0.0; 4]; one.len()]), rmse(&other, one));
+            println!("{difference:.2e} of {light:.2e} at {gain:e}");
+            assert!(light > 0.0 && difference < 0.02 * light, "{difference} of {light} at {gain:e}");
         }
     }
     assert_valid();

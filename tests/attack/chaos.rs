@@ -43,6 +43,7 @@ pub fn config(dice: &mut Dice) -> Config {
         surface_id: dice.coin(),
         object_normal: dice.coin(),
         post_process: dice.one_of(&PostProcess::ALL),
+        float_output: dice.coin(),
         debug_view: dice.coin(),
         conventions,
     }
@@ -169,14 +170,14 @@ fn upload_some(session: &mut Session, dice: &mut Dice, inputs: &[(String, usize)
 }
 
 pub fn any_configuration_survives_chaos() {
-    const FRAMES: u32 = 6;
+    let frames_each = if soak::is_on() { 60 } else { 6 };
     let (mut frames, mut outputs_seen) = (0, 0);
     for seed in 0..soak::times(4) {
         let mut dice = Dice::new(seed);
         let config = config(&mut dice);
         let mut session = session(&config);
         let (inputs, outputs) = images(&session);
-        for frame in 0..FRAMES {
+        for frame in 0..frames_each {
             upload_some(&mut session, &mut dice, &inputs, frame == 0);
             let params = params(&mut dice, &config, frame);
             session.run(&params, &tuning(&mut dice, config.preset)).unwrap_or_else(|error| panic!("seed {seed}: {error}"));

@@ -20,6 +20,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("any_configuration_survives_chaos", chaos::any_configuration_survives_chaos),
     ("any_unit_of_light_is_filtered_alike", brightness::any_unit_of_light_is_filtered_alike),
     ("the_filter_holds_light_of_any_unit", brightness::the_filter_holds_light_of_any_unit),
+    ("whatever_goes_out_holds_light_of_any_unit", brightness::whatever_goes_out_holds_light_of_any_unit),
     ("any_exposure_ratio_gives_a_picture", extremes::any_exposure_ratio_gives_a_picture),
     ("any_extent_gives_a_picture", extremes::any_extent_gives_a_picture),
     ("a_picture_of_sky_alone_passes_untouched", extremes::a_picture_of_sky_alone_passes_untouched),

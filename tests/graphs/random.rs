@@ -118,7 +118,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     let filter = Filter { guides, history, feedback, other: &format!("{output}_by_the_other_kernel"), albedo };
     let (filtered, deviation) = filter.add(g, dice, &accumulated);
     let (filtered, specular) = beside_specular(g, dice, guides, filtered, change.confidence);
-    let radiance = g.modulate(guides, &filtered, Modulate { albedo, specular, emission: dice.coin() });
+    let radiance = g.modulate(guides, &filtered, Modulate { albedo, specular, emission: dice.coin(), float_output: dice.coin() });
     g.output(output, &radiance);
     if let Some(confidence) = change.confidence.filter(|_| dice.coin()) {
         g.output(&format!("{output}_confidence"), &confidence);
@@ -161,7 +161,8 @@ fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
     let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, false);
     let weights = EawWeights::first(1 + dice.below(3));
     let filtered = g.eaw(guides, &irradiance, Eaw { levels: levels(dice), weights, sampling, ..Eaw::default() });
-    let radiance = g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin(), ..Modulate::default() });
+    let radiance =
+        g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin(), float_output: dice.coin(), ..Modulate::default() });
     g.output(output, &radiance);
     Branch { radiance, known: Known { albedo, percentiles, ..Known::new(noisy) } }
 }
@@ -297,7 +298,8 @@ fn volume(g: &mut Graph, dice: &mut Dice, guides: &Guides) -> Branch {
     let fed_back = (feedback == Feedback::Filtered).then_some(history);
     // The first level is the history, which cannot be an output.
     let levels = levels(dice).max(if fed_back.is_some() { 2 } else { 1 });
-    let filtered = g.volume_atrous(guides, &estimate, VolumeAtrous { levels, feedback: fed_back }).into();
+    let filtered =
+        g.volume_atrous(guides, &estimate, VolumeAtrous { levels, feedback: fed_back, ..VolumeAtrous::default() }).into();
     g.output("denoised_volume", &filtered);
     let deviation = fed_back.is_some();
     let known = Known { albedo: false, history: Some(history), deviation, percentiles, ..Known::new(&volume.noisy()) };

@@ -194,6 +194,10 @@ typedef struct AtrousConfig {
   uint32_t object_normal;
   // Post-process. 0 (none), 1 (tone_map), 2 (tone_map_taa). Default: 0.
   uint32_t post_process;
+  // Whether `denoised_radiance` and `denoised_volume` are of 32-bit floats (R32G32B32A32_SFLOAT) instead of halves. The
+  // filter takes light in any unit; halves hold it from about 1e-4 to 65504. Costs 8 bytes per pixel of each, and one
+  // pass for a volume. 0 (false), 1 (true). Default: 0.
+  uint32_t float_output;
   // A last pass `debug_view`, which shows the state of each pixel: see `DebugView`. It keeps the shown images alive to
   // the end, so that transients cannot share their memory. You may leave the pass out of a frame. 0 (false), 1 (true).
   // Default: 0.

@@ -86,19 +86,19 @@ fn what_is_saved_is_compiled_and_what_is_wrong_has_file_and_line() {
     let mut sources = Sources::new("saved");
     assert!(sources.watch.poll().is_empty() && sources.watch.poll().is_empty(), "nothing was saved");
 
-    sources.edit("glsl/modulate.comp", "storable(radiance", "storable(0.5 * radiance");
+    sources.edit("glsl/modulate.comp", "outgoing(radiance", "outgoing(0.5 * radiance");
     let changed = sources.saved_one();
     assert_eq!(changed.file, "glsl/modulate.comp");
     let names: Vec<_> = shaders(changed).iter().map(|s| (s.name().to_owned(), s.owner())).collect();
-    assert_eq!(names, [("modulate".to_owned(), Owner::Denoiser)]);
+    assert_eq!(names, ["modulate_float_0", "modulate_float_1"].map(|name| (name.to_owned(), Owner::Denoiser)));
 
-    sources.edit("glsl/modulate.comp", "storable(0.5", "storable(no_such_thing");
+    sources.edit("glsl/modulate.comp", "outgoing(0.5", "outgoing(no_such_thing");
     let line = sources.line_of("glsl/modulate.comp", "no_such_thing");
     let problem = sources.saved_one().shaders.expect_err("it is broken");
     assert!(problem.starts_with(&format!("glsl/modulate.comp:{line}: error: 'no_such_thing'")), "{problem}");
 
-    sources.edit("glsl/modulate.comp", "storable(no_such_thing", "storable(2.0");
-    assert_eq!(shaders(sources.saved_one()).len(), 1);
+    sources.edit("glsl/modulate.comp", "outgoing(no_such_thing", "outgoing(2.0");
+    assert_eq!(shaders(sources.saved_one()).len(), 2);
 
     sources.edit("glsl/eaw.comp", "void main", "\nvoid main");
     let variants: Vec<_> = shaders(sources.saved_one()).iter().map(|s| s.name().to_owned()).collect();
@@ -132,7 +132,12 @@ fn an_include_is_compiled_with_all_that_include_it() {
 fn what_the_program_was_not_built_for_is_refused() {
     let mut sources = Sources::new("refused");
     for (file, old, new, difference) in [
-        ("glsl/modulate.comp", "binding = 5, rgba16f", "binding = 5, rgba32f", "set 0 binding 5 is `StorageImage2D<Rgba32f>"),
+        (
+            "glsl/modulate.comp",
+            "binding = 5, OUTGOING_FORMAT",
+            "binding = 5, rgba32f",
+            "set 0 binding 5 is `StorageImage2D<Rgba32f>",
+        ),
         ("demo/glsl/gbuffer.comp", "local_size_x = 8", "local_size_x = 4", "LocalSize is `4 x 8 x 1`"),
         ("glsl/eaw.comp", "SIGNALS=2", "SIGNALS=3", "`eaw_signals_3`: the program has none"),
     ] {
@@ -177,7 +182,7 @@ fn pipelines_are_replaced_between_frames_and_the_history_goes_on() {
     frame(&mut tracer, &mut denoiser, 0);
     let (before, _) = frame(&mut tracer, &mut denoiser, 1);
 
-    sources.edit("glsl/modulate.comp", "storable(radiance", "storable(4.0 * radiance");
+    sources.edit("glsl/modulate.comp", "outgoing(radiance", "outgoing(4.0 * radiance");
     let taken = shaders(sources.saved_one()).iter().filter(|s| denoiser.replace_shader(s).expect("it fits")).count();
     assert_eq!(taken, 1);
     let (brighter, longest) = frame(&mut tracer, &mut denoiser, 2);

@@ -105,6 +105,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         surface_id: choices.one_in(2),
         object_normal: choices.one_in(2),
         post_process: choice(choices),
+        float_output: choices.one_in(4),
         debug_view: choices.one_in(2),
         conventions: conventions(choices),
     };

@@ -112,7 +112,12 @@ impl Shelf {
             }
             7 | 8 => {
                 let filtered = self.port(choices, &self.irradiance)?;
-                let parameters = Modulate { albedo: choices.one_in(2), emission: choices.one_in(2), ..Modulate::default() };
+                let parameters = Modulate {
+                    albedo: choices.one_in(2),
+                    emission: choices.one_in(2),
+                    float_output: choices.one_in(4),
+                    ..Modulate::default()
+                };
                 let radiance = g.modulate(&guides, &filtered, parameters);
                 self.radiance.push(radiance);
                 self.add_images(&radiance);

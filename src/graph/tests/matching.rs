@@ -41,7 +41,7 @@ impl Images {
 
     /// The modulation without its optional bindings.
     fn modulation(&self) -> Pass {
-        Pass::new("mine", &shaders::MODULATE)
+        Pass::new("mine", &shaders::MODULATE_FLOAT_0)
             .bind("denoised_radiance", self.output)
             .bind("guide", self.guide)
             .bind("filtered_0", self.input)

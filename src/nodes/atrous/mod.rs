@@ -68,11 +68,13 @@ pub struct VolumeAtrous {
     pub levels: u32,
     /// The history that the first level writes. Default: none.
     pub feedback: Option<History>,
+    /// Whether the result stays in the [exposure of the filter](Graph::filter_exposure), for the node `modulate`. Default: false.
+    pub keeps_exposure: bool,
 }
 
 impl Default for VolumeAtrous {
     fn default() -> Self {
-        Self { levels: 5, feedback: None }
+        Self { levels: 5, feedback: None, keeps_exposure: false }
     }
 }
 
@@ -115,7 +117,7 @@ impl Graph {
         self.levels(levels, estimate, |name, level| {
             level_pass(&node, name, &shaders::ATROUS_SIGNALS_1, level)
                 .constant("VOLUME", 1)
-                .constant("LAST", u32::from(level + 1 == atrous.levels))
+                .constant("LAST", u32::from(level + 1 == atrous.levels && !atrous.keeps_exposure))
                 .value("sigma_l", Value::Tunable("volume_sigma_l"))
                 .value("sigma_n", UNREAD)
                 .value("sigma_z", UNREAD)

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::{Input, Lifetime};
-use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR};
+use crate::graph::{Graph, Guides, Irradiance, Port, Radiance, HDR, WIDE_HDR};
 use crate::shaders;
 
 /// Parameters of the node `modulate`.
@@ -20,11 +20,13 @@ pub struct Modulate {
     pub specular: bool,
     /// Whether your optional input `emission` is added. Default: true.
     pub emission: bool,
+    /// Whether the radiance is of 32-bit floats instead of halves, as with [`crate::Config::float_output`]. Default: false.
+    pub float_output: bool,
 }
 
 impl Default for Modulate {
     fn default() -> Self {
-        Self { albedo: true, specular: false, emission: true }
+        Self { albedo: true, specular: false, emission: true, float_output: false }
     }
 }
 
@@ -33,11 +35,13 @@ impl Graph {
     pub fn modulate(&mut self, guides: &Guides, filtered: &Irradiance, modulate: Modulate) -> Radiance {
         let label = self.label_of(filtered);
         let node = self.node("modulate", &label);
-        let denoised = self.named_image("modulated", &label, HDR, 1, Lifetime::Transient);
-        let mut pass = pass(&node, &shaders::MODULATE)
-            .bind("guide", guides.guide)
-            .bind("denoised_radiance", denoised)
-            .each("filtered", filtered.images());
+        let (module, format) = match modulate.float_output {
+            true => (&shaders::MODULATE_FLOAT_1, WIDE_HDR),
+            false => (&shaders::MODULATE_FLOAT_0, HDR),
+        };
+        let denoised = self.named_image("modulated", &label, format, 1, Lifetime::Transient);
+        let mut pass =
+            pass(&node, module).bind("guide", guides.guide).bind("denoised_radiance", denoised).each("filtered", filtered.images());
         if modulate.albedo {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }

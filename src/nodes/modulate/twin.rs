@@ -1,11 +1,10 @@
 //! The stage `modulate`: irradiance multiplied by albedo again, signals summed, emission added \[SVGF 3\].
 
 use crate::nodes::demodulate::twin::{albedo_at, divisor};
-use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::compare::Rule;
+use crate::reference::compare::{Condition, Rule};
 use crate::reference::guide::unpack_guide;
-use crate::reference::kept_radiance::is_saturated;
+use crate::reference::outgoing::Outgoing;
 use crate::reference::rules::{pixels, rounded, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
@@ -37,12 +36,14 @@ pub(crate) struct ModulateInputs<'a> {
     pub specular: Option<SpecularAlbedos<'a>>,
     /// rgb: radiance that is added as it is.
     pub emission: Option<&'a Image<[f32; 4]>>,
+    /// What `denoised_radiance` can hold.
+    pub outgoing: Outgoing,
 }
 
 /// Outputs of [`modulate`].
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ModulateOutputs {
-    /// rgb: linear radiance, half precision, 0 to 65504; alpha 1.
+    /// rgb: linear radiance, from 0 on; alpha 1.
     pub denoised_radiance: Image<[f32; 4]>,
     /// Bad emissions. Bad albedos were counted by `demodulate`.
     pub statistics: Statistics,
@@ -61,8 +62,8 @@ pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> Modul
             let reflected: f32 = inputs.irradiance.iter().zip(factors).map(|(signal, albedo)| signal.at(p)[i] * albedo[i]).sum();
             reflected * frame.inverse_filter_exposure + emission[i]
         });
-        let [r, g, b] = radiance.map(store);
-        ([r, g, b, 1.0], is_bad, is_saturated(radiance))
+        let [r, g, b] = radiance.map(|c| inputs.outgoing.store(c));
+        ([r, g, b, 1.0], is_bad, inputs.outgoing.is_too_bright(radiance))
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Emission] = count(texels.texels().iter().map(|t| t.1));
@@ -71,7 +72,8 @@ pub(crate) fn modulate(frame: &FrameConstants, inputs: &ModulateInputs) -> Modul
 }
 
 /// How what it writes is compared with the GPU.
-pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("denoised_radiance", HALF), rounded("denoised_radiance")];
+pub(crate) const RULES: &[Rule] =
+    &[STATISTICS, pixels("denoised_radiance", HALF), Rule { when: Condition::IsNot("WIDE", 1), ..rounded("denoised_radiance") }];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
@@ -83,6 +85,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         specular: specular
             .then_some(SpecularAlbedos { albedo: b.optional_colour("specular_albedo")?, f0: b.optional_colour("specular_f0")? }),
         emission: b.optional_colour("emission")?,
+        outgoing: Outgoing::of(b)?,
     };
     let outputs = modulate(b.frame, &inputs);
     b.count(&outputs.statistics)?;

@@ -6,7 +6,7 @@ pub(crate) mod twin;
 
 use super::pass;
 use crate::contract::Input;
-use crate::graph::{Graph, Port, Radiance, Visibility};
+use crate::graph::{Graph, Port, Radiance, Visibility, WIDE_HDR};
 use crate::shaders;
 
 impl Graph {
@@ -15,7 +15,9 @@ impl Graph {
     /// leaves the input out multiplies by itself.
     pub fn shadowed_light(&mut self, radiance: &Radiance, visibility: &Visibility) -> Radiance {
         let node = self.node("shadowed_light", "");
-        let pass = pass(&node, &shaders::SHADOWED_LIGHT)
+        let is_wide = self.format_of(radiance.image()) == Some(WIDE_HDR);
+        let module = if is_wide { &shaders::SHADOWED_LIGHT_FLOAT_1 } else { &shaders::SHADOWED_LIGHT_FLOAT_0 };
+        let pass = pass(&node, module)
             .bind("denoised_visibility", visibility.image())
             .bind("unshadowed_direct", self.input(Input::UNSHADOWED_DIRECT))
             .bind("radiance", radiance.image());

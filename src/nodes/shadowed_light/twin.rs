@@ -1,28 +1,30 @@
 //! The stage `shadowed_light`: the light of the source whose visibility was filtered is added.
 
-use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::Rule;
+use crate::reference::outgoing::Outgoing;
 use crate::reference::rules::{pixels, HALF, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::Image;
 use crate::{Counter, Statistics};
 use crate::{Error, FrameConstants};
 
-/// `radiance + unshadowed_direct · visibility`, half precision, with the counter of light that is not finite.
+/// `radiance + unshadowed_direct · visibility`, with the counter of light that is not finite.
 pub(crate) fn shadowed_light(
     frame: &FrameConstants,
     radiance: &Image<[f32; 4]>,
     unshadowed_direct: &Image<[f32; 4]>,
     visibility: &Image<f32>,
+    outgoing: Outgoing,
 ) -> (Image<[f32; 4]>, Statistics) {
     let texels = Image::compute(radiance.extent(), frame.render_extent, |p| {
         let (before, [r, g, b, _]) = (radiance.at(p), unshadowed_direct.at(p));
         if [r, g, b].iter().any(|c| !c.is_finite()) {
             return (before, true);
         }
-        let light = [r, g, b].map(|c| c.clamp(0.0, LARGEST_HALF) * visibility.at(p));
-        ([store(before[0] + light[0]), store(before[1] + light[1]), store(before[2] + light[2]), 1.0], false)
+        let light = [r, g, b].map(|c| c.clamp(0.0, outgoing.brightest()) * visibility.at(p));
+        let [r, g, b] = [0, 1, 2].map(|i| outgoing.store(before[i] + light[i]));
+        ([r, g, b, 1.0], false)
     });
     let mut statistics = Statistics::default();
     statistics[Counter::Radiance] = count(texels.texels().iter().map(|t| t.1));
@@ -36,7 +38,7 @@ pub(crate) const RULES: &[Rule] = &[STATISTICS, pixels("radiance", HALF)];
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let radiance = b.colour("radiance")?;
     let Some(light) = b.optional_colour("unshadowed_direct")? else { return b.write("radiance", radiance.clone()) };
-    let (sum, statistics) = shadowed_light(b.frame, radiance, light, b.scalar("denoised_visibility")?);
+    let (sum, statistics) = shadowed_light(b.frame, radiance, light, b.scalar("denoised_visibility")?, Outgoing::of(b)?);
     b.count(&statistics)?;
     b.write("radiance", sum)
 }
@@ -52,7 +54,7 @@ mod tests {
             [[2.0, 4.0, 8.0, 0.0], [f32::NAN, 1.0, 1.0, 0.0], [1.0, f32::INFINITY, 1.0, 0.0], [-1.0, 1e9, 1.0, 0.0]][x as usize]
         });
         let radiance = Image::new([4, 1], [1.0, 1.0, 1.0, 1.0]);
-        let (sum, statistics) = shadowed_light(&frame([4, 1]), &radiance, &light, &Image::new([4, 1], 0.5));
+        let (sum, statistics) = shadowed_light(&frame([4, 1]), &radiance, &light, &Image::new([4, 1], 0.5), Outgoing::Halves);
         assert_eq!(sum.texels(), [[2.0, 3.0, 5.0, 1.0], [1.0; 4], [1.0; 4], [1.0, 32752.0, 1.5, 1.0]]);
         assert_eq!(statistics[Counter::Radiance], 2);
     }

@@ -13,7 +13,7 @@ use crate::{Error, FrameConstants, ToneCurve, Tuning};
 pub(crate) fn tone_map(frame: &FrameConstants, tuning: &Tuning, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
     let extent = denoised.first().map_or([0; 2], |image| image.extent());
     Image::compute(extent, frame.render_extent, |p| {
-        let [r, g, b] = [0, 1, 2].map(|i| denoised.iter().map(|image| image.at(p)[i]).sum::<f32>());
+        let [r, g, b] = [0, 1, 2].map(|i| denoised.iter().map(|image| image.at(p)[i]).sum::<f32>().min(1e30));
         let [r, g, b] = curve(tuning.tone_curve, [r, g, b].map(|c| c * tuning.exposure)).map(|c| round_to_half(c.clamp(0.0, 1.0)));
         [r, g, b, 1.0]
     })
@@ -22,7 +22,7 @@ pub(crate) fn tone_map(frame: &FrameConstants, tuning: &Tuning, denoised: &[&Ima
 fn curve(tone_curve: ToneCurve, x: [f32; 3]) -> [f32; 3] {
     match tone_curve {
         // [Narkowicz 2015]
-        ToneCurve::Aces => x.map(|x| (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)),
+        ToneCurve::Aces => x.map(|x| x.min(1e4)).map(|x| (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14)),
         ToneCurve::Reinhard => {
             let scale = 1.0 / (1.0 + luminance(x));
             x.map(|x| x * scale)
@@ -71,8 +71,10 @@ mod tests {
                 assert!(y >= last && (0.0..=1.0).contains(&y), "{tone_curve:?} {x} {y}");
                 last = y;
             }
-            let [y, ..] = mapped(tone_curve, 65504.0, [65504.0; 3]);
-            assert!(y > 0.99 && y <= 1.0, "{tone_curve:?} {y}");
+            for brightest in [65504.0, 3e38] {
+                let [y, ..] = mapped(tone_curve, 65504.0, [brightest; 3]);
+                assert!(y > 0.99 && y <= 1.0, "{tone_curve:?} {y}");
+            }
         }
     }
 }

@@ -4,6 +4,7 @@ use super::*;
 use crate::nodes::modulate::twin::SpecularAlbedos;
 use crate::nodes::modulate::twin::{modulate, ModulateInputs};
 use crate::reference::holes::EMPTY_HOLE;
+use crate::reference::outgoing::Outgoing;
 use crate::reference::test_scene::*;
 use crate::reference::LARGEST_HALF;
 
@@ -67,7 +68,14 @@ fn modulation_brings_the_radiance_back() {
     let albedo = noise(EXTENT, 2).map(|t| [t[0], 0.0, 1e-4, 0.0]);
     let guides = guides(EXTENT, |x, _| surface(if x == 2 { 0.0 } else { 4.0 }));
     let c = run(&guides, &[&noisy], Some(&albedo)).irradiance.remove(0);
-    let inputs = ModulateInputs { guide: &guides.guide, irradiance: &[&c], albedo: Some(&albedo), specular: None, emission: None };
+    let inputs = ModulateInputs {
+        guide: &guides.guide,
+        irradiance: &[&c],
+        albedo: Some(&albedo),
+        specular: None,
+        emission: None,
+        outgoing: Outgoing::Halves,
+    };
     let back = modulate(&frame(EXTENT), &inputs).denoised_radiance;
     for (given, back) in noisy.texels().iter().zip(back.texels()) {
         assert!((0..3).all(|i| (given[i] - back[i]).abs() <= 1.1e-3 * given[i]), "{given:?} {back:?}");
@@ -180,6 +188,7 @@ fn specular_light_comes_back_through_either_albedo() {
             albedo: None,
             specular: Some(SpecularAlbedos { albedo, f0 }),
             emission: None,
+            outgoing: Outgoing::Halves,
         };
         for texel in modulate(&frame, &inputs).denoised_radiance.texels() {
             assert!((0..3).all(|i| (texel[i] / noisy.at(IVec2::ZERO)[i] - 1.0).abs() < 2e-3), "{texel:?}");
