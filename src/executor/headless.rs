@@ -12,7 +12,8 @@ pub enum Validation {
     /// No validation.
     #[default]
     Off,
-    /// All checks, with synchronisation validation. [`HeadlessDevice::validation_errors`] has the messages.
+    /// All checks, with synchronisation validation. [`HeadlessDevice::validation_errors`] has the messages. Layers up to 1.3.239 at least
+    /// are not to be called by one thread while another opens or drops such a device.
     On,
 }
 
@@ -230,10 +231,7 @@ fn create_instance(entry: &ash::Entry, validate: bool, version: u32) -> Result<a
         vk::LayerSettingEXT { value_count: 1, ..setting.ty(vk::LayerSettingTypeEXT::BOOL32).values(&on) }
     });
     let mut settings = vk::LayerSettingsCreateInfoEXT::default().settings(&settings);
-    let mut info = vk::InstanceCreateInfo::default()
-        .application_info(&application)
-        .enabled_layer_names(&layers)
-        .enabled_extension_names(&extensions);
+    let mut info = vk::InstanceCreateInfo::default().application_info(&application).enabled_layer_names(&layers);
     if asking.contains(&vk::EXT_VALIDATION_FEATURES_NAME) {
         info = info.push_next(&mut features);
     }
@@ -241,7 +239,21 @@ fn create_instance(entry: &ash::Entry, validate: bool, version: u32) -> Result<a
         info = info.push_next(&mut settings);
     }
     // SAFETY: every pointer in `info` lives until the call returns.
-    unsafe { entry.create_instance(&info, None) }.map_err(|e| match e {
+    let created = unsafe { entry.create_instance(&info.enabled_extension_names(&extensions), None) };
+    let created = created.or_else(|error| {
+        // A loader that is older than the layer refuses the name of an extension that it does not know. The layer reads its settings
+        // without that as well.
+        extensions.retain(|name| *name != vk::EXT_LAYER_SETTINGS_NAME.as_ptr());
+        let knows_less = error == vk::Result::ERROR_EXTENSION_NOT_PRESENT;
+        // SAFETY: as above.
+        let again = || unsafe { entry.create_instance(&info.enabled_extension_names(&extensions), None) };
+        if knows_less {
+            again()
+        } else {
+            Err(error)
+        }
+    });
+    created.map_err(|e| match e {
         vk::Result::ERROR_INCOMPATIBLE_DRIVER => {
             no_device("no Vulkan driver was found; install one (Debian: mesa-vulkan-drivers has a software one)".into())
         }

@@ -82,6 +82,26 @@ pub fn a_machine_without_a_layer_or_a_driver_is_told_so() {
     assert!(text.contains("no Vulkan driver was found") && text.contains("mesa-vulkan-drivers"), "{text}");
 }
 
+/// A loader of 2023 refuses the extension by which newer layers take their settings. The layer of this machine says here that it has it.
+pub fn a_layer_that_is_newer_than_the_loader_validates() {
+    let folders =
+        ["/usr/share/vulkan/explicit_layer.d", "/usr/local/share/vulkan/explicit_layer.d", "/etc/vulkan/explicit_layer.d"];
+    let files = folders.iter().map(|folder| format!("{folder}/VkLayer_khronos_validation.json"));
+    let Some(text) = files.filter_map(|file| std::fs::read_to_string(file).ok()).next() else {
+        println!("the validation layer is somewhere else: nothing was tried");
+        return;
+    };
+    let mut manifest: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let extensions = manifest["layer"]["instance_extensions"].as_array_mut().expect("a list");
+    extensions.push(serde_json::json!({ "name": "VK_EXT_layer_settings", "spec_version": "2" }));
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("layer.json"), manifest.to_string()).expect("written");
+    let mut command = Command::new(std::env::current_exe().expect("this program"));
+    let output =
+        command.env(super::VARIABLE, "a validated device").env("VK_LAYER_PATH", folder.path()).output().expect("a process");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
 pub fn an_instance_of_vulkan_1_0_is_told_what_to_ask_for() {
     with_a_plain_device(vk::API_VERSION_1_0, |host| {
         // SAFETY: the handles are live and belong together.

@@ -33,6 +33,7 @@ pub const TESTS: &[DeviceTest] = &[
     ),
     ("a_session_runs_on_each_version_of_vulkan", fewer_features::a_session_runs_on_each_version_of_vulkan),
     ("a_machine_without_a_layer_or_a_driver_is_told_so", fewer_features::a_machine_without_a_layer_or_a_driver_is_told_so),
+    ("a_layer_that_is_newer_than_the_loader_validates", fewer_features::a_layer_that_is_newer_than_the_loader_validates),
     ("an_instance_of_vulkan_1_0_is_told_what_to_ask_for", fewer_features::an_instance_of_vulkan_1_0_is_told_what_to_ask_for),
     ("a_device_with_everything_is_told_nothing", fewer_features::a_device_with_everything_is_told_nothing),
     ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
