@@ -119,6 +119,13 @@ pub fn a_refused_call_leaves_nothing_behind() {
             let error = open().err().unwrap_or_else(|| panic!("{kind} {after}: nothing failed"));
             let is_named = matches!(error, Error::Vulkan { result: REFUSED, .. } | Error::OutOfMemory { .. });
             assert!(is_named && spy.has_refused(), "{kind} {after}: {error}");
+            // Whose memory runs out is told how much was asked for, and what to make smaller.
+            let tells = |part: &str| error.to_string().contains(part);
+            let is_told = match &error {
+                Error::OutOfMemory { bytes, .. } => *bytes > 0 && [&bytes.to_string(), "in all", "extent"].map(tells) == [true; 3],
+                _ => kind != "memory",
+            };
+            assert!(is_told, "{kind} {after}: {error}");
             assert!(spy.live().is_empty(), "{kind} {after}: {:?} are left", spy.live());
         }
     }

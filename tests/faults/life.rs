@@ -12,6 +12,7 @@ pub struct Life {
     session: Session,
     extent: [u32; 2],
     frames: u32,
+    index: u64,
     #[cfg(feature = "capture")]
     folder: tempfile::TempDir,
 }
@@ -37,6 +38,7 @@ impl Life {
             session: Session::new(gpu.clone(), config.declare().expect("valid"), options)?,
             extent: EXTENTS[0],
             frames: 0,
+            index: 0,
             #[cfg(feature = "capture")]
             folder: tempfile::tempdir().expect("a folder"),
         })
@@ -59,6 +61,11 @@ impl Life {
     /// Frames that ran to their end.
     pub fn finished(&self) -> u32 {
         self.frames
+    }
+
+    /// The number of the last frame, as the session has it.
+    pub fn index(&self) -> u64 {
+        self.index
     }
 
     /// The next frame is of this number, and has no history.
@@ -93,7 +100,7 @@ impl Life {
     /// A frame without an upload.
     pub fn frame_of_what_is_there(&mut self) -> Result<(), Error> {
         let scene = Scene { speed: 0.1, ..Scene::new(self.extent) };
-        self.session.run(&scene.params(self.frames), &Tuning::default())?;
+        self.index = self.session.run(&scene.params(self.frames), &Tuning::default())?.index;
         self.frames += 1;
         Ok(())
     }

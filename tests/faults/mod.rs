@@ -188,6 +188,7 @@ fn a_new_device_goes_on_where_a_lost_one_ended() {
         let mut next = Life::open(&Arc::new(other)).expect("a session");
         next.go_on_from(finished);
         let bits: Vec<_> = (0..3).map(|_| next.frame_bits().expect("no call fails")).collect();
+        assert_eq!(next.index(), u64::from(FRAMES) + 2, "{call}: numbers of frames go on");
         assert!(finished == FRAMES && bits == expected, "{call}: {finished} frames were finished");
     }
 }
