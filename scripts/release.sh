@@ -19,6 +19,8 @@ print(*[package["name"] for package in json.load(sys.stdin)["packages"] if packa
 packages=("${names[@]/#/--package=}")
 
 step cargo "+$version" check --quiet --target-dir target/release-check --lib "${packages[@]}" --features atrous/capture
+# The tests of the laboratory, the demo and the window may ask for more.
+step cargo "+$version" check --quiet --target-dir target/release-check --package atrous --tests --features capture,hot-reload
 step cargo package --quiet --target-dir target/release-check "${packages[@]}"
 
 for name in "${names[@]}"; do
