@@ -61,3 +61,4 @@ if ! step cargo deny --workspace check advisories; then
 fi
 echo
 echo "release.sh: all passed"
+echo "cargo publish --workspace uploads the packages, those first that others depend on"

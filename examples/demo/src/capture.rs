@@ -9,7 +9,7 @@ pub use without_feature::{finish, start};
 mod with_feature {
     use crate::error::Result;
     use atrous_engine::{Error, FrameDenoiser};
-    use atrous_lab::measure::Frame;
+    use atrous_measure::measure::Frame;
     use exr::prelude::write_rgb_file;
     use std::path::Path;
 
@@ -36,7 +36,7 @@ mod with_feature {
 mod without_feature {
     use crate::error::{Error, Result};
     use atrous_engine::FrameDenoiser;
-    use atrous_lab::measure::Frame;
+    use atrous_measure::measure::Frame;
     use std::path::Path;
 
     pub fn start(_: &mut FrameDenoiser, _: &Path, _: u32) -> Result<()> {

@@ -8,7 +8,7 @@ pub enum Error {
     Engine(#[from] atrous_engine::Error),
     /// A frame could not be measured.
     #[error(transparent)]
-    Measuring(#[from] atrous_lab::Error),
+    Measuring(#[from] atrous_measure::Error),
     /// The window failed.
     #[cfg(feature = "window")]
     #[error(transparent)]

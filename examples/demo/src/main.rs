@@ -8,7 +8,7 @@ mod run;
 use std::process::ExitCode;
 
 use atrous_engine::{Gpu, GpuOptions};
-use atrous_lab::evaluate;
+use atrous_measure::evaluate;
 use clap::Parser;
 use error::Result;
 use options::{Command, Options};

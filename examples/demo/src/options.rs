@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use atrous::config::{PostProcess, Preset};
 use atrous::{Choice, Tuning};
 use atrous_engine::{DenoiserOptions, Noise, SampleEye, SceneOptions, TracerOptions, FILTERS};
-use atrous_lab::evaluate::{parse_size, EvaluateOptions};
-use atrous_lab::options::ConfigArgs;
+use atrous_measure::evaluate::{parse_size, EvaluateOptions};
+use atrous_measure::options::ConfigArgs;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use atrous::config::Preset;
 use atrous_engine::{FrameDenoiser, Gpu, PathTracer, Scene};
-use atrous_lab::measure::{Frame, Scores};
-use atrous_lab::running::{self, Running};
-use atrous_lab::{files, progress, report, volume};
+use atrous_measure::measure::{Frame, Scores};
+use atrous_measure::running::{self, Running};
+use atrous_measure::{files, progress, report, volume};
 
 use crate::capture;
 use crate::error::Result;
@@ -22,7 +22,7 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
     let memory = memory(options, gpu, &tracer)?;
     let contender = |preset: Preset| Running::new(gpu, &tracer, preset.title(), &options.denoiser(preset)?);
-    let mut contenders = options.presets().into_iter().map(contender).collect::<atrous_lab::Result<Vec<_>>>()?;
+    let mut contenders = options.presets().into_iter().map(contender).collect::<atrous_measure::Result<Vec<_>>>()?;
     let folder = options.out.join(&scene.name);
     files::make(&folder.join("sequence"))?;
     let captured = |name: &str| folder.join(format!("capture_{name}"));
@@ -44,7 +44,7 @@ pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
 }
 
 /// The memory of a single filter, as an engine has it: without the views of the strips, which cost some.
-fn memory(options: &Options, gpu: &Gpu, tracer: &PathTracer) -> atrous_lab::Result<String> {
+fn memory(options: &Options, gpu: &Gpu, tracer: &PathTracer) -> atrous_measure::Result<String> {
     let [only] = options.presets()[..] else { return Ok(String::new()) };
     let of_engine = options.denoiser(only)?.with(|config| config.debug_view = false);
     Ok(format!("{}\n", report::memory_table(&FrameDenoiser::new(gpu, tracer, &of_engine)?)?))
@@ -58,7 +58,7 @@ fn sequence(
     tracer: &mut PathTracer,
     contenders: &mut [Running],
     folder: &Path,
-) -> atrous_lab::Result<Vec<Frame>> {
+) -> atrous_measure::Result<Vec<Frame>> {
     let bar = progress::bar(u64::from(options.frames), &format!("{name}: frames"));
     let kept = options.reference_frames();
     let mut measured = Vec::new();
@@ -75,7 +75,7 @@ fn sequence(
     Ok(measured)
 }
 
-fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: &mut [Frame]) -> atrous_lab::Result<()> {
+fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: &mut [Frame]) -> atrous_measure::Result<()> {
     if options.reference_spp == 0 {
         return Ok(());
     }
@@ -92,7 +92,13 @@ fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: 
 }
 
 /// Writes the strips, and gives the text of all tables.
-fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Running], folder: &Path) -> atrous_lab::Result<String> {
+fn tables(
+    options: &Options,
+    scene: &str,
+    measured: &[Frame],
+    contenders: &[Running],
+    folder: &Path,
+) -> atrous_measure::Result<String> {
     let names: Vec<_> = contenders.iter().map(|c| c.name).collect();
     let by_index: BTreeMap<u32, &Frame> = measured.iter().map(|f| (f.index, f)).collect();
     let mut scored: Vec<(u32, Vec<Scores>)> = Vec::new();
@@ -117,7 +123,7 @@ fn tables(options: &Options, scene: &str, measured: &[Frame], contenders: &[Runn
 }
 
 /// The same of the volume by itself, where the scene has one.
-fn volumes(scene: &str, measured: &[Frame], names: &[&str], folder: &Path) -> atrous_lab::Result<String> {
+fn volumes(scene: &str, measured: &[Frame], names: &[&str], folder: &Path) -> atrous_measure::Result<String> {
     let mut errors: Vec<(u32, Vec<f64>)> = Vec::new();
     for (frame, of_frame) in measured.iter().filter_map(|frame| Some((frame, frame.volume.as_ref()?))) {
         let path = folder.join(format!("volume_{:04}.png", frame.index));
@@ -137,7 +143,7 @@ fn score_tables(
     scene: &str,
     scored: &[(u32, Vec<Scores>)],
     contenders: &[Running],
-) -> atrous_lab::Result<String> {
+) -> atrous_measure::Result<String> {
     let of = |i: usize| report::mean(&scored.iter().map(|(_, scores)| scores[i]).collect::<Vec<_>>());
     let mut names = vec!["noisy"];
     let mut rows = vec![(format!("{scene}, noisy"), of(0), f64::NAN)];

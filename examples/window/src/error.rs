@@ -8,9 +8,15 @@ pub enum Error {
     /// The engine failed.
     #[error(transparent)]
     Engine(#[from] atrous_engine::Error),
-    /// A picture could not be measured, composed or written.
+    /// Two pictures could not be compared.
+    #[error("comparing pictures: {0}")]
+    Quality(#[from] atrous_lab::scores::QualityError),
+    /// A picture could not be composed or written.
     #[error(transparent)]
-    Measuring(#[from] atrous_lab::Error),
+    Composition(#[from] atrous_lab::pictures::PictureError),
+    /// The error of a picture could not be drawn.
+    #[error(transparent)]
+    Page(#[from] atrous_lab::pages::PageError),
     /// There is nothing to open a window on.
     #[error("no window can be opened: {problem}. Start it from a desktop session (DISPLAY or WAYLAND_DISPLAY set), or leave --window out: then pictures and tables are written to a folder")]
     NoDisplay {
@@ -42,23 +48,5 @@ pub type Result<T> = std::result::Result<T, Error>;
 impl From<atrous::Error> for Error {
     fn from(error: atrous::Error) -> Self {
         Self::Engine(error.into())
-    }
-}
-
-impl From<atrous_lab::scores::QualityError> for Error {
-    fn from(error: atrous_lab::scores::QualityError) -> Self {
-        Self::Measuring(error.into())
-    }
-}
-
-impl From<atrous_lab::pictures::PictureError> for Error {
-    fn from(error: atrous_lab::pictures::PictureError) -> Self {
-        Self::Measuring(error.into())
-    }
-}
-
-impl From<atrous_lab::pages::PageError> for Error {
-    fn from(error: atrous_lab::pages::PageError) -> Self {
-        Self::Measuring(error.into())
     }
 }

@@ -10,13 +10,13 @@ pub enum Error {
     Engine(#[from] atrous_engine::Error),
     /// Two pictures could not be compared.
     #[error("comparing pictures: {0}")]
-    Quality(#[from] crate::scores::QualityError),
+    Quality(#[from] atrous_lab::scores::QualityError),
     /// A picture could not be composed or written.
     #[error("{0}")]
-    Composition(#[from] crate::pictures::PictureError),
+    Composition(#[from] atrous_lab::pictures::PictureError),
     /// A page could not be composed or written.
     #[error("{0}")]
-    Page(#[from] crate::pages::PageError),
+    Page(#[from] atrous_lab::pages::PageError),
     /// More frames to measure than there are.
     #[error("{given} frames at the end of an animation of {frames} cannot be measured: give --measured {frames} or less, or more --frames")]
     MeasuredFrames {

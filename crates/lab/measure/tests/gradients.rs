@@ -5,7 +5,7 @@ use atrous::config::Preset;
 use atrous::DebugView;
 use atrous_engine::testing::{built_in, Validated};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SampleEye, SceneOptions, TracerOptions};
-use atrous_lab::measure::Frame;
+use atrous_measure::measure::Frame;
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
 

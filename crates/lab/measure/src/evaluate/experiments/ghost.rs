@@ -4,10 +4,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::measure::{luminance_around, Frame};
-use crate::pictures::Picture;
 use crate::Result;
 use atrous::ResetReason;
 use atrous_engine::{Scene, SceneOptions, TracerOptions};
+use atrous_lab::pictures::Picture;
 
 use super::{Figures, Findings, Lines};
 use crate::evaluate::claims::Claim;

@@ -4,7 +4,7 @@ use ash::vk::Extent2D;
 use atrous::config::Preset;
 use atrous_engine::testing::{built_in, mean, render, rgb, tracer, Validated};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
-use atrous_lab::shadows::{ShadowEdges, ShadowGuides};
+use atrous_measure::shadows::{ShadowEdges, ShadowGuides};
 
 /// The light of the sun times its visibility, with the light that has none of it, is all light.
 #[test]

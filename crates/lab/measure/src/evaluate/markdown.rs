@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use crate::measure::Scores;
-use crate::pages::Best;
-use crate::pictures::{Column, Picture, Region, Strip, TextTable};
 use crate::{Error, Result};
+use atrous_lab::pages::Best;
+use atrous_lab::pictures::{Column, Picture, Region, Strip, TextTable};
 
 use super::claims::{self, Claim};
 use super::contenders::{ASVGF, BEST, NOISY, SVGF};

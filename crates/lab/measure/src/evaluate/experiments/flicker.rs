@@ -5,10 +5,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::measure::luminance_around;
-use crate::pictures::Picture;
-use crate::scores::{rmse, Rgb};
 use crate::Result;
 use atrous_engine::{FrameDenoiser, Scene, SceneOptions, TracerOptions};
+use atrous_lab::pictures::Picture;
+use atrous_lab::scores::{rmse, Rgb};
 
 use super::{Figures, Findings};
 use crate::evaluate::claims::Claim;

@@ -1,8 +1,8 @@
 //! What an experiment found, as it is kept in a file.
 
-use crate::pages::{Curves, Section};
-use crate::pictures::{Column, TextTable};
 use crate::Result;
+use atrous_lab::pages::{Curves, Section};
+use atrous_lab::pictures::{Column, TextTable};
 use serde::{Deserialize, Serialize};
 
 use crate::evaluate::claims::Claim;

@@ -117,7 +117,7 @@ fn shaders_are_as_small_as_the_table_says() {
         println!("no radeon_icd.*.json in {DRIVERS:?} (Debian: mesa-vulkan-drivers): no statistics of shaders were compared");
         return;
     };
-    let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/lab/performance.md");
+    let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../docs/lab/performance.md");
     let update = std::env::var_os("ATROUS_UPDATE_ISA").is_some();
     let mut command = bench();
     command.args(["--isa", if update { "--update" } else { "--against" }, table]);
@@ -130,8 +130,8 @@ fn shaders_are_as_small_as_the_table_says() {
     }
     assert!(
         output.status.success(),
-        "{said}\nWhere this is meant to be, renew the table of docs/lab/performance.md: ATROUS_UPDATE_ISA=1 cargo test -p atrous-lab \
-         --test bench shaders"
+        "{said}\nWhere this is meant to be, renew the table of docs/lab/performance.md: ATROUS_UPDATE_ISA=1 cargo test -p \
+         atrous-measure --test bench shaders"
     );
     if let Some(reason) = text(&output.stdout).lines().find(|line| line.contains("nothing was compared")) {
         println!("{reason}");

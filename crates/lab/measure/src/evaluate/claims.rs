@@ -1,7 +1,7 @@
 //! What the papers claim, and what we do, against the figures.
 
 use crate::measure::Scores;
-use crate::pictures::{Column, PictureError, TextTable};
+use atrous_lab::pictures::{Column, PictureError, TextTable};
 use serde::{Deserialize, Serialize};
 
 use super::contenders::{ASVGF, BEST, EAW_ACCUMULATED, NOISY, SVGF};

@@ -1,8 +1,8 @@
 //! What a frame is measured with: its pictures on the CPU, and their scores against the reference.
 
-use crate::scores::{flip, psnr, temporal_error, QualityError, Rgb, TemporalGuides};
-use crate::scores::{unbiased_rel_mse, unbiased_rmse, unbiased_ssim, unbiased_temporal_rmse};
 use atrous::DebugView;
+use atrous_lab::scores::{flip, psnr, temporal_error, QualityError, Rgb, TemporalGuides};
+use atrous_lab::scores::{unbiased_rel_mse, unbiased_rmse, unbiased_ssim, unbiased_temporal_rmse};
 
 use serde::{Deserialize, Serialize};
 

@@ -4,11 +4,11 @@ use std::path::Path;
 use std::sync::Arc;
 
 use crate::measure::{Frame, Scores};
-use crate::pictures::{Picture, PictureError};
-use crate::scores::{flip_map, Rgb};
 use crate::Result;
 use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous_engine::{FrameDenoiser, Gpu, PathTracer, Scene, TracerOptions};
+use atrous_lab::pictures::{Picture, PictureError};
+use atrous_lab::scores::{flip_map, Rgb};
 use indicatif::ProgressBar;
 
 use super::contenders::{Contender, NOISY};

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::pictures::{Column, Picture, PictureError, Strip, TextTable};
-use crate::scores::{rmse, Rgb};
+use atrous_lab::pictures::{Column, Picture, PictureError, Strip, TextTable};
+use atrous_lab::scores::{rmse, Rgb};
 
 use crate::measure::rgb;
 use crate::Result;

@@ -1,6 +1,6 @@
 //! Edges of the sun's shadows: where they are, how wide they are, and how wrong a picture is around them.
 
-use crate::scores::{rmse, Rgb};
+use atrous_lab::scores::{rmse, Rgb};
 use glam::{IVec2, Vec2};
 
 use crate::measure::luminance;

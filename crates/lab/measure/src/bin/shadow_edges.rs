@@ -1,6 +1,6 @@
 //! Shadow edges of the sun, filtered with all light and by a visibility of their own: error around them, width across them, with a strip.
 //!
-//! `cargo run --release --package atrous-lab --bin shadow_edges -- --scene hall`
+//! `cargo run --release --package atrous-measure --bin shadow_edges -- --scene hall`
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -9,10 +9,10 @@ use ash::vk::Extent2D;
 use atrous::config::Preset;
 use atrous::Tuning;
 use atrous_engine::{DenoiserOptions, FrameDenoiser, Gpu, GpuOptions, PathTracer, Scene, SceneOptions, TracerOptions};
-use atrous_lab::measure::Frame;
 use atrous_lab::pictures::{Column, Picture, Strip, TextTable};
-use atrous_lab::shadows::{ShadowEdges, ShadowGuides};
-use atrous_lab::Result;
+use atrous_measure::measure::Frame;
+use atrous_measure::shadows::{ShadowEdges, ShadowGuides};
+use atrous_measure::Result;
 use clap::Parser;
 
 /// Measures the edges of the sun's shadows.

@@ -1,6 +1,6 @@
 //! Quality for the price: presets and kernels as points, CPU time against error, on sequences with references. Writes `price.png`, the
 //! mean over the sequences, `price_sequences.png`, `price.md` and `price.json`:
-//! `cargo run --release -p atrous-lab --example price -- SEQUENCE... --out FOLDER`. docs/lab/performance.md shows the last run.
+//! `cargo run --release -p atrous-measure --example price -- SEQUENCE... --out FOLDER`. docs/lab/performance.md shows the last run.
 
 mod filters;
 mod front;

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::pages::{Cell, Comparison, Curves, HeatMap, Page, Section, Table};
-use crate::pictures::Picture;
 use crate::Result;
+use atrous_lab::pages::{Cell, Comparison, Curves, HeatMap, Page, Section, Table};
+use atrous_lab::pictures::Picture;
 
 use super::claims::Claim;
 use super::contenders::{BEST, NOISY};

@@ -4,8 +4,8 @@ use ash::vk::Extent2D;
 use atrous::config::{Preset, Signals};
 use atrous_engine::testing::{built_in, Validated};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, Gpu, PathTracer, SceneOptions, TracerOptions};
-use atrous_lab::measure::Frame;
 use atrous_lab::scores::{rmse, Rgb};
+use atrous_measure::measure::Frame;
 
 const EXTENT: Extent2D = Extent2D { width: 160, height: 90 };
 const PATHS: u32 = 64;

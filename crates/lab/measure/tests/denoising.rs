@@ -4,7 +4,7 @@ use ash::vk::Extent2D;
 use atrous::config::{EawWeights, PostProcess, Preset, Signals};
 use atrous_engine::testing::{built_in, Validated, SMALL};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
-use atrous_lab::measure::{Frame, Scores};
+use atrous_measure::measure::{Frame, Scores};
 
 const EXTENT: Extent2D = Extent2D { width: 256, height: 144 };
 

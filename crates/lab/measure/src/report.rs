@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::pictures::{Column, Picture, PictureError, Strip, TextTable};
 use atrous::DebugView;
+use atrous_lab::pictures::{Column, Picture, PictureError, Strip, TextTable};
 
 use crate::measure::{Frame, Scores};
 use crate::Result;

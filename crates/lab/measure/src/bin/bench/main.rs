@@ -1,5 +1,5 @@
 //! Time, traffic and memory of every pass, and what a driver's compiler makes of the shaders: `cargo run --release -p
-//! atrous-lab --bin bench -- --help`. docs/lab/performance.md says how to read it.
+//! atrous-measure --bin bench -- --help`. docs/lab/performance.md says how to read it.
 
 mod against;
 mod clock;

@@ -7,7 +7,7 @@ use atrous::config::Preset;
 use atrous_engine::scene::{Material, Medium, View};
 use atrous_engine::testing::{built_in, cube, mean, render, rgb, tracer, Validated, SMALL};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, Scene, SceneOptions, TracerOptions};
-use atrous_lab::measure::Frame;
+use atrous_measure::measure::Frame;
 use glam::{vec3, Affine3A, Vec3};
 
 /// Thin fog in front of a wall that shines evenly from all sides: what it scatters is its coefficient times the length of the ray.

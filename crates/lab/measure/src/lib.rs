@@ -1,0 +1,18 @@
+//! What the filters make of the miniature engine: frames with their scores, the command `evaluate` of the demo, and the programs
+//! `bench` and `shadow_edges`; the example `price` draws time against error. Scores, pictures and pages are those of `atrous-lab`.
+
+#![forbid(unsafe_code)]
+
+mod error;
+pub mod evaluate;
+pub mod files;
+pub mod measure;
+pub mod options;
+pub mod progress;
+pub mod report;
+pub mod running;
+pub mod shadows;
+mod times;
+pub mod volume;
+
+pub use error::{Error, Result};
