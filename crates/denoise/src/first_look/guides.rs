@@ -88,7 +88,7 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
             }
         };
         setup.note(format!(
-            "  note: {name} is noisy in {:.0} % of the picture, as it is behind fog and out of focus: {done}",
+            "  note: {name} is noisy in {:.0} % of where it is, as it is behind fog and out of focus: {done}",
             100.0 * noisy
         ));
     }

@@ -7,10 +7,24 @@ const TILE: usize = 16;
 const DIFFERS: f32 = 0.02;
 /// The least mean that a deviation is compared with.
 const LEAST_MEAN: f32 = 0.01;
-/// The share of such pixels in a noisy tile.
+/// The share of such pixels in a noisy tile, of those with a value in or beside them.
 const ROUGH: f32 = 0.5;
 /// The least ratio of the change between frames to that between neighbours in a noisy tile.
 const UNSTEADY: f32 = 0.7;
+/// The share of pixels with a value in a tile that counts.
+const LEAST_VALUED: f32 = 0.15;
+/// The share of noisy tiles from which on those without a value are not counted: below, it may be a
+/// flame or a screen, which changes as noise does.
+const WORTH: f32 = 0.1;
+
+/// What a part of an image has.
+#[derive(Clone, Copy, PartialEq)]
+enum Tile {
+    /// Hardly a value that is not 0.
+    Empty,
+    Surface,
+    Noise,
+}
 
 /// An image of one value a pixel, in two frames, with the motion from the second to the first.
 pub struct Pair<'a> {
@@ -20,29 +34,37 @@ pub struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// The share of tiles that are noise.
+    /// The share of tiles that are noise: of those with a value, since a part of the light is nothing in
+    /// most of the picture; of all, where those that are noise are few.
     pub fn noisy_share(&self) -> f32 {
         let [width, height] = self.extent.map(|side| side as usize);
-        let (mut noisy, mut all) = (0usize, 0usize);
+        let (mut noisy, mut all, mut empty) = (0usize, 0usize, 0usize);
         for y in (0..height.saturating_sub(TILE - 1)).step_by(TILE) {
             for x in (0..width.saturating_sub(TILE - 1)).step_by(TILE) {
-                if let Some(is_noise) = self.is_noise(x, y) {
+                if let Some(tile) = self.tile(x, y) {
                     all += 1;
-                    noisy += usize::from(is_noise);
+                    noisy += usize::from(tile == Tile::Noise);
+                    empty += usize::from(tile == Tile::Empty);
                 }
             }
         }
-        noisy as f32 / all.max(1) as f32
+        let of_all = noisy as f32 / all.max(1) as f32;
+        if of_all < WORTH {
+            of_all
+        } else {
+            noisy as f32 / (all - empty) as f32
+        }
     }
 
-    /// Whether a tile is noise; none where too little of it was there in the frame before.
-    fn is_noise(&self, left: usize, top: usize) -> Option<bool> {
-        let (mut seen, mut rough, mut between_frames, mut beside) = (0usize, 0usize, 0.0, 0.0);
+    /// What a tile is; none where too little of it was there in the frame before.
+    fn tile(&self, left: usize, top: usize) -> Option<Tile> {
+        let (mut seen, mut valued, mut rough, mut between_frames, mut beside) = (0usize, 0usize, 0usize, 0.0, 0.0);
         for y in top..top + TILE {
             for x in left..left + TILE {
                 let Some(change) = self.change(x, y) else { continue };
                 seen += 1;
                 let (mean, deviation) = self.around(x, y);
+                valued += usize::from(mean != 0.0 || deviation > 0.0);
                 if deviation > DIFFERS * mean.abs().max(LEAST_MEAN) {
                     rough += 1;
                     between_frames += change;
@@ -50,8 +72,13 @@ impl Pair<'_> {
                 }
             }
         }
-        let is_noise = rough as f32 > ROUGH * seen as f32 && between_frames > UNSTEADY * beside;
-        (2 * seen >= TILE * TILE).then_some(is_noise)
+        let is_noise = rough as f32 > ROUGH * valued as f32 && between_frames > UNSTEADY * beside;
+        let tile = match (valued as f32) < LEAST_VALUED * seen as f32 {
+            true => Tile::Empty,
+            false if is_noise => Tile::Noise,
+            false => Tile::Surface,
+        };
+        (2 * seen >= TILE * TILE).then_some(tile)
     }
 
     /// The difference of a pixel from its place in the frame before.

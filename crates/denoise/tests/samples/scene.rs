@@ -8,6 +8,10 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 pub const SIZE: [usize; 2] = [64, 36];
 const RADIUS: f32 = 0.6;
 const SKY: f32 = 0.6;
+/// Where the fog before the sky ends.
+const SKY_DEPTH: f32 = 12.0;
+/// Light that the fog scatters.
+const FOG: [f32; 3] = [0.35, 0.4, 0.5];
 
 /// What a pixel shows.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,6 +25,9 @@ pub struct Seen {
     /// Radiance without noise, and with it.
     pub reference: [f32; 3],
     pub noisy: [f32; 3],
+    /// What the fog scatters, and the sky as it is seen: parts of `noisy`.
+    pub volume: [f32; 3],
+    pub environment: [f32; 3],
     /// Pixels to the previous frame, y down.
     pub motion: [f32; 2],
 }
@@ -36,11 +43,14 @@ pub struct Scene {
     pub samples: u32,
     /// The ball is carried by the camera.
     pub is_carried: bool,
+    /// Extinction of a fog, in 1 over the unit of depth. Where there is one, albedo, normal and depth
+    /// are means over what the paths of a pixel met, as renderers write them.
+    pub fog: f32,
 }
 
 impl Default for Scene {
     fn default() -> Self {
-        Self { speed: 0.03, animates: true, samples: 2, is_carried: false }
+        Self { speed: 0.03, animates: true, samples: 2, is_carried: false, fog: 0.0 }
     }
 }
 
@@ -97,7 +107,44 @@ impl Scene {
             seen.reference = seen.albedo.map(|a| a * irradiance);
             seen.noisy = seen.reference.map(|v| v * factor);
         }
+        seen.environment = if seen.id == 0 { seen.noisy } else { [0.0; 3] };
         seen.motion = self.motion(frame, &seen, ray, at);
+        if self.fog > 0.0 {
+            self.in_fog(&seen, |i| noise(x, y, 1_000_000 + frame * 256 + i))
+        } else {
+            seen
+        }
+    }
+
+    /// The pixel behind fog: each path either ends in it, or reaches the surface.
+    fn in_fog(&self, behind: &Seen, random: impl Fn(u32) -> f32) -> Seen {
+        let length = if behind.id == 0 { SKY_DEPTH } else { behind.depth };
+        let through = (-self.fog * length).exp();
+        let reference = std::array::from_fn(|c| through * behind.reference[c] + (1.0 - through) * FOG[c]);
+        let clear = Seen { albedo: [0.0; 3], normal: [0.0; 3], depth: 0.0, noisy: [0.0; 3], environment: [0.0; 3], ..*behind };
+        let mut seen = Seen { reference, ..clear };
+        let share = 1.0 / self.samples as f32;
+        let add = |sum: &mut [f32; 3], value: [f32; 3], weight: f32| {
+            sum.iter_mut().zip(value).for_each(|(sum, v)| *sum += share * weight * v);
+        };
+        for i in 0..self.samples {
+            let [distance, light] = [3 * i, 3 * i + 1].map(|i| -(1.0 - random(i)).max(1e-6).ln());
+            let distance = distance / self.fog;
+            if distance < length {
+                add(&mut seen.volume, FOG, light);
+                add(&mut seen.noisy, FOG, light);
+                seen.depth += share * distance;
+                continue;
+            }
+            let light = if behind.id == 0 { 1.0 } else { light };
+            add(&mut seen.noisy, behind.reference, light);
+            add(&mut seen.normal, behind.normal, 1.0);
+            seen.depth += share * length;
+            match behind.id {
+                0 => add(&mut seen.environment, behind.reference, 1.0),
+                _ => add(&mut seen.albedo, behind.albedo, 1.0),
+            }
+        }
         seen
     }
 

@@ -9,6 +9,7 @@ use std::path::Path;
 const FRAMES: u32 = 5;
 /// Values above this are cut before they are compared: no firefly decides.
 const CAP: f32 = 4.0;
+const SCENE: Scene = Scene { speed: 0.03, animates: true, samples: 8, is_carried: false, fog: 0.0 };
 
 /// A kind of input: its name, the scene, what is written of a frame, and the unit of its light.
 struct Kind {
@@ -54,6 +55,13 @@ fn transparent(folder: &Path, number: u32, frame: &Frame) {
     sample.write(&path(folder, number));
 }
 
+/// Blender's passes: what the fog scatters is apart, and all guides are noisy.
+fn fog(folder: &Path, number: u32, frame: &Frame) {
+    let sample = blender(frame, |s| s.noisy);
+    let sample = frame.add(sample, "ViewLayer.VolumeDir", "RGB", |s| s.volume);
+    frame.add(sample, "ViewLayer.Env", "RGB", |s| s.environment).write(&path(folder, number));
+}
+
 fn negative(folder: &Path, number: u32, frame: &Frame) {
     // A filter with negative lobes: one pixel in eight gives light to the next one, and more than it has.
     let mut pixels: Vec<Seen> = frame.pixels.to_vec();
@@ -94,74 +102,63 @@ fn grey(folder: &Path, number: u32, frame: &Frame) {
 const KINDS: &[Kind] = &[
     Kind {
         name: "plain layers",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: false },
+        scene: SCENE,
         write: |folder, number, frame| frame.plain().write(&path(folder, number)),
         has_cameras: true,
         result: ("RGB", 1.0),
     },
     Kind {
         name: "Blender's transparent film",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: false },
+        scene: SCENE,
         write: transparent,
         has_cameras: true,
         result: ("ViewLayer.Combined.RGB", 1.0),
     },
     Kind {
+        name: "Blender's fog",
+        scene: Scene { fog: 0.12, ..SCENE },
+        write: fog,
+        has_cameras: true,
+        result: ("ViewLayer.Combined.RGB", 1.0),
+    },
+    Kind {
         name: "physical units",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: false },
+        scene: SCENE,
         write: |folder, number, frame| scaled(frame, 2e5).write(&path(folder, number)),
         has_cameras: true,
         result: ("RGB", 2e5),
     },
     Kind {
         name: "tiny units",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: false },
+        scene: SCENE,
         write: |folder, number, frame| scaled(frame, 1e-6).write(&path(folder, number)),
         has_cameras: true,
         result: ("RGB", 1e-6),
     },
     Kind {
         name: "the same noise in every frame",
-        scene: Scene { speed: 0.03, animates: false, samples: 16, is_carried: false },
+        scene: Scene { animates: false, samples: 16, ..SCENE },
         write: |folder, number, frame| frame.plain().write(&path(folder, number)),
         has_cameras: true,
         result: ("RGB", 1.0),
     },
     Kind {
         name: "a thing that the camera carries",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: true },
+        scene: Scene { is_carried: true, ..SCENE },
         write: |folder, number, frame| frame.plain().write(&path(folder, number)),
         has_cameras: true,
         result: ("RGB", 1.0),
     },
-    Kind {
-        name: "negative pixels",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: false },
-        write: negative,
-        has_cameras: true,
-        result: ("RGB", 1.0),
-    },
+    Kind { name: "negative pixels", scene: SCENE, write: negative, has_cameras: true, result: ("RGB", 1.0) },
     Kind {
         name: "a file for each guide, with a version",
-        scene: Scene { speed: 0.0, animates: true, samples: 8, is_carried: false },
+        scene: Scene { speed: 0.0, ..SCENE },
         write: apart,
         has_cameras: false,
         result: ("RGB", 1.0),
     },
-    Kind {
-        name: "the colour in the last part",
-        scene: Scene { speed: 0.03, animates: true, samples: 8, is_carried: false },
-        write: parts,
-        has_cameras: true,
-        result: ("RGB", 1.0),
-    },
-    Kind {
-        name: "grey",
-        scene: Scene { speed: 0.0, animates: true, samples: 8, is_carried: false },
-        write: grey,
-        has_cameras: false,
-        result: ("Y", 1.0),
-    },
+    Kind { name: "the colour in the last part", scene: SCENE, write: parts, has_cameras: true, result: ("RGB", 1.0) },
+    Kind { name: "grey", scene: Scene { speed: 0.0, ..SCENE }, write: grey, has_cameras: false, result: ("Y", 1.0) },
 ];
 
 /// A colour in units of the light, of as many channels as there are letters.

@@ -124,6 +124,19 @@ fn blender_with_glossy_passes() {
     assert_eq!((inputs.noisy[1][0], image("albedo")), (1.0, 0.5));
 }
 
+/// What fog scatters is filtered as a volume, and is no part of the surfaces.
+#[test]
+fn blender_with_volume_passes() {
+    let sample = Sample::new(8, 6)
+        .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B", Type::Half, 1.0)
+        .flat("ViewLayer.Depth.Z", Type::Float, 3.0)
+        .flat("ViewLayer.VolumeDir.R ViewLayer.VolumeDir.G ViewLayer.VolumeDir.B", Type::Half, 0.25)
+        .flat("ViewLayer.VolumeInd.R ViewLayer.VolumeInd.G ViewLayer.VolumeInd.B", Type::Half, 0.125);
+    let (_folder, _, inputs) = good(&sample);
+    let image = |name: &str| inputs.images[name][1][0];
+    assert_eq!((image("noisy_volume"), image("noisy_radiance"), inputs.noisy[1][0]), (0.375, 0.625, 1.0));
+}
+
 /// The split that data sets of this project have; their roughness is GGX's α.
 #[test]
 fn own_data_sets_with_specular_light() {

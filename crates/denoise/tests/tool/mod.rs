@@ -1,13 +1,16 @@
 //! What the tool reads, refuses and writes.
 
+mod advice_tests;
 mod bad_files;
 mod capture_tests;
 mod check_tests;
 mod compression_tests;
 mod fuzz;
 mod gate;
+mod guide_tests;
 mod keep_tests;
 mod layout_tests;
+mod light_tests;
 mod look_tests;
 mod name_tests;
 #[cfg(unix)]

@@ -133,3 +133,14 @@ fn a_resumed_capture_takes_the_pixels_that_were_re_shaded() {
     let shifted = difference(&expected, &red(other.path(), LAST));
     assert!(resumed < 0.1 * shifted, "a resumed run differs by {resumed}, one of other pixels by {shifted}");
 }
+
+#[test]
+fn what_a_killed_run_left_is_cleared_away() {
+    let (input, out) = (sequence(2), output());
+    denoise(input.path(), out.path(), &[]).expect("a run");
+    std::fs::remove_file(frame_path(out.path(), 1)).expect("removed");
+    std::fs::write(out.path().join(".atrous-killed.part"), "half").expect("a file");
+    denoise(input.path(), out.path(), &["--resume"]).expect("resumed");
+    let names = std::fs::read_dir(out.path()).expect("a folder").map(|e| e.expect("a file").file_name());
+    assert!(names.into_iter().all(|name| !name.to_string_lossy().ends_with(".part")));
+}
