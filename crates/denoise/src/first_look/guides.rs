@@ -59,7 +59,9 @@ pub fn check(pair: &[FrameInputs; 2], setup: &mut Setup) -> Result<()> {
         return Ok(());
     }
     let surface = motion::of_frame(now, &before.params, &setup.config.conventions);
-    let is_known = setup.mapping.has(Role::Motion) || setup.sequence.is_some();
+    // Matrices alone do not say where a surface was.
+    let has_depth = DEPTH.iter().any(|role| setup.mapping.has(*role));
+    let is_known = setup.mapping.has(Role::Motion) || (setup.sequence.is_some() && has_depth);
     let limit = if is_known { NOISY } else { NOISY_UNKNOWN };
     let share = |values: [Vec<f32>; 2]| {
         let values = values.each_ref().map(Vec::as_slice);

@@ -71,3 +71,14 @@ fn noise_in_alpha_is_told_of() {
     };
     assert!(told(true) && !told(false));
 }
+
+/// Without depth and motion nobody knows where a texture was: that it changes proves little.
+#[test]
+fn a_texture_that_moves_is_no_noise() {
+    let scene = Scene { speed: 0.15, ..Scene::default() };
+    let input = written(scene, 2, |_, frame| {
+        let sample = frame.add(Frame::sample(), "", "RGB", |s| s.noisy);
+        frame.add(sample, "albedo", "RGB", |s| s.albedo)
+    });
+    assert!(looked_at(input.path()).0.mapping.has(Role::Albedo));
+}
