@@ -43,8 +43,8 @@ pub struct Range {
 pub struct Excess {
     /// Pixels of surfaces that were cut.
     pub cut: usize,
-    /// What was cut from the emission and the background, which the filter passes on: pixel, and light
-    /// before the scale.
+    /// Emission and background that go by the filter, which would pass them on: pixel, and light before
+    /// the scale.
     passed: Vec<(usize, [f32; 3])>,
 }
 
@@ -97,14 +97,17 @@ impl Range {
         for (name, texels) in images.iter_mut().filter(|(name, _)| LIGHT.contains(name)) {
             let is_part = !matches!(*name, "reshaded_radiance" | "other_denoised_radiance" | "sparse_gradient");
             for (i, texel) in texels.iter_mut().enumerate() {
-                let whole: [f32; 3] = std::array::from_fn(|c| texel[c] * factor);
+                let light = [texel[0], texel[1], texel[2]];
+                let whole = light.map(|v| v * factor);
                 let fits = whole.map(|v| v.clamp(-MAX, MAX));
                 *texel = [fits[0], fits[1], fits[2], texel[3]];
                 if !is_part || whole.iter().all(|v| v.is_nan() || v.abs() <= MAX) {
                     continue;
                 }
                 if *name == "emission" || is_background(i) {
-                    excess.passed.push((i, std::array::from_fn(|c| (whole[c] - fits[c]) / factor)));
+                    // All of it: beside other light, the largest half float would become infinite.
+                    *texel = [0.0, 0.0, 0.0, texel[3]];
+                    excess.passed.push((i, light));
                 } else {
                     excess.cut += 1;
                 }
@@ -159,7 +162,7 @@ mod tests {
             ("albedo", vec![[0.5; 4]; 3]),
         ]);
         let excess = range.scale(&mut images, |i| i == 1);
-        assert_eq!((images["noisy_radiance"][0][0], images["noisy_radiance"][1][0], images["albedo"][0][0]), (1.0, MAX, 0.5));
+        assert_eq!((images["noisy_radiance"][0][0], images["noisy_radiance"][1][0], images["albedo"][0][0]), (1.0, 0.0, 0.5));
         assert_eq!(excess.cut, 1);
         // The filter passes emission and background, and adds them.
         let mut result: Vec<[f32; 3]> =

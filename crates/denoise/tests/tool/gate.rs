@@ -131,9 +131,9 @@ const KINDS: &[Kind] = &[
     Kind {
         name: "tiny units",
         scene: SCENE,
-        write: |folder, number, frame| scaled(frame, 1e-6).write(&path(folder, number)),
+        write: |folder, number, frame| scaled(frame, 1e-9).write(&path(folder, number)),
         has_cameras: true,
-        result: ("RGB", 1e-6),
+        result: ("RGB", 1e-9),
     },
     Kind {
         name: "the same noise in every frame",
