@@ -5,6 +5,7 @@ mod depth;
 mod guides;
 mod noise;
 mod parts;
+mod reflectance;
 mod tiles;
 
 use crate::check;
@@ -36,6 +37,9 @@ pub fn take(frames: &[FrameFiles], setup: &mut Setup) -> Result<Vec<String>> {
     for finding in findings {
         setup.leave_out(&finding.roles)?;
         setup.note(finding.note);
+    }
+    if let Some(first) = frames.first().and_then(|first| frame::load(first, setup).ok()) {
+        reflectance::check(&first, setup)?;
     }
     if let Some(pair) = pair(frames, setup) {
         guides::check(&pair, setup)?;
