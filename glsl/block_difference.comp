@@ -3,7 +3,7 @@
 // Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (src/nodes/block_difference/specification.md).
 // In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance (filter_ping), irradiance_history, moments (previous).
 //      Pixels without a sample (alpha -1) do not count.
-// Out: block_difference, four half floats a block: mean, deviation, pixels, mean luminance of the brighter side.
+// Out: block_difference, one texel a block: mean, deviation, pixels, noise, mean luminance of the brighter side.
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -34,7 +34,12 @@ struct Sums {
     float before;
     float squared_difference;
     float uncertainty;  // 1/N: what the noise of the history adds, relative to that of one sample
+    float curvature;    // squared second differences along columns
+    float curved;       // their number
+    float variance;     // of samples, up to the previous frame
 };
+
+const Sums NONE = Sums(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0);
 
 // Of the columns of the blocks in a row.
 shared Sums sums[ROW_PIXELS];
@@ -46,10 +51,12 @@ Sums sums_of(ivec2 pixel) {
     vec4 texel = imageLoad(irradiance, p);
     float now = luminance(texel.rgb);
     float before = min(luminance(imageLoad(history, tap).rgb) * frame.exposure_ratio, 65504.0);
-    float history_length = unpack_moments(texelFetch(previous_moments, tap, 0)).history_length;
-    Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), 1.0 / max(history_length, 1.0));
+    Moments moments = unpack_moments(texelFetch(previous_moments, tap, 0));
+    float deviation = moments.deviation * frame.exposure_ratio;
+    float uncertainty = 1.0 / max(moments.history_length, 1.0);
+    Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), uncertainty, 0.0, 0.0, deviation * deviation);
     if (counts && p == pixel && texel.a >= 0.0) return of_sample;
-    return Sums(0.0, 0.0, 0.0, 0.0, 0.0);
+    return NONE;
 }
 
 void add(inout Sums sum, Sums other) {
@@ -58,14 +65,25 @@ void add(inout Sums sum, Sums other) {
     sum.before += other.before;
     sum.squared_difference += other.squared_difference;
     sum.uncertainty += other.uncertainty;
+    sum.curvature += other.curvature;
+    sum.curved += other.curved;
+    sum.variance += other.variance;
 }
 
 void main() {
     uint i = gl_LocalInvocationIndex;
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
     // Columns, then the sums of a block's columns: the order is fixed, and one barrier does.
-    Sums sum = sums_of(top);
-    for (int y = 1; y < BLOCK_SIZE; ++y) add(sum, sums_of(top + ivec2(0, y)));
+    Sums sum = sums_of(top), above = NONE, middle = sum;
+    for (int y = 1; y < BLOCK_SIZE; ++y) {
+        Sums below = sums_of(top + ivec2(0, y));
+        float curve = above.now - 2.0 * middle.now + below.now, counts = above.count * middle.count * below.count;
+        sum.curvature += counts * curve * curve;
+        sum.curved += counts;
+        above = middle;
+        middle = below;
+        add(sum, below);
+    }
     sums[i] = sum;
     barrier();
     if (i >= ROW_BLOCKS) return;
@@ -77,7 +95,8 @@ void main() {
     float mean = (sum.now - sum.before) * inverse;
     float variance = max(0.0, sum.squared_difference * inverse - mean * mean) * (1.0 + sum.uncertainty * inverse);
     float brighter = max(sum.now, sum.before) * inverse;
-    vec3 values = clamp(vec3(mean, sqrt(variance), brighter), -65504.0, 65504.0);
-    uvec4 packed = uvec4(half_bits(values.x), half_bits(values.y), half_bits(sum.count), half_bits(values.z));
-    imageStore(block_difference, block, packed);
+    // Of white noise, a second difference has six times its variance. Without one, nothing is known of it. Rare light shows in its past alone.
+    float noise_now = sum.curvature / (6.0 * max(sum.curved, 1.0)), noise_before = sum.variance * inverse;
+    float noise = sum.curved > 0.0 && brighter > 0.0 ? sqrt(max(noise_now, noise_before)) / brighter : LOUD;
+    imageStore(block_difference, block, pack_block_difference(BlockDifference(mean, sqrt(variance), sum.count, brighter, noise)));
 }

@@ -1,7 +1,9 @@
 #version 450
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
-// Source: [PSVGF], block percentiles. Deviation: ranks by counting; the published odd-even sort is there to compare, and gives the same.
-// In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block.
+// Source: [PSVGF], block percentiles. Deviations: ranks by counting; the published odd-even sort is there to compare, and gives the same.
+// A bit says whether the brightest pixels are a cluster.
+// In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block; up is negative
+// where the pixels from up on lie beside each other in a darker block.
 // Pixels outside the render extent, background and pixels without a sample (alpha -1) do not take part. Without any: 0, 0.
 // Constants: VOLUME: the background takes part, since fog lies before it. ODD_EVEN: the published sort.
 #extension GL_EXT_control_flow_attributes : require
@@ -28,11 +30,17 @@ layout(set = 0, binding = 3, r32ui) uniform writeonly uimage2D block_percentiles
 
 bool takes_part(ivec2 p) { return is_inside(p) && (VOLUME || guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0); }
 
+// A cluster of outliers, such as a sample that a pixel filter spread over 3x3 pixels, is less than the rest of a block, and far above it.
+const float REST_SHARE = 0.7;
+const float CLUMP_EXCESS = 3.0;
+
 // Behind every luminance that a half float holds.
 const float NO_PIXEL = 1e30;
 
 shared float keys[BLOCK_PIXELS];
 shared float sorted_keys[BLOCK_PIXELS];
+// Pixels of a cluster, less those that are scattered.
+shared int clumped;
 
 // One barrier: each key finds its own place.
 void sort_by_counting(uint i) {
@@ -65,18 +73,37 @@ float percentile(float share, uint count) {
     return count == 0u ? 0.0 : sorted_keys[uint(share * float(count - 1u) + 0.5)];
 }
 
+bool is_pixel(uint i) { return keys[i] < NO_PIXEL; }
+
+bool is_bright(uint i, float least) { return is_pixel(i) && keys[i] > least; }
+
+// Whether two pixels beside are bright as well.
+bool is_clumped(uint i, float least) {
+    uint x = i % 8u, y = i / 8u, beside = 0u;
+    if (x > 0u) beside += uint(is_bright(i - 1u, least));
+    if (x < 7u) beside += uint(is_bright(i + 1u, least));
+    if (y > 0u) beside += uint(is_bright(i - 8u, least));
+    if (y < 7u) beside += uint(is_bright(i + 8u, least));
+    return beside >= 2u;
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     uint i = gl_LocalInvocationIndex;
     vec4 texel = takes_part(p) ? texelFetch(irradiance, p, 0) : vec4(-1.0);
     keys[i] = texel.a >= 0.0 ? luminance(texel.rgb) : NO_PIXEL;
+    if (i == 0u) clumped = 0;
     barrier();
     if (ODD_EVEN) sort_odd_even(i);
     else sort_by_counting(i);
-    if (i != 0u) return;
     uint count = 0u;
     for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
     float low = min(push.percentile_low, push.percentile_up);
     vec2 percentiles = vec2(percentile(low, count), percentile(push.percentile_up, count));
-    imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(packHalf2x16(min(percentiles, 65504.0))));
+    float far_above = CLUMP_EXCESS * percentile(REST_SHARE, count);
+    if (is_pixel(i) && keys[i] >= percentiles.y) atomicAdd(clumped, is_clumped(i, far_above) ? 1 : -1);
+    barrier();
+    if (i != 0u) return;
+    BlockPercentiles block = BlockPercentiles(percentiles, clumped > 0);
+    imageStore(block_percentiles, ivec2(gl_WorkGroupID.xy), uvec4(pack_block_percentiles(block)));
 }

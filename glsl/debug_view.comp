@@ -1,11 +1,11 @@
 #version 450
 // What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
 // Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
-// In:  guide, surface_motion, statistics; moments, block_percentiles and irradiance_history per signal, history_confidence, gradient, noisy
-//      radiance per signal and albedo, reflection, visibility_history, each where the graph has it.
+// In:  guide, surface_motion, statistics; moments, block_percentiles, firefly_limits and irradiance_history per signal, history_confidence,
+//      gradient, noisy radiance per signal and albedo, reflection, visibility_history, each where the graph has it.
 // Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
 // optional: surface_motion, moments_0, moments_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
-// optional: gradient, noisy_1, albedo, reflection, visibility_history
+// optional: gradient, noisy_1, albedo, reflection, visibility_history, firefly_limits_0, firefly_limits_1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -16,8 +16,6 @@ layout(push_constant) uniform Push {
     uint level;  // number of the view
     uint present;
     float alpha;
-    float percentile_range;
-    float firefly_bias;
     float light_radius;
 } push;
 
@@ -29,7 +27,7 @@ layout(push_constant) uniform Push {
 #include "moments.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
-#include "firefly_limit.glsl"
+#include "blocks.glsl"
 #include "strata.glsl"
 #include "reflection.glsl"
 #include "visibility.glsl"
@@ -50,6 +48,8 @@ const uint NOISY_1 = 13u;
 const uint ALBEDO = 14u;
 const uint REFLECTION = 16u;
 const uint VISIBILITY_HISTORY = 17u;
+const uint FIREFLY_LIMITS_0 = 18u;
+const uint FIREFLY_LIMITS_1 = 19u;
 
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 PACKED_IMAGE(2, guide);
@@ -68,12 +68,14 @@ layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 15, rgba16f) uniform writeonly image2D debug_view;
 layout(set = 0, binding = REFLECTION) uniform utexture2D reflection;
 layout(set = 0, binding = VISIBILITY_HISTORY) uniform utexture2D visibility_history;
+layout(set = 0, binding = FIREFLY_LIMITS_0) uniform utexture2D firefly_limits_0;
+layout(set = 0, binding = FIREFLY_LIMITS_1) uniform utexture2D firefly_limits_1;
 
 #include "virtual_motion.glsl"
 
 // In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; FRAME: none.
 const uint NEEDED[20] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
-                               BLOCK_PERCENTILES_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME, REFLECTION, REFLECTION,
+                               FIREFLY_LIMITS_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME, REFLECTION, REFLECTION,
                                REFLECTION, REFLECTION, VISIBILITY_HISTORY, VISIBILITY_HISTORY);
 const uint VIEW_HISTORY_LENGTH = 0u;
 const uint VIEW_VARIANCE = 1u;
@@ -147,23 +149,23 @@ float filter_deviation(ivec2 p) {
 }
 
 vec4 percentiles_at(ivec2 p) {
-    vec2 low_up = unpack_block_percentiles(texelFetch(block_percentiles_0, p / BLOCK_SIZE, 0).x);
-    float other = is_present(BLOCK_PERCENTILES_1) ? unpack_block_percentiles(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).y : 0.0;
+    vec2 low_up = unpack_block_percentiles(texelFetch(block_percentiles_0, p / BLOCK_SIZE, 0).x).low_up;
+    float other = is_present(BLOCK_PERCENTILES_1) ? unpack_block_percentiles(texelFetch(block_percentiles_1, p / BLOCK_SIZE, 0).x).low_up.y : 0.0;
     return vec4(compressed(low_up.x), compressed(low_up.y), compressed(other), low_up.y);
 }
 
-// The part of the luminance that is above the limit of firefly.comp.
-float excess(ivec2 p, texture2D noisy, utexture2D percentiles) {
+// The part of the luminance that firefly.comp cuts off.
+float excess(ivec2 p, texture2D noisy, utexture2D firefly_limits) {
     vec3 radiance = texelFetch(noisy, p, 0).rgb, divisor = vec3(1.0);
     if (!is_finite(radiance)) return 0.0;
     if (is_present(ALBEDO)) divisor = divisor_of(texelFetch(albedo, p, 0).rgb);
-    float l = luminance(half_range(exposed(radiance) / divisor)), limit = firefly_limit(percentiles, p / BLOCK_SIZE);
+    float l = luminance(half_range(exposed(radiance) / divisor)), limit = unpack_firefly_limits(texelFetch(firefly_limits, p / CELL_SIZE, 0).x).limit;
     return limit > 0.0 && l > limit ? 1.0 - limit / l : 0.0;
 }
 
 vec4 fireflies_at(ivec2 p) {
-    float share = excess(p, noisy_0, block_percentiles_0);
-    if (is_present(BLOCK_PERCENTILES_1) && is_present(NOISY_1)) share = max(share, excess(p, noisy_1, block_percentiles_1));
+    float share = excess(p, noisy_0, firefly_limits_0);
+    if (is_present(FIREFLY_LIMITS_1) && is_present(NOISY_1)) share = max(share, excess(p, noisy_1, firefly_limits_1));
     return vec4(false_colour(share), share);
 }
 

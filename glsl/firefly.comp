@@ -1,9 +1,8 @@
 #version 450
 // Scales outliers down to the brightest luminance that is usual around them, before they reach the history, and spreads what that takes
 // over the block.
-// Source: [PSVGF], firefly filter. Deviations: the largest limit of the 3x3 blocks, so that a small lit corner of a dark block is kept; what
-// is cut off is not lost, but for what would show as a bright block.
-// In:  guide, block_percentiles. In place: filter_ping, noisy irradiance, own block only.
+// Source: [PSVGF], firefly filter. Deviation: what is cut off is not lost, but for what would show as a bright block.
+// In:  guide, firefly_limits. In place: filter_ping, noisy irradiance, own block only.
 // Constants: VOLUME: of every pixel, whatever the guide says.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -12,21 +11,22 @@
 layout(constant_id = 1) const bool VOLUME = false;
 
 layout(push_constant) uniform Push {
-    float percentile_range;
-    float firefly_bias;
     float firefly_spread;
 } push;
 
 #include "frame.glsl"
 #include "guide.glsl"
 #include "luminance.glsl"
-#include "firefly_limit.glsl"
+#include "blocks.glsl"
 
 layout(local_size_x = ROW_PIXELS) in;
 
 layout(set = 0, binding = 1) uniform utexture2D guide;
-layout(set = 0, binding = 2) uniform utexture2D block_percentiles;
+layout(set = 0, binding = 2) uniform utexture2D firefly_limits;
 layout(set = 0, binding = 3, rgba16f) uniform image2D irradiance;
+
+// Of a cluster, in shares of what one outlier spreads at most: more would show.
+const float CLUSTER_SPREAD = 0.5;
 
 // Irradiance that is cut off, and the pixels that share it, of the columns of the blocks in a row.
 shared vec4 columns[ROW_PIXELS];
@@ -36,26 +36,33 @@ bool takes_part(ivec2 p, vec4 value) {
     return is_inside(p) && value.a >= 0.0 && (VOLUME || guide_depth(GuideBits(texelFetch(guide, p, 0))) != 0.0);
 }
 
-// The share of a luminance that is kept.
-float kept_share(float l, float limit) { return limit > 0.0 && l > limit ? limit / l : 1.0; }
+// The share of a luminance that is kept. The pixels of a cluster add up: the further they are above the limit, the less of each is left.
+float kept_share(float l, FireflyLimit limit) {
+    if (limit.limit == 0.0 || l <= limit.limit) return 1.0;
+    float share = limit.limit / l;
+    return limit.is_cluster ? share * share : share;
+}
 
-vec4 column_of(ivec2 top, float limit) {
+FireflyLimit limit_at(ivec2 p) { return unpack_firefly_limits(texelFetch(firefly_limits, nearest_inside(p) / CELL_SIZE, 0).x); }
+
+vec4 column_of(ivec2 top) {
     vec4 sum = vec4(0.0);
+    FireflyLimit limit;
     for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
+        if (y % CELL_SIZE == 0) limit = limit_at(p);
         vec4 value = imageLoad(irradiance, nearest_inside(p));
         if (!takes_part(p, value)) continue;
         float l = luminance(value.rgb), share = 1.0 - kept_share(l, limit);
-        sum += vec4(value.rgb * (share > 0.0 ? min(share, push.firefly_spread * limit / l) : 0.0), 1.0);
+        sum += vec4(value.rgb * (share > 0.0 ? min(share, push.firefly_spread * limit.limit / l) : 0.0), 1.0);
     }
     return sum;
 }
 
 void main() {
     ivec2 top = ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * uint(BLOCK_SIZE));
-    float limit = firefly_limit(block_percentiles, top / BLOCK_SIZE);
     uint i = gl_LocalInvocationIndex;
-    columns[i] = column_of(top, limit);
+    columns[i] = column_of(top);
     barrier();
     uint first = i - i % uint(BLOCK_SIZE);
     vec4 sum = columns[first];
@@ -63,8 +70,11 @@ void main() {
     // In most blocks nothing is cut off.
     if (sum.rgb == vec3(0.0) && push.firefly_spread > 0.0) return;
     vec3 spread = sum.rgb / max(sum.a, 1.0);
+    FireflyLimit limit = limit_at(top);
+    if (limit.is_cluster) spread *= min(1.0, CLUSTER_SPREAD * push.firefly_spread * limit.limit / max(luminance(sum.rgb), 1e-6));
     for (int y = 0; y < BLOCK_SIZE; ++y) {
         ivec2 p = top + ivec2(0, y);
+        if (y % CELL_SIZE == 0) limit = limit_at(p);
         vec4 value = imageLoad(irradiance, nearest_inside(p));
         if (!takes_part(p, value)) continue;
         imageStore(irradiance, p, vec4(storable(value.rgb * kept_share(luminance(value.rgb), limit) + spread), value.a));

@@ -48,7 +48,7 @@ vec2 percentiles_at(ivec2 p, utexture2D blocks) {
         bvec2 is_second = bvec2((i & 1) == 1, i >> 1 == 1);
         ivec2 block = mix(around.first, around.second, is_second);
         vec2 weights = mix(1.0 - around.fraction, around.fraction, is_second);
-        sum += weights.x * weights.y * unpack_block_percentiles(texelFetch(blocks, block, 0).x);
+        sum += weights.x * weights.y * unpack_block_percentiles(texelFetch(blocks, block, 0).x).low_up;
     }
     return sum;
 }

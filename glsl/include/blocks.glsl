@@ -3,11 +3,15 @@
 #ifndef BLOCKS_GLSL
 #define BLOCKS_GLSL
 #include "frame.glsl"
+#include "guide.glsl"
 
 const int BLOCK_SIZE = 8;
 const uint BLOCK_PIXELS = 64u;
 const uint ROW_BLOCKS = 8u;
 const uint ROW_PIXELS = 64u;
+
+// Side of the cells in which outliers are told from light that returns.
+const int CELL_SIZE = 4;
 
 // Blocks that hold at least one pixel of the render extent.
 ivec2 block_extent() { return (ivec2(frame.render_extent) + (BLOCK_SIZE - 1)) / BLOCK_SIZE; }
@@ -17,7 +21,58 @@ bool is_block(ivec2 block) { return all(greaterThanEqual(block, ivec2(0))) && al
 // Position among the centres of the blocks.
 vec2 block_position(ivec2 p) { return (vec2(p) + 0.5) / float(BLOCK_SIZE) - 0.5; }
 
-vec2 unpack_block_percentiles(uint packed) { return unpackHalf2x16(packed); }  // low, up
+// Of the luminance of a block.
+struct BlockPercentiles {
+    vec2 low_up;
+    bool is_clumped;  // its brightest pixels lie beside each other in a darker block
+};
+
+uint pack_block_percentiles(BlockPercentiles p) {
+    return packHalf2x16(min(p.low_up, 65504.0) * vec2(1.0, p.is_clumped ? -1.0 : 1.0));
+}
+
+BlockPercentiles unpack_block_percentiles(uint packed) {
+    vec2 both = unpackHalf2x16(packed);
+    return BlockPercentiles(abs(both), both.y < 0.0);
+}
+
+// How far the light of a block departs from its history.
+struct BlockDifference {
+    float mean;       // this frame minus the history
+    float deviation;  // of one difference, the noise of the history included
+    float count;      // pixels with a history
+    float brighter;   // the larger of the mean luminances of both sides
+    float noise;      // deviation of a sample, as a share of the brighter side; LOUD and more are one
+};
+
+const float LOUD = 0.2;
+const float NOISE_STEPS = 511.0;
+
+uvec4 pack_block_difference(BlockDifference d) {
+    vec3 values = clamp(vec3(d.mean, d.deviation, d.brighter), -65504.0, 65504.0);
+    uint noise = uint(floor(min(d.noise, LOUD) / LOUD * NOISE_STEPS + 0.5));
+    return uvec4(half_bits(values.x), half_bits(values.y), uint(d.count) | noise << 7, half_bits(values.z));
+}
+
+BlockDifference unpack_block_difference(uvec4 packed) {
+    float noise = float(packed.z >> 7) * (LOUD / NOISE_STEPS);
+    return BlockDifference(half_value(packed.x), half_value(packed.y), float(packed.z & 127u), half_value(packed.w), noise);
+}
+
+struct FireflyLimit {
+    float limit;      // 0: none
+    float returning;  // the luminance that comes again at its place from frame to frame
+    bool is_cluster;  // what is above the limit is one sample in several pixels
+};
+
+uint pack_firefly_limit(FireflyLimit l) {
+    return packHalf2x16(min(vec2(l.limit, l.returning), 65504.0) * vec2(l.is_cluster ? -1.0 : 1.0, 1.0));
+}
+
+FireflyLimit unpack_firefly_limits(uint packed) {
+    vec2 both = unpackHalf2x16(packed);
+    return FireflyLimit(abs(both.x), both.y, both.x < 0.0);
+}
 
 struct BlocksAround {
     ivec2 first;

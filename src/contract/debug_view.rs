@@ -71,7 +71,8 @@ impl DebugView {
     const fn needs(self) -> Option<&'static str> {
         match self {
             Self::HistoryLength | Self::Moments | Self::Alpha | Self::Disocclusion => Some("moments_0"),
-            Self::Percentiles | Self::Fireflies => Some("block_percentiles_0"),
+            Self::Percentiles => Some("block_percentiles_0"),
+            Self::Fireflies => Some("firefly_limits_0"),
             Self::Variance => Some("history_0"),
             Self::Lambda => Some("history_confidence"),
             Self::Gradient => Some("gradient"),

@@ -112,9 +112,12 @@ pub mod kind {
     /// history, to 0.
     #[derive(Debug)]
     pub enum Steadiness {}
-    /// Two percentiles of luminance for every 8×8 pixels, packed half floats.
+    /// Percentiles of luminance for every 8×8 pixels, packed half floats.
     #[derive(Debug)]
     pub enum Percentiles {}
+    /// The brightest luminance that is no outlier, for every 8×8 pixels, packed half floats.
+    #[derive(Debug)]
+    pub enum FireflyLimits {}
     /// Departure of a frame from its history, for every 8×8 pixels, packed.
     #[derive(Debug)]
     pub enum Difference {}
@@ -154,6 +157,8 @@ pub type Confidence = Port<kind::Confidence>;
 pub type Steadiness = Port<kind::Steadiness>;
 /// Percentiles of luminance of blocks.
 pub type Percentiles = Port<kind::Percentiles>;
+/// The brightest luminance of blocks that is no outlier.
+pub type FireflyLimits = Port<kind::FireflyLimits>;
 /// Departure of blocks from their history.
 pub type Difference = Port<kind::Difference>;
 /// Display-referred linear colour.

@@ -82,9 +82,10 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
 #[test]
 fn without_adaptivity_every_history_is_kept() {
     let (frame, tuning) = (frame(EXTENT), Tuning { adaptivity: 0.0, ..svgf_tuning() });
-    let difference = Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0 }));
+    let difference =
+        Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0, noise: 0.0 }));
     assert!(change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.texels().iter().all(|c| *c == 1.0));
-    let percentiles = Percentiles { low: 0.0, up: 0.1 };
+    let percentiles = Percentiles { low: 0.0, up: 0.1, is_clumped: false };
     assert_eq!(weight_of_history(&tuning, &percentiles, 9.0), 1.0);
 }
 
@@ -94,7 +95,7 @@ fn blocks_are_steady_where_neither_their_mean_nor_one_of_them_departs() {
     let tuning = Tuning { change_threshold: 2.5, ..svgf_tuning() };
     // A standard error of 0.125 in a block of 64 pixels.
     let steadiness = |mean_of: &dyn Fn(i32, i32) -> f32, count: f32| {
-        let of_block = |x, y| Difference { mean: mean_of(x, y), deviation: 1.0, count, brighter: 1.0 };
+        let of_block = |x, y| Difference { mean: mean_of(x, y), deviation: 1.0, count, brighter: 1.0, noise: 0.2 };
         let difference = paint([5, 5], |x, y| pack_difference(&of_block(x, y)));
         change_test(&frame, &tuning, [40, 40], &[&difference]).steadiness.at(glam::IVec2::splat(2))
     };
@@ -105,4 +106,34 @@ fn blocks_are_steady_where_neither_their_mean_nor_one_of_them_departs() {
     let partly = steadiness(&|x, y| if (x, y) == (2, 2) { 0.375 } else { 0.0 }, 64.0);
     assert!(partly > 0.4 && partly < 0.9, "3 standard errors of one block: {partly}");
     assert_eq!(steadiness(&|_, _| 0.0, 0.0), 0.0, "nothing is known of the background");
+}
+
+/// A shadow that moves by two pixels a frame takes from one side of its block what it gives to the other.
+#[test]
+fn light_without_noise_loses_the_history_of_what_changed() {
+    let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
+    let shadow = |at: i32, noise: f32| {
+        let random = one_sample(7 + at as u32);
+        paint(EXTENT, |x, y| {
+            let light = if (at..at + 6).contains(&x) { 0.2 } else { 1.0 };
+            [light * (1.0 + noise * (random.at(glam::IVec2::new(x, y))[0].min(4.0) - 1.0)); 4]
+        })
+    };
+    let confidence = |noise: f32| {
+        let moments = Moments { mean: 1.0, deviation: noise, history_length: 8.0, reason: 0 };
+        let (history, moments) = (shadow(16, 0.0), Image::new(EXTENT, pack_moments(&moments)));
+        let history = SignalHistory { irradiance: &history, moments: &moments };
+        let guides = HistoryGuides {
+            guide: &guides.guide,
+            surface_motion: &guides.surface_motion,
+            depth_gradient: &guides.depth_gradient,
+            previous_guide: &guides.guide,
+        };
+        let irradiance = shadow(18, noise);
+        let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
+        let all = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;
+        [all.at(glam::IVec2::new(20, 20)), all.at(glam::IVec2::new(42, 20))]
+    };
+    assert_eq!(confidence(0.0), [0.0, 1.0]);
+    assert_eq!(confidence(1.0), [1.0, 1.0], "noise explains it");
 }

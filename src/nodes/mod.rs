@@ -48,6 +48,7 @@ stages! {
     fill_holes,
     filter_exposure,
     firefly,
+    firefly_limits,
     forward_project,
     gradient,
     gradient_atrous,

@@ -19,7 +19,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let samples = gradients.and_then(|gradients| gradients.samples());
     let demodulate = Demodulate { gradient: change.gradient, samples, sampling: config.sampling, ..Demodulate::default() };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
@@ -43,7 +43,7 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,
-        percentiles,
+        usual,
         ..Known::new(&noisy)
     };
     Denoised { radiance, known }

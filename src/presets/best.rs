@@ -1,7 +1,7 @@
 //! The default filter: every part that made pictures better, in one graph.
 
 use super::specular::{compared, modulated, Specular};
-use super::{gradient_samples, noisy, Denoised};
+use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
 use crate::nodes::{
@@ -79,8 +79,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
     let samples = gradients.and_then(|gradients| gradients.samples());
     let demodulate = Demodulate { gradient, samples, sampling: config.sampling, ..Demodulate::default() };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let percentiles = best.firefly_filter.then(|| g.block_percentiles(guides, &irradiance, config.block_sort));
-    let irradiance = percentiles.map_or(irradiance, |percentiles| g.firefly(guides, &irradiance, &percentiles));
+    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, best.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, best.feedback);
     let Confidences { scaled: confidence, unscaled } = match &gradient {
@@ -112,7 +111,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         deviation: true,
         confidence: Some(confidence),
         gradient,
-        percentiles,
+        usual,
         ..Known::new(&noisy)
     };
     Denoised { radiance, known }

@@ -14,7 +14,7 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let levels = config.levels();
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling, ..Demodulate::default() });
-    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let filtered = g.eaw(guides, &irradiance, Eaw { levels, weights, sampling, ..Eaw::default() });
     let radiance = match config.signals {
         Signals::Specular => {
@@ -26,5 +26,5 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         }
         _ => g.modulate(guides, &filtered, modulate(config)),
     };
-    Denoised { radiance, known: Known { percentiles, ..Known::new(&noisy) } }
+    Denoised { radiance, known: Known { usual, ..Known::new(&noisy) } }
 }

@@ -24,7 +24,7 @@ pub fn fast_filter(config: &Config) -> Atrous {
 pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrous) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
-    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Accumulated);
     let difference = g.block_difference(guides, &irradiance, &history);
@@ -35,13 +35,7 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let filtered = g.atrous(guides, &estimate, spatial);
     let (radiance, reflection) =
         modulated(g, guides, config, filtered.into(), Specular { difference: Some(difference), ..Specular::default() });
-    let known = Known {
-        history: Some(history),
-        reflection,
-        deviation: true,
-        confidence: Some(confidence),
-        percentiles,
-        ..Known::new(&noisy)
-    };
+    let known =
+        Known { history: Some(history), reflection, deviation: true, confidence: Some(confidence), usual, ..Known::new(&noisy) };
     Denoised { radiance, known }
 }

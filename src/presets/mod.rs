@@ -32,8 +32,8 @@ pub use volume::volume;
 use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
-use crate::graph::{Graph, Guides, Irradiance, Percentiles, Radiance};
-use crate::nodes::{Import, Known};
+use crate::graph::{Graph, Guides, Irradiance, Radiance};
+use crate::nodes::{Import, Known, Usual};
 
 /// The outputs of a preset.
 #[derive(Clone, Copy, Debug)]
@@ -176,11 +176,27 @@ pub fn post_process(g: &mut Graph, guides: &Guides, post_process: PostProcess, r
     g.output("display", &display);
 }
 
-/// Takes outliers out before the history, where the configuration wants it.
-fn firefly_filter(g: &mut Graph, guides: &Guides, irradiance: Irradiance, config: &Config) -> (Irradiance, Option<Percentiles>) {
-    if !config.firefly_filter {
+/// Takes outliers out before the history, where that is wanted.
+fn firefly_filter(
+    g: &mut Graph,
+    guides: &Guides,
+    irradiance: Irradiance,
+    config: &Config,
+    is_on: bool,
+) -> (Irradiance, Option<Usual>) {
+    if !is_on {
         return (irradiance, None);
     }
-    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
-    (g.firefly(guides, &irradiance, &percentiles), Some(percentiles))
+    let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
+    (irradiance, Some(usual))
+}
+
+/// Takes outliers out. Light that returns stays, where the preset has a history.
+fn without_fireflies(g: &mut Graph, guides: &Guides, irradiance: &Irradiance, config: &Config) -> (Irradiance, Usual) {
+    let percentiles = g.block_percentiles(guides, irradiance, config.block_sort);
+    let limits = match config.has_surface_history() {
+        true => g.firefly_limits(guides, irradiance, &percentiles),
+        false => g.firefly_limits_of_frame(irradiance, &percentiles),
+    };
+    (g.firefly(guides, irradiance, &limits), Usual { percentiles, limits })
 }

@@ -1,7 +1,7 @@
 //! Percentile-based adaptive SVGF [PSVGF].
 
 use super::specular::{modulated, Specular};
-use super::{noisy, Denoised};
+use super::{noisy, without_fireflies, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
 use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
@@ -13,12 +13,11 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, L
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
-    let percentiles = g.block_percentiles(guides, &irradiance, config.block_sort);
-    let irradiance = g.firefly(guides, &irradiance, &percentiles);
+    let (irradiance, usual) = without_fireflies(g, guides, &irradiance, config);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Accumulated);
     let (confidence, difference) = match config.adaptive_rule {
-        AdaptiveRule::Percentiles => (g.percentile_rule(guides, &percentiles, &history), None),
+        AdaptiveRule::Percentiles => (g.percentile_rule(guides, &usual.percentiles, &history), None),
         AdaptiveRule::ChangeTest => {
             let difference = g.block_difference(guides, &irradiance, &history);
             (g.change_test(&difference), Some(difference))
@@ -39,7 +38,7 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         reflection,
         deviation: true,
         confidence: Some(confidence),
-        percentiles: Some(percentiles),
+        usual: Some(usual),
         ..Known::new(&noisy)
     };
     Denoised { radiance, known }

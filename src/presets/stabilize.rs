@@ -19,7 +19,7 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let compared = if gradients.is_some() { g.radiance("noisy_radiance") } else { other };
     let change = change_of_light(g, guides, &compared, gradients);
     let irradiance = g.demodulate(guides, &other, Demodulate { gradient: change.gradient, ..Demodulate::default() });
-    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let history = g.history(&irradiance, Feedback::Accumulated);
     let accumulation = Accumulation { confidence: Some(change.confidence), ..Accumulation::default() };
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, accumulation);
@@ -30,7 +30,7 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         history: Some(history),
         confidence: Some(change.confidence),
         gradient: change.gradient,
-        percentiles,
+        usual,
         ..Known::new(&other)
     };
     Denoised { radiance, known }

@@ -12,7 +12,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, LuminanceWei
 pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });
-    let (irradiance, percentiles) = firefly_filter(g, guides, irradiance, config);
+    let (irradiance, usual) = firefly_filter(g, guides, irradiance, config, config.firefly_filter);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.history(&irradiance, Feedback::Filtered);
     let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
@@ -31,5 +31,5 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             ..Specular::default()
         },
     );
-    Denoised { radiance, known: Known { history: Some(history), reflection, deviation: true, percentiles, ..Known::new(&noisy) } }
+    Denoised { radiance, known: Known { history: Some(history), reflection, deviation: true, usual, ..Known::new(&noisy) } }
 }

@@ -3,7 +3,7 @@
 use super::Denoised;
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides, Radiance};
-use crate::nodes::{Known, Modulate, VolumeAtrous};
+use crate::nodes::{Known, Modulate, Usual, VolumeAtrous};
 
 /// The passes of a volume, alone or after those of any preset for surfaces, whose guides they read.
 /// \[PSVGF\]
@@ -15,9 +15,12 @@ pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let volume = g.volume();
     let motion = g.volume_motion(guides, &volume);
     let mut radiance = g.volume_points(&volume);
-    let percentiles = config.firefly_filter.then(|| g.volume_percentiles(guides, &radiance, config.block_sort));
-    if let Some(percentiles) = &percentiles {
-        radiance = g.volume_firefly(guides, &radiance, percentiles);
+    let usual = config.firefly_filter.then(|| {
+        let percentiles = g.volume_percentiles(guides, &radiance, config.block_sort);
+        Usual { percentiles, limits: g.firefly_limits_of_frame(&radiance, &percentiles) }
+    });
+    if let Some(Usual { limits, .. }) = &usual {
+        radiance = g.volume_firefly(guides, &radiance, limits);
     }
     let history = g.history(&radiance, Feedback::Filtered);
     let accumulated = g.volume_accumulation(guides, &radiance, &history, &motion);
@@ -27,6 +30,6 @@ pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // Its levels are of halves, and those hold it in the exposure of the filter alone.
     let modulate = Modulate { albedo: false, emission: false, float_output: true, ..Modulate::default() };
     let radiance = if config.float_output { g.modulate(guides, &filtered.cast(), modulate) } else { filtered };
-    let known = Known { albedo: false, history: Some(history), deviation: true, percentiles, ..Known::new(&volume.noisy()) };
+    let known = Known { albedo: false, history: Some(history), deviation: true, usual, ..Known::new(&volume.noisy()) };
     Denoised { radiance, known }
 }

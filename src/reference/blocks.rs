@@ -5,6 +5,8 @@ use glam::IVec2;
 
 /// Pixels a side of a block.
 pub(crate) const BLOCK_SIZE: u32 = 8;
+/// Pixels a side of the cells in which outliers are told from light that returns.
+pub(crate) const CELL_SIZE: u32 = 4;
 
 /// The blocks of a render extent; incomplete ones at its right and lower edge count.
 #[derive(Clone, Copy, Debug)]

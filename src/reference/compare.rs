@@ -1,7 +1,7 @@
 //! Rules by which the output of the GPU counts as equal to that of the twin.
 
 use super::binary16::from_half_bits;
-use super::blocks::BLOCK_SIZE;
+use super::blocks::{BLOCK_SIZE, CELL_SIZE};
 use super::guide::unpack_guide;
 use super::moments::unpack_moments;
 use super::octahedral::octahedral10_to_normal;
@@ -9,6 +9,7 @@ use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use super::texels::Texels;
 use super::visibility::unpack_visibility;
+use crate::nodes::block_difference::twin::unpack_difference;
 use glam::IVec2;
 
 /// The difference that two values may have, and the share of texels that may differ by more, since a test against a threshold fell
@@ -34,6 +35,8 @@ pub(crate) enum Reading {
     Counts,
     /// A texel as two or four halves.
     Halves,
+    /// Mean, deviation, pixels, noise and the brighter side of `block_difference*`.
+    BlockDifference,
     /// Depth, normal, roughness and id.
     Guide,
     /// Motion and depth ratio of `surface_motion`.
@@ -63,6 +66,8 @@ pub(crate) enum Unit {
     Pixel,
     /// Every 8×8 pixels.
     Block,
+    /// Every 4×4 pixels.
+    Cell,
     /// Every stratum.
     Stratum,
     /// The frame: it is a single texel.
@@ -121,6 +126,7 @@ impl Rule {
         let extent = match self.per {
             Unit::Pixel => render_extent,
             Unit::Block => render_extent.map(|side| side.div_ceil(BLOCK_SIZE)),
+            Unit::Cell => render_extent.map(|side| side.div_ceil(CELL_SIZE)),
             Unit::Stratum => render_extent.map(|side| side.div_ceil(stratum_size.max(1))),
             Unit::Frame => [1, 1],
             Unit::Buffer => gpu.extent(),
@@ -199,6 +205,10 @@ impl Reading {
             Self::Moments => {
                 let m = unpack_moments(texel);
                 padded([m.mean, m.deviation, m.history_length, m.reason.into()])
+            }
+            Self::BlockDifference => {
+                let d = unpack_difference(texel);
+                padded([d.mean, d.deviation, d.count, d.noise, d.brighter])
             }
             Self::Halves => padded(texel.map(from_half_bits)),
             _ => padded(texel.map(f32::from)),

@@ -3,8 +3,7 @@
 use super::dice::Dice;
 use atrous::config::{BlockSort, Conventions, EawWeights, Sampling};
 use atrous::graph::{
-    Accumulated, Confidence, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Percentiles,
-    Radiance, Value,
+    Accumulated, Confidence, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Value,
 };
 use atrous::nodes::*;
 use atrous::presets::{specular, Specular};
@@ -100,16 +99,16 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
     };
     let demodulate = Demodulate { albedo: divisor(albedo), gradient, samples, sampling };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
-    let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
+    let (irradiance, usual) = without_fireflies(g, dice, guides, irradiance, rule == Rule::Percentiles);
     let irradiance = g.fill_holes(guides, &irradiance, sampling);
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let history = g.history(&irradiance, feedback);
-    match (rule, &percentiles) {
+    match (rule, &usual) {
         (Rule::ChangeTest, _) => {
             let difference = g.block_difference(guides, &irradiance, &history);
             change.confidence = Some(g.change_test(&difference));
         }
-        (Rule::Percentiles, Some(percentiles)) => change.confidence = Some(g.percentile_rule(guides, percentiles, &history)),
+        (Rule::Percentiles, Some(usual)) => change.confidence = Some(g.percentile_rule(guides, &usual.percentiles, &history)),
         _ => {}
     }
     let alpha = dice.one_of(&[Value::Own, Value::Fixed(0.05), Value::Tunable("volume_alpha")]);
@@ -124,7 +123,7 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
         g.output(&format!("{output}_confidence"), &confidence);
     }
     let Change { confidence, gradient, .. } = change;
-    let known = Known { albedo, history: Some(history), deviation, confidence, gradient, percentiles, ..Known::new(&noisy) };
+    let known = Known { albedo, history: Some(history), deviation, confidence, gradient, usual, ..Known::new(&noisy) };
     Branch { radiance, known }
 }
 
@@ -158,13 +157,13 @@ fn beside_specular(
 fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radiance, albedo: bool, output: &str) -> Branch {
     let sampling = dice.one_of(&[Sampling::Full, Sampling::OneOf2x2]);
     let irradiance = g.demodulate(guides, noisy, Demodulate { albedo: divisor(albedo), sampling, ..Demodulate::default() });
-    let (irradiance, percentiles) = without_fireflies(g, dice, guides, irradiance, false);
+    let (irradiance, usual) = without_fireflies(g, dice, guides, irradiance, false);
     let weights = EawWeights::first(1 + dice.below(3));
     let filtered = g.eaw(guides, &irradiance, Eaw { levels: levels(dice), weights, sampling, ..Eaw::default() });
     let radiance =
         g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin(), float_output: dice.coin(), ..Modulate::default() });
     g.output(output, &radiance);
-    Branch { radiance, known: Known { albedo, percentiles, ..Known::new(noisy) } }
+    Branch { radiance, known: Known { albedo, usual, ..Known::new(noisy) } }
 }
 
 /// What comes before the history: gradients of each source, or what the host knows.
@@ -200,13 +199,17 @@ fn without_fireflies(
     guides: &Guides,
     irradiance: Irradiance,
     wanted: bool,
-) -> (Irradiance, Option<Percentiles>) {
+) -> (Irradiance, Option<Usual>) {
     if !wanted && dice.coin() {
         return (irradiance, None);
     }
     let percentiles = g.block_percentiles(guides, &irradiance, dice.one_of(&[BlockSort::Counting, BlockSort::OddEven]));
-    let irradiance = if dice.coin() { g.firefly(guides, &irradiance, &percentiles) } else { irradiance };
-    (irradiance, Some(percentiles))
+    let limits = match dice.coin() {
+        true => g.firefly_limits(guides, &irradiance, &percentiles),
+        false => g.firefly_limits_of_frame(&irradiance, &percentiles),
+    };
+    let irradiance = if dice.coin() { g.firefly(guides, &irradiance, &limits) } else { irradiance };
+    (irradiance, Some(Usual { percentiles, limits }))
 }
 
 fn levels(dice: &mut Dice) -> u32 {
@@ -287,9 +290,12 @@ fn volume(g: &mut Graph, dice: &mut Dice, guides: &Guides) -> Branch {
     let volume = g.volume();
     let motion = g.volume_motion(guides, &volume);
     let mut radiance = g.volume_points(&volume);
-    let percentiles = dice.coin().then(|| g.volume_percentiles(guides, &radiance, BlockSort::Counting));
-    if let Some(percentiles) = &percentiles {
-        radiance = g.volume_firefly(guides, &radiance, percentiles);
+    let usual = dice.coin().then(|| {
+        let percentiles = g.volume_percentiles(guides, &radiance, BlockSort::Counting);
+        Usual { percentiles, limits: g.firefly_limits_of_frame(&radiance, &percentiles) }
+    });
+    if let Some(Usual { limits, .. }) = &usual {
+        radiance = g.volume_firefly(guides, &radiance, limits);
     }
     let feedback = dice.one_of(&[Feedback::Filtered, Feedback::Accumulated]);
     let history = g.history(&radiance, feedback);
@@ -302,6 +308,6 @@ fn volume(g: &mut Graph, dice: &mut Dice, guides: &Guides) -> Branch {
         g.volume_atrous(guides, &estimate, VolumeAtrous { levels, feedback: fed_back, ..VolumeAtrous::default() }).into();
     g.output("denoised_volume", &filtered);
     let deviation = fed_back.is_some();
-    let known = Known { albedo: false, history: Some(history), deviation, percentiles, ..Known::new(&volume.noisy()) };
+    let known = Known { albedo: false, history: Some(history), deviation, usual, ..Known::new(&volume.noisy()) };
     Branch { radiance: filtered, known }
 }

@@ -11,6 +11,7 @@ use crate::reference::nearest_history::SignalHistory;
 use crate::reference::rules::{rule, HALF};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
+use std::collections::BTreeMap;
 
 /// Statistics that a block holds of the differences of luminance between its pixels and their history.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -23,18 +24,27 @@ pub(crate) struct Difference {
     pub count: f32,
     /// The larger of the mean luminances of both sides.
     pub brighter: f32,
+    /// Deviation of a sample, as a share of `brighter`; [`LOUD`] and more are one.
+    pub noise: f32,
 }
+
+/// The largest share of the light that noise is told as.
+pub(crate) const LOUD: f32 = 0.2;
+const NOISE_STEPS: f32 = 511.0;
 
 /// A texel of `block_difference*`.
 pub(crate) fn pack_difference(difference: &Difference) -> [u16; 4] {
     let limited = |x: f32| half_bits(x.clamp(-LARGEST_HALF, LARGEST_HALF));
-    [limited(difference.mean), limited(difference.deviation), limited(difference.count), limited(difference.brighter)]
+    let noise = (difference.noise.min(LOUD) / LOUD * NOISE_STEPS + 0.5).floor() as u16;
+    let count = difference.count as u16 | noise << 7;
+    [limited(difference.mean), limited(difference.deviation), count, limited(difference.brighter)]
 }
 
 /// The content of a texel of `block_difference*`.
 pub(crate) fn unpack_difference(texel: [u16; 4]) -> Difference {
-    let [mean, deviation, count, brighter] = texel.map(from_half_bits);
-    Difference { mean, deviation, count, brighter }
+    let [mean, deviation, _, brighter] = texel.map(from_half_bits);
+    let [count, noise] = [texel[2] & 127, texel[2] >> 7].map(f32::from);
+    Difference { mean, deviation, count, brighter, noise: noise * (LOUD / NOISE_STEPS) }
 }
 
 /// Inputs of [`block_difference`].
@@ -55,27 +65,49 @@ pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: 
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
             let tap = inputs.guides.nearest(frame, tuning, p).filter(|_| inputs.irradiance.at(p)[3] >= 0.0)?;
             let before = (texel_luminance(inputs.history.irradiance.at(tap)) * frame.exposure_ratio).min(LARGEST_HALF);
-            let history_length = unpack_moments(inputs.history.moments.at(tap)).history_length.max(1.0);
-            Some((texel_luminance(inputs.irradiance.at(p)), before, 1.0 / history_length))
+            let moments = unpack_moments(inputs.history.moments.at(tap));
+            let deviation = moments.deviation * frame.exposure_ratio;
+            let now = texel_luminance(inputs.irradiance.at(p));
+            Some(((p.y, p.x), Pair { now, before, uncertainty: 1.0 / moments.history_length.max(1.0), variance: deviation * deviation }))
         });
-        pack_difference(&difference_of(&pairs.collect::<Vec<_>>()))
+        pack_difference(&difference_of(&pairs.collect()))
     })
 }
 
-/// The difference of triples (this frame, history, variance of the history relative to that of one sample).
-fn difference_of(pairs: &[(f32, f32, f32)]) -> Difference {
+/// A pixel and its history.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    now: f32,
+    before: f32,
+    /// Variance of the history relative to that of one sample.
+    uncertainty: f32,
+    /// Of samples, up to the previous frame.
+    variance: f32,
+}
+
+/// Of pixels by row and column.
+fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
     if pairs.is_empty() {
-        return Difference::default();
+        return Difference { noise: LOUD, ..Difference::default() };
     }
-    let mean = |value: &dyn Fn(&(f32, f32, f32)) -> f32| pairs.iter().map(value).sum::<f32>() / pairs.len() as f32;
-    let (now, before) = (mean(&|pair| pair.0), mean(&|pair| pair.1));
-    let variance = mean(&|pair| (pair.0 - pair.1 - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.2));
-    Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter: now.max(before) }
+    let mean = |value: &dyn Fn(&Pair) -> f32| pairs.values().map(value).sum::<f32>() / pairs.len() as f32;
+    let (now, before) = (mean(&|pair| pair.now), mean(&|pair| pair.before));
+    let variance = mean(&|pair| (pair.now - pair.before - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.uncertainty));
+    let brighter = now.max(before);
+    // Of white noise, a second difference has six times its variance. Rare light shows in its past alone.
+    let at = |y, x| pairs.get(&(y, x)).map(|pair| pair.now);
+    let curves = pairs.keys().filter_map(|&(y, x)| Some(at(y - 1, x)? - 2.0 * at(y, x)? + at(y + 1, x)?));
+    let (curved, curvature) = curves.fold((0.0, 0.0), |(count, sum), curve: f32| (count + 1.0, sum + curve * curve));
+    let noise = match curved > 0.0 && brighter > 0.0 {
+        true => (curvature / (6.0 * curved)).max(mean(&|pair| pair.variance)).sqrt() / brighter,
+        false => LOUD,
+    };
+    Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter, noise }
 }
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.
 pub(crate) const RULES: &[Rule] =
-    &[rule("block_difference", Unit::Block, Reading::Halves, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
+    &[rule("block_difference", Unit::Block, Reading::BlockDifference, Tolerance { absolute: 2e-3, outliers: 2e-2, ..HALF })];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {

@@ -1,4 +1,4 @@
-//! Two percentiles of luminance in every 8×8 pixels. \[PSVGF\], block percentiles.
+//! Percentiles of luminance in every 8×8 pixels. \[PSVGF\], block percentiles.
 //!
 #![doc = include_str!("specification.md")]
 

@@ -18,6 +18,8 @@ pub(crate) struct Percentiles {
     pub low: f32,
     /// The upper one.
     pub up: f32,
+    /// The pixels from the upper one on lie beside each other in a darker block.
+    pub is_clumped: bool,
 }
 
 impl Percentiles {
@@ -29,13 +31,20 @@ impl Percentiles {
 
 /// A texel of `block_percentiles*`.
 pub(crate) fn pack_percentiles(percentiles: &Percentiles) -> u32 {
-    u32::from(half_bits(store(percentiles.low))) | u32::from(half_bits(store(percentiles.up))) << 16
+    let sign = if percentiles.is_clumped { -1.0 } else { 1.0 };
+    u32::from(half_bits(store(percentiles.low))) | u32::from(half_bits(sign * store(percentiles.up))) << 16
 }
 
 /// The content of a texel of `block_percentiles*`.
 pub(crate) fn unpack_percentiles(texel: u32) -> Percentiles {
-    Percentiles { low: from_half_bits(texel as u16), up: from_half_bits((texel >> 16) as u16) }
+    let up = from_half_bits((texel >> 16) as u16);
+    Percentiles { low: from_half_bits(texel as u16), up: up.abs(), is_clumped: up < 0.0 }
 }
+
+/// A cluster of outliers, such as a sample that a pixel filter spread over 3×3 pixels, is less than the rest of a block.
+const REST_SHARE: f32 = 0.7;
+/// How far it is above that rest.
+const CLUMP_EXCESS: f32 = 3.0;
 
 /// Inputs of [`block_percentiles`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -53,15 +62,23 @@ pub(crate) fn block_percentiles(frame: &FrameConstants, tuning: &Tuning, inputs:
         let is_sample = |p: &IVec2| inputs.irradiance.at(*p)[3] >= 0.0;
         let is_surface = |p: &IVec2| !inputs.guide.is_some_and(|guide| unpack_guide(guide.at(*p)).is_background());
         let takes_part = |p: &IVec2| is_surface(p) && is_sample(p);
-        let pixels = Blocks::pixels(block, frame.render_extent).filter(takes_part);
-        let mut luminances: Vec<f32> = pixels.map(|p| texel_luminance(inputs.irradiance.at(p))).collect();
+        let pixels: Vec<IVec2> = Blocks::pixels(block, frame.render_extent).filter(takes_part).collect();
+        let luminance_at = |p: &IVec2| texel_luminance(inputs.irradiance.at(*p));
+        let mut luminances: Vec<f32> = pixels.iter().map(luminance_at).collect();
         luminances.sort_by(f32::total_cmp);
         let at = |share: f32| match luminances.len() {
             0 => 0.0,
             n => luminances[((share * (n - 1) as f32 + 0.5) as usize).min(n - 1)],
         };
         let low = tuning.percentile_low.min(tuning.percentile_up);
-        pack_percentiles(&Percentiles { low: at(low), up: at(tuning.percentile_up) })
+        let (up, far_above) = (at(tuning.percentile_up), CLUMP_EXCESS * at(REST_SHARE));
+        let is_clumped = |p: &&IVec2| {
+            let beside = pixels.iter().filter(|q| (**q - **p).abs().element_sum() == 1 && luminance_at(q) > far_above);
+            beside.count() >= 2
+        };
+        let brightest: Vec<&IVec2> = pixels.iter().filter(|p| luminance_at(p) >= up).collect();
+        let clumped = brightest.iter().copied().filter(is_clumped).count();
+        pack_percentiles(&Percentiles { low: at(low), up, is_clumped: 2 * clumped > brightest.len() })
     })
 }
 

@@ -1,10 +1,10 @@
 //! The stage `change_test`: how far the history of a pixel is still true, by the mean difference of the blocks around and its
 //! standard error.
 
-use crate::nodes::block_difference::twin::unpack_difference;
+use crate::nodes::block_difference::twin::{unpack_difference, LOUD};
 use crate::nodes::percentile_rule::twin::lin;
 use crate::reference::bindings::Bindings;
-use crate::reference::blocks::Blocks;
+use crate::reference::blocks::{block_of, Blocks};
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::rules::{pixels, rule, STEEP};
 use crate::reference::Image;
@@ -13,6 +13,9 @@ use glam::IVec2;
 
 /// Share of the mean luminance below which a change is not worth the history, however certain it is.
 pub(crate) const CHANGE_EPSILON: f32 = 0.01;
+
+/// Noise up to here, as a share of the light, hides no change.
+const QUIET: f32 = 0.1;
 
 /// Shares of the threshold between which steadiness falls from 1 to 0: of the mean difference over 3×3 blocks.
 const STEADY_MEAN: [f32; 2] = [0.6, 1.2];
@@ -38,18 +41,36 @@ pub(crate) fn change_test(
     let blocks = Blocks::new(frame.render_extent);
     let changes = Image::compute(blocks.extent(), blocks.extent(), |block| {
         let of_signals = block_difference.iter().map(|differences| change_of(tuning, blocks, differences, block));
-        of_signals.fold([0.0_f32; 2], |[c, u], [change, unsteadiness]| [c.max(change), u.max(unsteadiness)])
+        of_signals.fold(Change::default(), |worst, change| Change {
+            of_mean: worst.of_mean.max(change.of_mean),
+            of_pixels: worst.of_pixels.max(change.of_pixels),
+            unsteadiness: worst.unsteadiness.max(change.unsteadiness),
+        })
     });
-    let confidence = |p| 1.0 - tuning.adaptivity * blocks.interpolated(p, |block| changes.at(block)[0]);
+    // An edge that moves is about to leave its own block.
+    let departure = |block| blocks.rect().window(block, 1, 1).map(|(_, q)| changes.at(q).of_pixels).fold(0.0, f32::max);
+    let confidence = |p| {
+        let change = blocks.interpolated(p, |block| changes.at(block).of_mean).max(departure(block_of(p)));
+        1.0 - tuning.adaptivity * change
+    };
     ChangeTestOutputs {
         history_confidence: Image::compute(extent, frame.render_extent, confidence),
-        steadiness: changes.map(|change| 1.0 - change[1]),
+        steadiness: changes.map(|change| 1.0 - change.unsteadiness),
     }
 }
 
-/// 0 to 1, the mean difference over 3×3 blocks, in standard errors, against the threshold; and 1 − steadiness.
-fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> [f32; 2] {
-    let (mut pixels, mut sum, mut variance, mut brighter, mut worst) = (0.0, 0.0, 0.0, 0.0, 0.0f32);
+/// Changes of a block, 0 to 1.
+#[derive(Clone, Copy, Debug, Default)]
+struct Change {
+    /// Of the mean over 3×3 blocks, in standard errors, against the threshold.
+    of_mean: f32,
+    /// Of the pixels of the block, where the noise explains none.
+    of_pixels: f32,
+    unsteadiness: f32,
+}
+
+fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> Change {
+    let (mut pixels, mut sum, mut variance, mut brighter, mut noise, mut worst) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0f32);
     for (_, q) in blocks.rect().window(block, 1, 1) {
         let difference = unpack_difference(differences.at(q));
         let of_block =
@@ -58,12 +79,17 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
         sum += of_block[0];
         variance += of_block[1];
         brighter += of_block[2];
+        noise += difference.count * difference.noise * difference.noise;
         worst = worst.max(errors(of_block));
     }
     let (k, errors) = (tuning.change_threshold, errors([sum, variance, brighter]));
     let steady = |shares: [f32; 2], errors| 1.0 - lin(shares[0] * k, shares[1] * k, errors);
     let steadiness = if pixels == 0.0 { 0.0 } else { steady(STEADY_MEAN, errors) * steady(STEADY_BLOCK, worst) };
-    [lin(k, 2.0 * k, errors), 1.0 - steadiness]
+    let (own, noise) = (unpack_difference(differences.at(block)), (noise / pixels.max(1.0)).sqrt());
+    let explained = own.brighter * noise.max(CHANGE_EPSILON * k);
+    let square = own.mean * own.mean + own.deviation * own.deviation;
+    let of_pixels = (1.0 - lin(QUIET, LOUD, noise)) * lin(1.0, 2.0, square / (explained * explained).max(1e-12));
+    Change { of_mean: lin(k, 2.0 * k, errors), of_pixels, unsteadiness: 1.0 - steadiness }
 }
 
 /// A difference in standard errors.

@@ -5,11 +5,9 @@
 mod legend;
 pub(crate) mod twin;
 
-use super::pass;
+use super::{pass, Usual};
 use crate::contract::{Input, Lifetime, Phase};
-use crate::graph::{
-    Confidence, Display, Gradient, Graph, Guides, History, Percentiles, Port, Radiance, Reflection, VisibilityAccumulated, HDR,
-};
+use crate::graph::{Confidence, Display, Gradient, Graph, Guides, History, Port, Radiance, Reflection, VisibilityAccumulated, HDR};
 use crate::shaders;
 pub use legend::{Ramp, ViewLegend};
 
@@ -32,8 +30,8 @@ pub struct Known {
     pub reflection: Option<Reflection>,
     /// Visibility of a light, blended with its past.
     pub visibility: Option<VisibilityAccumulated>,
-    /// Percentiles of blocks.
-    pub percentiles: Option<Percentiles>,
+    /// The measures of a firefly filter.
+    pub usual: Option<Usual>,
 }
 
 impl Known {
@@ -48,7 +46,7 @@ impl Known {
             gradient: None,
             reflection: None,
             visibility: None,
-            percentiles: None,
+            usual: None,
         }
     }
 }
@@ -82,8 +80,8 @@ impl Graph {
         if let Some(gradient) = &known.gradient {
             pass = pass.constant("STRATUM_SIZE", gradient.stratum_size).bind("gradient", gradient.image);
         }
-        if let Some(percentiles) = &known.percentiles {
-            pass = pass.each("block_percentiles", percentiles.images());
+        if let Some(Usual { percentiles, limits }) = &known.usual {
+            pass = pass.each("block_percentiles", percentiles.images()).each("firefly_limits", limits.images());
         }
         self.add(pass);
         Port::of(self.refreshed(shown))

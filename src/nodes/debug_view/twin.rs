@@ -6,7 +6,7 @@ use super::legend::{
 };
 use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::nodes::demodulate::twin::divisor;
-use crate::nodes::firefly::twin::limit_around;
+use crate::nodes::firefly_limits::twin::limit_at;
 use crate::reference::binary16::round_image_to_half;
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::blocks::block_of;
@@ -54,6 +54,8 @@ pub(crate) struct DebugViewInputs<'a> {
     pub stratum_size: u32,
     /// `block_percentiles*` of every signal, one texel a block.
     pub block_percentiles: &'a [&'a Image<u32>],
+    /// `firefly_limits*` of every signal, one texel a cell.
+    pub firefly_limits: &'a [&'a Image<u32>],
     /// Noisy radiance of every signal.
     pub noisy: &'a [&'a Image<[f32; 4]>],
     /// What is seen in the surfaces, where specular light is filtered.
@@ -97,7 +99,8 @@ impl DebugViewInputs<'_> {
                 self.reflection.is_some()
             }
             DebugView::Visibility | DebugView::Penumbra => self.visibility_history.is_some(),
-            DebugView::Percentiles | DebugView::Fireflies => !self.block_percentiles.is_empty(),
+            DebugView::Percentiles => !self.block_percentiles.is_empty(),
+            DebugView::Fireflies => !self.firefly_limits.is_empty(),
             DebugView::Motion | DebugView::Normal | DebugView::Depth | DebugView::SurfaceId | DebugView::BadValues => true,
         }
     }
@@ -150,7 +153,7 @@ impl DebugViewInputs<'_> {
                 (([at(0).low, at(0).up, at(1).up]).map(compressed), at(0).up)
             }
             DebugView::Fireflies => {
-                let share = (0..self.block_percentiles.len()).map(|i| self.excess(frame, tuning, i, p)).fold(0.0, f32::max);
+                let share = (0..self.firefly_limits.len()).map(|i| self.excess(frame, i, p)).fold(0.0, f32::max);
                 coloured(share, share)
             }
             DebugView::Disocclusion => {
@@ -195,7 +198,7 @@ impl DebugViewInputs<'_> {
     }
 
     /// The share of a signal's luminance that is above the firefly filter's limit.
-    fn excess(&self, frame: &FrameConstants, tuning: &Tuning, signal: usize, p: IVec2) -> f32 {
+    fn excess(&self, frame: &FrameConstants, signal: usize, p: IVec2) -> f32 {
         let Some(texel) = self.noisy.get(signal).map(|noisy| noisy.at(p)) else { return 0.0 };
         if texel[..3].iter().any(|c| !c.is_finite()) {
             return 0.0;
@@ -203,7 +206,7 @@ impl DebugViewInputs<'_> {
         let (divisor, _) = divisor(self.albedo.map(|a| a.at(p)));
         let texel = exposed(frame, texel);
         let l = texel_luminance([0, 1, 2, 3].map(|i| (texel[i] / divisor.get(i).unwrap_or(&1.0)).clamp(0.0, LARGEST_HALF)));
-        let limit = limit_around(frame, tuning, self.block_percentiles[signal], p);
+        let limit = limit_at(self.firefly_limits[signal], p).limit;
         if limit > 0.0 && l > limit {
             1.0 - limit / l
         } else {

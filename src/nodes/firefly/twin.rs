@@ -1,25 +1,27 @@
 //! The stage `firefly` \[PSVGF\]: outliers are scaled down to the brightest luminance that is usual around them, and what that takes is
 //! spread over their block.
 
-use crate::nodes::block_percentiles::twin::unpack_percentiles;
+use crate::nodes::firefly_limits::twin::{limit_at, Limit};
 use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
-use crate::reference::blocks::{block_of, Blocks, BLOCK_SIZE};
+use crate::reference::blocks::{allocated_blocks, block_of, Blocks, BLOCK_SIZE};
 use crate::reference::compare::Rule;
 use crate::reference::guide::unpack_guide;
-use crate::reference::luminance::texel_luminance;
+use crate::reference::luminance::{luminance, texel_luminance};
 use crate::reference::rules::{pixels, rounded, HALF};
 use crate::reference::Image;
 use crate::{Error, FrameConstants, Tuning};
-use glam::IVec2;
+
+/// Of a cluster, in shares of what one outlier spreads at most: more would show.
+const CLUSTER_SPREAD: f32 = 0.5;
 
 /// Inputs of [`firefly`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FireflyInputs<'a> {
     /// The image `guide`, from the stage `import`; `None` for a volume, of which every pixel takes part.
     pub guide: Option<&'a Image<[u16; 4]>>,
-    /// The image `block_percentiles` of this signal, from the stage of that name.
-    pub block_percentiles: &'a Image<u32>,
+    /// The image `firefly_limits` of this signal, from the stage of that name.
+    pub firefly_limits: &'a Image<u32>,
     /// rgb: irradiance of one signal, as written by `demodulate`.
     pub irradiance: &'a Image<[f32; 4]>,
 }
@@ -31,29 +33,33 @@ pub(crate) fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyI
         !is_background && inputs.irradiance.at(p)[3] >= 0.0
     };
     let blocks = Blocks::new(frame.render_extent).extent();
-    let limits = Image::compute(inputs.block_percentiles.extent(), blocks, |block| {
-        limit_around(frame, tuning, inputs.block_percentiles, block * BLOCK_SIZE as i32)
-    });
-    let spread = Image::compute(limits.extent(), blocks, |block| {
-        let (limit, mut sum, mut count) = (limits.at(block), [0.0; 3], 0.0_f32);
+    let limit_of = |p| limit_at(inputs.firefly_limits, p);
+    let spread = Image::compute(allocated_blocks(inputs.irradiance), blocks, |block| {
+        let (mut sum, mut count) = ([0.0; 3], 0.0_f32);
         for p in Blocks::pixels(block, frame.render_extent).filter(|p| takes_part(*p)) {
             let texel = inputs.irradiance.at(p);
             let l = texel_luminance(texel);
-            let share = 1.0 - kept_share(l, limit);
+            let limit = limit_of(p);
+            let share = 1.0 - kept_share(l, &limit);
             if share > 0.0 {
-                let share = share.min(tuning.firefly_spread * limit / l);
+                let share = share.min(tuning.firefly_spread * limit.limit / l);
                 sum = std::array::from_fn(|i| sum[i] + texel[i] * share);
             }
             count += 1.0;
         }
-        sum.map(|s: f32| s / count.max(1.0))
+        let limit = limit_of(block * BLOCK_SIZE as i32);
+        let most = match limit.is_cluster {
+            true => CLUSTER_SPREAD * tuning.firefly_spread * limit.limit / luminance(sum).max(1e-6),
+            false => 1.0,
+        };
+        sum.map(|s: f32| s / count.max(1.0) * most.min(1.0))
     });
     Image::compute(inputs.irradiance.extent(), frame.render_extent, |p| {
         let texel = inputs.irradiance.at(p);
         if !takes_part(p) {
             return texel;
         }
-        let (kept, spread) = (kept_share(texel_luminance(texel), limits.at(block_of(p))), spread.at(block_of(p)));
+        let (kept, spread) = (kept_share(texel_luminance(texel), &limit_of(p)), spread.at(block_of(p)));
         if kept == 1.0 && spread == [0.0; 3] {
             return texel;
         }
@@ -63,25 +69,17 @@ pub(crate) fn firefly(frame: &FrameConstants, tuning: &Tuning, inputs: &FireflyI
 }
 
 /// The share of a luminance that is kept.
-fn kept_share(l: f32, limit: f32) -> f32 {
-    if limit > 0.0 && l > limit {
-        limit / l
-    } else {
-        1.0
+fn kept_share(l: f32, limit: &Limit) -> f32 {
+    if limit.limit == 0.0 || l <= limit.limit {
+        return 1.0;
     }
-}
-
-/// The largest limit of the 3×3 blocks around a pixel; 0: next to all samples are black, which does not say what is bright.
-pub(crate) fn limit_around(frame: &FrameConstants, tuning: &Tuning, block_percentiles: &Image<u32>, p: IVec2) -> f32 {
-    let limit_of = |block| {
-        let percentiles = unpack_percentiles(block_percentiles.at(block));
-        if percentiles.up > 0.0 {
-            tuning.firefly_bias * frame.filter_exposure + percentiles.up + percentiles.range(tuning)
-        } else {
-            0.0
-        }
-    };
-    Blocks::new(frame.render_extent).rect().window(block_of(p), 1, 1).map(|(_, block)| limit_of(block)).fold(0.0, f32::max)
+    // The pixels of a cluster add up: the further they are above the limit, the less of each is left.
+    let share = limit.limit / l;
+    if limit.is_cluster {
+        share * share
+    } else {
+        share
+    }
 }
 
 /// How what it writes is compared with the GPU.
@@ -91,7 +89,7 @@ pub(crate) const RULES: &[Rule] = &[pixels("irradiance", HALF), rounded("irradia
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = FireflyInputs {
         guide: if b.is_on("VOLUME")? { None } else { Some(b.packed("guide")?) },
-        block_percentiles: b.uint("block_percentiles")?,
+        firefly_limits: b.uint("firefly_limits")?,
         irradiance: b.colour("irradiance")?,
     };
     let filtered = firefly(b.frame, b.tuning, &inputs);
@@ -102,6 +100,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
 mod tests {
     use super::*;
     use crate::nodes::block_percentiles::twin::{block_percentiles, BlockPercentilesInputs};
+    use crate::nodes::firefly_limits::twin::{firefly_limits, FireflyLimitsInputs};
     use crate::reference::test_scene::*;
 
     const EXTENT: [u32; 2] = [45, 30];
@@ -113,7 +112,9 @@ mod tests {
     fn filtered_with(tuning: &Tuning, irradiance: &Image<[f32; 4]>) -> Image<[f32; 4]> {
         let (frame, guides) = (frame(EXTENT), guides(EXTENT, |_, _| surface(2.0)));
         let percentiles = block_percentiles(&frame, tuning, &BlockPercentilesInputs { guide: Some(&guides.guide), irradiance });
-        firefly(&frame, tuning, &FireflyInputs { guide: Some(&guides.guide), block_percentiles: &percentiles, irradiance })
+        let limits =
+            firefly_limits(&frame, tuning, &FireflyLimitsInputs { block_percentiles: &percentiles, irradiance, history: None });
+        firefly(&frame, tuning, &FireflyInputs { guide: Some(&guides.guide), firefly_limits: &limits, irradiance })
     }
 
     fn mean(image: &Image<[f32; 4]>) -> f64 {
@@ -172,6 +173,22 @@ mod tests {
         let [r, g, b, _] = *output.get(20, 12).expect("inside");
         assert!(r < 5.0 * (1.0 + 2.0 / 64.0) && (r / g - 2.0).abs() < 0.01 && b == 0.0, "{r} {g} {b}");
         assert_eq!(output.get(2, 2), input.get(2, 2));
+    }
+
+    #[test]
+    fn less_is_left_of_the_pixels_of_a_cluster_than_of_an_outlier() {
+        let with = |size: i32| {
+            let mut input = noise(EXTENT, 3);
+            for (x, y) in (0..size).flat_map(|y| (0..size).map(move |x| (18 + x, 10 + y))) {
+                *input.get_mut(x, y).expect("inside") = [500.0; 4];
+            }
+            let output = filtered(&input);
+            let gained = mean(&output) / mean(&noise(EXTENT, 3)) - 1.0;
+            (texel_luminance(*output.get(18, 10).expect("inside")), gained)
+        };
+        let ((outlier, _), (cluster, gained)) = (with(1), with(3));
+        assert!(outlier > 1.5 && cluster < 0.2, "{outlier} {cluster}");
+        assert!((-0.001..0.01).contains(&gained), "{gained}");
     }
 
     #[test]

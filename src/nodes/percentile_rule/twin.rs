@@ -43,8 +43,8 @@ pub(crate) fn percentile_rule(frame: &FrameConstants, tuning: &Tuning, inputs: &
 
 fn interpolated(blocks: Blocks, percentiles: &Image<u32>, p: IVec2) -> Percentiles {
     blocks.around(p).iter().fold(Percentiles::default(), |sum, &(block, weight)| {
-        let Percentiles { low, up } = unpack_percentiles(percentiles.at(block));
-        Percentiles { low: sum.low + weight * low, up: sum.up + weight * up }
+        let Percentiles { low, up, .. } = unpack_percentiles(percentiles.at(block));
+        Percentiles { low: sum.low + weight * low, up: sum.up + weight * up, ..sum }
     })
 }
 

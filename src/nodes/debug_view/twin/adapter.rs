@@ -27,6 +27,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         gradient: b.optional_colour("gradient")?,
         stratum_size: b.stratum_size()?,
         block_percentiles: &if b.has("block_percentiles_0") { b.uints("block_percentiles")? } else { Vec::new() },
+        firefly_limits: &if b.has("firefly_limits_0") { b.uints("firefly_limits")? } else { Vec::new() },
         noisy: &b.colours("noisy")?,
         reflection: b.has("reflection").then(|| b.uint("reflection")).transpose()?,
         visibility_history: b.has("visibility_history").then(|| b.uint("visibility_history")).transpose()?,

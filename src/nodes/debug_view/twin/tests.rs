@@ -20,6 +20,7 @@ fn bare<'a>(guides: &'a Guides, statistics: &'a Statistics) -> DebugViewInputs<'
         gradient: None,
         stratum_size: 3,
         block_percentiles: &[],
+        firefly_limits: &[],
         noisy: &[],
         reflection: None,
         visibility_history: None,
