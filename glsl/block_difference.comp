@@ -95,8 +95,10 @@ void main() {
     float mean = (sum.now - sum.before) * inverse;
     float variance = max(0.0, sum.squared_difference * inverse - mean * mean) * (1.0 + sum.uncertainty * inverse);
     float brighter = max(sum.now, sum.before) * inverse;
-    // Of white noise, a second difference has six times its variance. Without one, nothing is known of it. Rare light shows in its past alone.
-    float noise_now = sum.curvature / (6.0 * max(sum.curved, 1.0)), noise_before = sum.variance * inverse;
-    float noise = sum.curved > 0.0 && brighter > 0.0 ? sqrt(max(noise_now, noise_before)) / brighter : LOUD;
-    imageStore(block_difference, block, pack_block_difference(BlockDifference(mean, sqrt(variance), sum.count, brighter, noise)));
+    // Of white noise, a second difference has six times its variance. Without one, nothing is known of it.
+    bool is_known = sum.curved > 0.0 && brighter > 0.0;
+    float noise = is_known ? sqrt(sum.curvature / (6.0 * sum.curved)) / brighter : LOUD;
+    float past_noise = is_known ? sqrt(sum.variance * inverse) / brighter : LOUD;
+    BlockDifference difference = BlockDifference(mean, sqrt(variance), sum.count, brighter, noise, past_noise);
+    imageStore(block_difference, block, pack_block_difference(difference));
 }

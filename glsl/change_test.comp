@@ -72,7 +72,7 @@ struct Change {
 };
 
 Change change_of(uint corner) {
-    float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0;
+    float count = 0.0, sum = 0.0, variance = 0.0, brighter = 0.0, worst = 0.0, noise = 0.0, past_noise = 0.0;
     // Few invocations come here, and where branches are masked instead of skipped only a loop ends.
     [[dont_unroll]] for (uint i = 0u; i < 9u; ++i) {
         BlockDifference block = blocks[corner + i % 3u + WIDTH * (i / 3u)];
@@ -83,6 +83,7 @@ Change change_of(uint corner) {
         variance += of_variance;
         brighter += of_brighter;
         noise += block.count * block.noise * block.noise;
+        past_noise = max(past_noise, block.past_noise);
         if (is_present(STEADINESS)) worst = max(worst, errors_of(of_sum, of_variance, of_brighter));
     }
     float errors = errors_of(sum, variance, brighter);
@@ -91,7 +92,7 @@ Change change_of(uint corner) {
     noise = sqrt(noise / max(count, 1.0));
     BlockDifference own = blocks[corner + 1u + WIDTH];
     float explained = own.brighter * max(noise, CHANGE_EPSILON * push.change_threshold), square = own.mean * own.mean + own.deviation * own.deviation;
-    float departs = (1.0 - lin(QUIET, LOUD, noise)) * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
+    float departs = (1.0 - lin(QUIET, LOUD, max(noise, past_noise))) * lin(1.0, 2.0, square / max(explained * explained, 1e-12));
     return Change(lin(push.change_threshold, 2.0 * push.change_threshold, errors), departs, 1.0 - steady);
 }
 

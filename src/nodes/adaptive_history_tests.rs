@@ -82,8 +82,10 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
 #[test]
 fn without_adaptivity_every_history_is_kept() {
     let (frame, tuning) = (frame(EXTENT), Tuning { adaptivity: 0.0, ..svgf_tuning() });
-    let difference =
-        Image::new([6, 5], pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0, noise: 0.0 }));
+    let difference = Image::new(
+        [6, 5],
+        pack_difference(&Difference { mean: 9.0, deviation: 0.1, count: 64.0, brighter: 9.0, noise: 0.0, past_noise: 0.0 }),
+    );
     assert!(change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.texels().iter().all(|c| *c == 1.0));
     let percentiles = Percentiles { low: 0.0, up: 0.1, is_clumped: false };
     assert_eq!(weight_of_history(&tuning, &percentiles, 9.0), 1.0);
@@ -95,7 +97,7 @@ fn blocks_are_steady_where_neither_their_mean_nor_one_of_them_departs() {
     let tuning = Tuning { change_threshold: 2.5, ..svgf_tuning() };
     // A standard error of 0.125 in a block of 64 pixels.
     let steadiness = |mean_of: &dyn Fn(i32, i32) -> f32, count: f32| {
-        let of_block = |x, y| Difference { mean: mean_of(x, y), deviation: 1.0, count, brighter: 1.0, noise: 0.2 };
+        let of_block = |x, y| Difference { mean: mean_of(x, y), deviation: 1.0, count, brighter: 1.0, noise: 0.2, past_noise: 0.2 };
         let difference = paint([5, 5], |x, y| pack_difference(&of_block(x, y)));
         change_test(&frame, &tuning, [40, 40], &[&difference]).steadiness.at(glam::IVec2::splat(2))
     };

@@ -35,7 +35,7 @@ pub(crate) enum Reading {
     Counts,
     /// A texel as two or four halves.
     Halves,
-    /// Mean, deviation, pixels, noise and the brighter side of `block_difference*`.
+    /// Mean, deviation, pixels, both noises and the brighter side of `block_difference*`.
     BlockDifference,
     /// Depth, normal, roughness and id.
     Guide,
@@ -208,7 +208,7 @@ impl Reading {
             }
             Self::BlockDifference => {
                 let d = unpack_difference(texel);
-                padded([d.mean, d.deviation, d.count, d.noise, d.brighter])
+                padded([d.mean, d.deviation, d.count, d.noise, d.past_noise, d.brighter])
             }
             Self::Halves => padded(texel.map(from_half_bits)),
             _ => padded(texel.map(f32::from)),

@@ -24,27 +24,32 @@ pub(crate) struct Difference {
     pub count: f32,
     /// The larger of the mean luminances of both sides.
     pub brighter: f32,
-    /// Deviation of a sample, as a share of `brighter`; [`LOUD`] and more are one.
+    /// Deviation of a pixel from those above and below, as a share of `brighter`; [`LOUD`] and more are one.
     pub noise: f32,
+    /// The same of samples up to the previous frame, which knows of rare light.
+    pub past_noise: f32,
 }
 
 /// The largest share of the light that noise is told as.
 pub(crate) const LOUD: f32 = 0.2;
-const NOISE_STEPS: f32 = 511.0;
+const NOISE_STEPS: f32 = 31.0;
+const PAST_NOISE_STEPS: f32 = 15.0;
 
 /// A texel of `block_difference*`.
 pub(crate) fn pack_difference(difference: &Difference) -> [u16; 4] {
     let limited = |x: f32| half_bits(x.clamp(-LARGEST_HALF, LARGEST_HALF));
-    let noise = (difference.noise.min(LOUD) / LOUD * NOISE_STEPS + 0.5).floor() as u16;
-    let count = difference.count as u16 | noise << 7;
-    [limited(difference.mean), limited(difference.deviation), count, limited(difference.brighter)]
+    let steps = |noise: f32, steps: f32| (noise.min(LOUD) / LOUD * steps + 0.5).floor() as u16;
+    let (noise, past) = (steps(difference.noise, NOISE_STEPS), steps(difference.past_noise, PAST_NOISE_STEPS));
+    let packed = difference.count as u16 | noise << 7 | past << 12;
+    [limited(difference.mean), limited(difference.deviation), packed, limited(difference.brighter)]
 }
 
 /// The content of a texel of `block_difference*`.
 pub(crate) fn unpack_difference(texel: [u16; 4]) -> Difference {
     let [mean, deviation, _, brighter] = texel.map(from_half_bits);
-    let [count, noise] = [texel[2] & 127, texel[2] >> 7].map(f32::from);
-    Difference { mean, deviation, count, brighter, noise: noise * (LOUD / NOISE_STEPS) }
+    let [count, noise, past] = [texel[2] & 127, texel[2] >> 7 & 31, texel[2] >> 12].map(f32::from);
+    let (noise, past_noise) = (noise * (LOUD / NOISE_STEPS), past * (LOUD / PAST_NOISE_STEPS));
+    Difference { mean, deviation, count, brighter, noise, past_noise }
 }
 
 /// Inputs of [`block_difference`].
@@ -68,7 +73,10 @@ pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: 
             let moments = unpack_moments(inputs.history.moments.at(tap));
             let deviation = moments.deviation * frame.exposure_ratio;
             let now = texel_luminance(inputs.irradiance.at(p));
-            Some(((p.y, p.x), Pair { now, before, uncertainty: 1.0 / moments.history_length.max(1.0), variance: deviation * deviation }))
+            Some((
+                (p.y, p.x),
+                Pair { now, before, uncertainty: 1.0 / moments.history_length.max(1.0), variance: deviation * deviation },
+            ))
         });
         pack_difference(&difference_of(&pairs.collect()))
     })
@@ -88,21 +96,21 @@ struct Pair {
 /// Of pixels by row and column.
 fn difference_of(pairs: &BTreeMap<(i32, i32), Pair>) -> Difference {
     if pairs.is_empty() {
-        return Difference { noise: LOUD, ..Difference::default() };
+        return Difference { noise: LOUD, past_noise: LOUD, ..Difference::default() };
     }
     let mean = |value: &dyn Fn(&Pair) -> f32| pairs.values().map(value).sum::<f32>() / pairs.len() as f32;
     let (now, before) = (mean(&|pair| pair.now), mean(&|pair| pair.before));
     let variance = mean(&|pair| (pair.now - pair.before - (now - before)).powi(2)) * (1.0 + mean(&|pair| pair.uncertainty));
     let brighter = now.max(before);
-    // Of white noise, a second difference has six times its variance. Rare light shows in its past alone.
+    // Of white noise, a second difference has six times its variance. Without one, nothing is known of it.
     let at = |y, x| pairs.get(&(y, x)).map(|pair| pair.now);
     let curves = pairs.keys().filter_map(|&(y, x)| Some(at(y - 1, x)? - 2.0 * at(y, x)? + at(y + 1, x)?));
     let (curved, curvature) = curves.fold((0.0, 0.0), |(count, sum), curve: f32| (count + 1.0, sum + curve * curve));
-    let noise = match curved > 0.0 && brighter > 0.0 {
-        true => (curvature / (6.0 * curved)).max(mean(&|pair| pair.variance)).sqrt() / brighter,
-        false => LOUD,
+    let [noise, past_noise] = match curved > 0.0 && brighter > 0.0 {
+        true => [curvature / (6.0 * curved), mean(&|pair| pair.variance)].map(|variance: f32| variance.sqrt() / brighter),
+        false => [LOUD; 2],
     };
-    Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter, noise }
+    Difference { mean: now - before, deviation: variance.sqrt(), count: pairs.len() as f32, brighter, noise, past_noise }
 }
 
 /// A pixel whose position or depth lies on its threshold may count on one side alone.

@@ -70,7 +70,8 @@ struct Change {
 }
 
 fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, block: IVec2) -> Change {
-    let (mut pixels, mut sum, mut variance, mut brighter, mut noise, mut worst) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0f32);
+    let (mut pixels, mut sum, mut variance, mut brighter, mut noise) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    let (mut past_noise, mut worst) = (0.0_f32, 0.0_f32);
     for (_, q) in blocks.rect().window(block, 1, 1) {
         let difference = unpack_difference(differences.at(q));
         let of_block =
@@ -80,6 +81,7 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
         variance += of_block[1];
         brighter += of_block[2];
         noise += difference.count * difference.noise * difference.noise;
+        past_noise = past_noise.max(difference.past_noise);
         worst = worst.max(errors(of_block));
     }
     let (k, errors) = (tuning.change_threshold, errors([sum, variance, brighter]));
@@ -88,7 +90,7 @@ fn change_of(tuning: &Tuning, blocks: Blocks, differences: &Image<[u16; 4]>, blo
     let (own, noise) = (unpack_difference(differences.at(block)), (noise / pixels.max(1.0)).sqrt());
     let explained = own.brighter * noise.max(CHANGE_EPSILON * k);
     let square = own.mean * own.mean + own.deviation * own.deviation;
-    let of_pixels = (1.0 - lin(QUIET, LOUD, noise)) * lin(1.0, 2.0, square / (explained * explained).max(1e-12));
+    let of_pixels = (1.0 - lin(QUIET, LOUD, noise.max(past_noise))) * lin(1.0, 2.0, square / (explained * explained).max(1e-12));
     Change { of_mean: lin(k, 2.0 * k, errors), of_pixels, unsteadiness: 1.0 - steadiness }
 }
 
