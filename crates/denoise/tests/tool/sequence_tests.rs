@@ -88,6 +88,29 @@ fn the_number_may_stand_anywhere() {
     assert_eq!(numbers(&versions.path().join("s_%04d_v00?.exr")), [1, 2]);
 }
 
+/// Where two numbers change, the one with the fewest sequences counts frames, and of two alike the one that is no version.
+#[test]
+fn of_two_numbers_that_change_one_counts_frames() {
+    for (names, wanted) in [
+        (
+            &["0001_cam1.exr", "0002_cam1.exr", "0003_cam1.exr", "0001_cam2.exr", "0002_cam2.exr", "0003_cam2.exr"][..],
+            ["%d_cam1.exr", "%d_cam2.exr"],
+        ),
+        (
+            &["sh010_1.exr", "sh010_2.exr", "sh010_3.exr", "sh020_1.exr", "sh020_2.exr", "sh020_3.exr"],
+            ["sh010_%d.exr", "sh020_%d.exr"],
+        ),
+        (&["s_0001_v001.exr", "s_0002_v001.exr", "s_0001_v002.exr", "s_0002_v002.exr"], ["s_%d_v001.exr", "s_%d_v002.exr"]),
+        (&["take1_1.exr", "take1_2.exr", "take2_1.exr", "take2_2.exr"], ["take1_%d.exr", "take2_%d.exr"]),
+    ] {
+        let folder = folder(names);
+        let message = find(&[folder.path().to_owned()]).expect_err("several").to_string();
+        let patterns: Vec<&str> = message.split('"').skip(1).step_by(2).collect();
+        let ends = patterns.iter().zip(wanted).all(|(pattern, wanted)| Path::new(pattern).ends_with(wanted));
+        assert!(patterns.len() == 2 && ends, "{message}");
+    }
+}
+
 /// Every pattern that a message proposes finds a sequence.
 #[test]
 fn proposals_can_be_typed() {
