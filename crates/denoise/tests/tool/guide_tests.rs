@@ -5,7 +5,7 @@ use crate::samples::scene::{Frame, Scene};
 use crate::samples::{self, frame_path};
 use atrous_denoise::roles::Role;
 use atrous_denoise::setup::{Options, Setup};
-use atrous_denoise::{first_look, frame_files};
+use atrous_denoise::{first_look, frame, frame_files};
 
 #[test]
 fn depth_is_looked_up_for_what_the_camera_carries() {
@@ -37,8 +37,11 @@ fn guides_that_are_noise_are_not_trusted() {
     let (setup, _) = looked_at(input.path());
     assert!(setup.smoothed.contains("normal"), "{:?}", setup.report);
     assert!(!setup.mapping.has(Role::Albedo) && !setup.mapping.has(Role::Depth), "{:?}", setup.report);
-    // What the user names is taken.
     let frames = frame_files::find(&[input.path().to_owned()]).expect("frames");
+    // Half of the pixels had one that points to the side: now none is as it was.
+    let normals = frame::load(&frames[0], &setup).expect("a frame").images["normal"].clone();
+    assert!(normals.iter().all(|normal| normal[0] < 0.9));
+    // What the user names is taken.
     let options = Options { channels: vec![(Role::Albedo, "albedo".into())], ..Options::default() };
     let mut named = Setup::new(&frames, &options).expect("a setup");
     first_look::take(&frames, &mut named).expect("a look");
