@@ -88,24 +88,25 @@ fn other_parts_are_kept_where_they_are_asked_for() {
 
 #[test]
 fn the_result_stands_where_a_compositor_looks_for_it() {
-    let (input, output) = (folder(), folder());
-    for number in 0..2 {
-        let sample = Sample::new(16, 12)
-            .flat("ViewLayer.Noisy\u{20}Image.R", Type::Half, 0.0)
-            .flat("ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B ViewLayer.Combined.A", Type::Half, 0.25)
-            .flat("ViewLayer.Depth.Z", Type::Float, 3.0);
-        let noisy = ["R", "G", "B", "A"].into_iter().fold(
-            Sample { channels: sample.channels.into_iter().filter(|c| !c.0.contains("Noisy")).collect(), ..Sample::new(16, 12) },
-            |sample, c| sample.channel(&format!("ViewLayer.Noisy Image.{c}"), Type::Half, |_, _| 0.75),
-        );
-        noisy.write(&frame_path(input.path(), number));
+    for view in ["ViewLayer.", ""] {
+        let (input, output) = (folder(), folder());
+        let components = ["A", "B", "G", "R"];
+        for number in 0..2 {
+            let sample = Sample::new(16, 12).flat(&format!("{view}Depth.Z"), Type::Float, 3.0);
+            let sample = components.into_iter().fold(sample, |sample, c| {
+                let sample = sample.channel(&format!("{view}Combined.{c}"), Type::Half, |_, _| 0.25);
+                sample.channel(&format!("{view}Noisy Image.{c}"), Type::Half, |_, _| 0.75)
+            });
+            sample.write(&frame_path(input.path(), number));
+        }
+        denoise(input.path(), output.path(), &[]).expect("a run");
+        let planes = read(&frame_path(output.path(), 1), |_| true).expect("a result").samples;
+        let names: Vec<_> = planes.keys().cloned().collect();
+        assert_eq!(names, components.map(|c| format!("{view}Combined.{c}")));
+        // What Blender's own denoiser made is not what was filtered.
+        let red = &planes[&format!("{view}Combined.R")];
+        assert!(matches!(red, Samples::Float(values) if values.iter().all(|v| (v - 0.75).abs() < 0.02)), "{view}");
     }
-    denoise(input.path(), output.path(), &[]).expect("a run");
-    let planes = read(&frame_path(output.path(), 1), |_| true).expect("a result").samples;
-    let names: Vec<_> = planes.keys().map(String::as_str).collect();
-    assert_eq!(names, ["ViewLayer.Combined.A", "ViewLayer.Combined.B", "ViewLayer.Combined.G", "ViewLayer.Combined.R"]);
-    // What Blender's own denoiser made is not what was filtered.
-    assert!(matches!(&planes["ViewLayer.Combined.R"], Samples::Float(values) if values.iter().all(|v| (v - 0.75).abs() < 0.02)));
 }
 
 #[test]
