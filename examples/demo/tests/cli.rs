@@ -50,6 +50,7 @@ fn a_run_of_each_preset_leaves_strips_a_sequence_and_a_table() {
 }
 
 #[test]
+#[cfg(feature = "capture")]
 fn a_capture_is_of_the_default_preset_and_has_references() {
     let Some(_gpu) = Validated::new() else { return };
     let (out, _) = run("cli_capture", &["--capture"]);
