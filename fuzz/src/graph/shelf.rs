@@ -148,7 +148,11 @@ impl Shelf {
                 let irradiance = self.port(choices, &self.irradiance)?;
                 let percentiles = g.block_percentiles(&guides, &irradiance, choice(choices));
                 self.percentiles.push(percentiles);
-                self.irradiance.push(g.firefly(&guides, &irradiance, &percentiles));
+                let limits = match choices.one_in(2) {
+                    true => g.firefly_limits(&guides, &irradiance, &percentiles),
+                    false => g.firefly_limits_of_frame(&irradiance, &percentiles),
+                };
+                self.irradiance.push(g.firefly(&guides, &irradiance, &limits));
             }
             12 => {
                 let (percentiles, history) = (self.port(choices, &self.percentiles)?, any(choices, &self.histories)?);

@@ -22,7 +22,7 @@ pub struct Usual {
 
 impl Graph {
     /// Limits for [`Self::firefly`], by the percentiles of this frame and of the light that returns
-    /// from frame to frame, as that of a caustic does. Keeps 4 bytes a block.
+    /// from frame to frame, as that of a caustic does. Keeps 4 bytes for every 4×4 pixels.
     pub fn firefly_limits(&mut self, guides: &Guides, irradiance: &Irradiance, percentiles: &Percentiles) -> FireflyLimits {
         self.limits_of(irradiance, percentiles, Lifetime::History, |pass, limits| {
             pass.bind("guide", guides.guide)
@@ -50,6 +50,10 @@ impl Graph {
             Lifetime::History => &shaders::FIREFLY_LIMITS_RETURNING_1,
             _ => &shaders::FIREFLY_LIMITS_RETURNING_0,
         };
+        if percentiles.signals() != port.signals() {
+            let problem = format!("percentiles of {} signals were given for {}", percentiles.signals(), port.signals());
+            self.fail("firefly_limits", "percentiles", format!("{problem}; make them of the same port"));
+        }
         let mut all = Vec::new();
         for (percentiles, irradiance) in percentiles.images().iter().zip(port.images()) {
             let label = self.label(*percentiles).to_owned();
