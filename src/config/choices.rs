@@ -133,15 +133,13 @@ impl Preset {
         matches!(self, Self::Asvgf | Self::Stabilize | Self::Best)
     }
 
-    /// À-trous levels for images of an extent, unless the configuration sets a number. 5; for
-    /// [`Self::Fast`] and [`Self::Best`] 4 up to 359 pixels on the shorter side, and one more with
-    /// each doubling, up to 7: for example, 6 at 1280×720. So their footprint covers the same part
-    /// of the picture.
+    /// À-trous levels for images of an extent, unless the configuration sets a number: 5. Those of
+    /// [`Self::Fast`] and [`Self::Best`] grow with the picture: 6 from 720 pixels on the shorter side,
+    /// for example at 1280×720, and 7 from 1440.
     pub const fn levels(self, extent: [u32; 2]) -> u32 {
         let shorter = if extent[0] < extent[1] { extent[0] } else { extent[1] };
         match (self, shorter) {
-            (Self::Best | Self::Fast, 0..360) => 4,
-            (Self::Best | Self::Fast, 360..720) => 5,
+            (Self::Best | Self::Fast, 0..720) => 5,
             (Self::Best | Self::Fast, 720..1440) => 6,
             (Self::Best | Self::Fast, _) => 7,
             _ => 5,

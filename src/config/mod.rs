@@ -134,7 +134,7 @@ mod tests {
         let levels = |preset, extent| Config { preset, ..Config::new(extent) }.levels();
         let sizes = [[320, 180], [640, 360], [1280, 720], [720, 1280], [1920, 1080], [3840, 2160]];
         for preset in [Preset::Best, Preset::Fast] {
-            assert_eq!(sizes.map(|size| levels(preset, size)), [4, 5, 6, 6, 6, 7], "{preset}");
+            assert_eq!(sizes.map(|size| levels(preset, size)), [5, 5, 6, 6, 6, 7], "{preset}");
         }
         assert_eq!(sizes.map(|size| levels(Preset::Svgf, size)), [5; 6]);
         assert_eq!(Config { levels: Some(3), ..Config::new([1280, 720]) }.levels(), 3);

@@ -92,7 +92,7 @@ pub struct Cli {
     #[arg(long, value_parser = signals())]
     pub signals: Option<Signals>,
 
-    /// À-trous levels, 1 to 10; default: 4 to 7 for best and fast, by the size of the image; 5 for the others
+    /// À-trous levels, 1 to 10; default: 5 to 7 for best and fast, by the size of the image; 5 for the others
     #[arg(long, value_name = "N")]
     pub levels: Option<u32>,
 
