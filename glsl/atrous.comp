@@ -2,7 +2,7 @@
 // One level of the edge-avoiding à-trous wavelet transform, guided by variance, which it filters along.
 // Source: [SVGF] 4.3, eq. 1 to 5, on [EAW]. Deviation: the standard deviation is stored, not the variance.
 // In:  guide, depth_gradient, irradiance and deviation per signal. Out: the same after this level.
-// Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF]; 2: a hexagon, which lies the other way on the next level (ODD).
+// Constants: KERNEL: 0: the 5x5 B3 spline; 1: the 3x3 box of [ASVGF].
 // OURS: the luminance weight is a Gauss curve over deviations of means, which taps share; some of what it refuses stays on the centre, so that
 // rare light keeps its mean. Else [SVGF] eq. 5. VOLUME: steered by the depth of the surface behind alone, and less strictly [PSVGF]; the
 // background takes part. LAST: of a volume, what goes out: in the exposure of the host.
@@ -17,16 +17,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const uint KERNEL = 0u;
 layout(constant_id = 2) const bool VOLUME = false;
-layout(constant_id = 3) const bool ODD = false;
-layout(constant_id = 4) const bool OURS = false;
-layout(constant_id = 5) const bool LAST = false;
+layout(constant_id = 3) const bool OURS = false;
+layout(constant_id = 4) const bool LAST = false;
 
 layout(push_constant) uniform Push {
     uint level;
     float sigma_l;
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
     float volume_sigma_z;
 #ifdef SPECULAR
     float specular_blur;
@@ -57,7 +55,6 @@ PACKED_IMAGE_32(5, reflection);
 
 const uint SPLINE_KERNEL = 0u;
 const uint BOX_KERNEL = 1u;
-const uint HEXAGON_KERNEL = 2u;
 const int RADIUS = KERNEL == SPLINE_KERNEL ? 2 : 1;
 const float SPLINE[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 const float LUMINANCE_EPSILON = 1e-4;
@@ -66,18 +63,13 @@ const float TAP_SHARE = 0.35;
 // Of the weight that a difference of luminance takes from a tap, the part that stays on the centre.
 const float KEPT_SHARE = 0.5;
 
-const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : KERNEL == BOX_KERNEL ? 1.0 / 9.0 : 1.0 / 7.0;
+const float CENTRE_KERNEL = KERNEL == SPLINE_KERNEL ? 9.0 / 64.0 : 1.0 / 9.0;
 
 float kernel_at(ivec2 offset) { return KERNEL == SPLINE_KERNEL ? SPLINE[abs(offset.x)] * SPLINE[abs(offset.y)] : CENTRE_KERNEL; }
 
 // Taps are 2^level pixels apart, those of the box from level 3 on one less: with even steps alone no level but the first mixes even pixels with odd
 // ones, and where the first refuses outliers their difference stays as a lattice [ours].
 int step_of(uint level) { return (1 << level) - (KERNEL == BOX_KERNEL && level >= 3u ? 1 : 0); }
-
-bool is_tap(ivec2 offset) {
-    if (KERNEL == HEXAGON_KERNEL && abs(offset) == (ODD ? ivec2(0, 1) : ivec2(1, 0))) return false;
-    return offset != ivec2(0);
-}
 
 // Of the widest kernel: reflection knows no length that depends on a constant.
 const int TAPS = 25;
@@ -251,7 +243,7 @@ void main() {
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
         [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
-            if ((y == 0 && x <= 0) || !is_tap(ivec2(x, y))) continue;
+            if (y == 0 && x <= 0) continue;
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
                 ivec2 offset = side * ivec2(x, y), tap = nearest_inside(p + offset * step_size);
                 float weight = weights[index_of(offset)], kernel = kernel_at(offset);

@@ -1,11 +1,11 @@
 #version 450
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
-// Source: [PSVGF], block percentiles. Deviations: ranks by counting; the published odd-even sort is there to compare, and gives the same.
+// Source: [PSVGF], block percentiles. Deviations: ranks by counting, for the bits of the published odd-even sort.
 // A bit says whether the brightest pixels are a cluster.
 // In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block; up is negative
 // where the pixels from up on lie beside each other in a darker block.
 // Pixels outside the render extent, background and pixels without a sample (alpha -1) do not take part. Without any: 0, 0.
-// Constants: VOLUME: the background takes part, since fog lies before it. ODD_EVEN: the published sort.
+// Constants: VOLUME: the background takes part, since fog lies before it.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -17,7 +17,6 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const bool VOLUME = false;
-layout(constant_id = 2) const bool ODD_EVEN = false;
 
 layout(push_constant) uniform Push {
     float percentile_low;
@@ -54,21 +53,6 @@ void sort_by_counting(uint i) {
     barrier();
 }
 
-// As published: as many rounds as there are keys, with a barrier after each.
-void sort_odd_even(uint i) {
-    sorted_keys[i] = keys[i];
-    barrier();
-    for (uint round = 0u; round < BLOCK_PIXELS; ++round) {
-        uint left = 2u * i + (round & 1u);
-        if (left + 1u < BLOCK_PIXELS) {
-            float a = sorted_keys[left], b = sorted_keys[left + 1u];
-            sorted_keys[left] = min(a, b);
-            sorted_keys[left + 1u] = max(a, b);
-        }
-        barrier();
-    }
-}
-
 float percentile(float share, uint count) {
     return count == 0u ? 0.0 : sorted_keys[uint(share * float(count - 1u) + 0.5)];
 }
@@ -94,8 +78,7 @@ void main() {
     keys[i] = texel.a >= 0.0 ? luminance(texel.rgb) : NO_PIXEL;
     if (i == 0u) clumped = 0;
     barrier();
-    if (ODD_EVEN) sort_odd_even(i);
-    else sort_by_counting(i);
+    sort_by_counting(i);
     uint count = 0u;
     for (uint j = 0u; j < BLOCK_PIXELS; ++j) count += uint(sorted_keys[j] < NO_PIXEL);
     float low = min(push.percentile_low, push.percentile_up);

@@ -20,7 +20,6 @@ layout(push_constant) uniform Push {
     uint present;
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
 } push;
 
 #include "frame.glsl"

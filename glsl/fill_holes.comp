@@ -16,7 +16,6 @@ layout(constant_id = 1) const int RADIUS = 1;
 layout(push_constant) uniform Push {
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
 } push;
 
 #include "frame.glsl"

@@ -5,21 +5,19 @@
 //      light_before and light_now as well, and out of the LAST iteration, instead of light_before, light_ratio: by which the light of each
 //      component changed, in alpha its coherence, -1 in the background (ours; src/nodes/gradient_atrous/specification.md). Both are filtered no wider than the ratio
 //      needs to be known.
-// Constants: STRATUM_SIZE, LAST. SMOOTH: eq. 11, means are compared by the deviation of 3x3 strata.
+// Constants: STRATUM_SIZE, LAST.
 // variants: RATIO=0 RATIO=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
 layout(constant_id = 1) const bool LAST = false;
-layout(constant_id = 2) const bool SMOOTH = false;
 
 layout(push_constant) uniform Push {
     uint level;
     float sigma_l;
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
 } push;
 
 #include "frame.glsl"
@@ -98,22 +96,6 @@ vec4 light_ratio(vec4 before, vec4 now) {
 }
 #endif
 
-// [ASVGF] eq. 11: the deviation by which means are compared, over 3x3 strata; the background has none.
-float deviation_around(ivec2 s, float own) {
-    if (!SMOOTH) return own;
-    ivec2 last = ivec2(strata_of(frame.render_extent)) - 1;
-    float variance = 0.0, weight_sum = 0.0;
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            ivec2 t = s + ivec2(x, y), tap = clamp(t, ivec2(0), last);
-            bool counts = t == tap && guide_depth(GuideBits(texel_at(gradient_guide, tap))) != 0.0;
-            float deviation = texel_at(gradient_in, tap).w, weight = counts ? 0.25 / float((1 + abs(x)) * (1 + abs(y))) : 0.0;
-            variance += weight * deviation * deviation;
-            weight_sum += weight;
-        }
-    return sqrt(variance / weight_sum);
-}
-
 void main() {
     ivec2 s = ivec2(gl_GlobalInvocationID.xy);
     if (!is_stratum(s)) return;
@@ -142,7 +124,7 @@ void main() {
     }
     ivec2 p = pixel_of(s, packed);
     EdgeCentre surface = edge_centre(packed, unpack_depth_gradient(texelFetch(depth_gradient, p, 0).x));
-    float sharpness = LOG2_E / (push.sigma_l * deviation_around(s, centre.w) + LUMINANCE_EPSILON);
+    float sharpness = LOG2_E / (push.sigma_l * centre.w + LUMINANCE_EPSILON);
     vec3 sum = centre.xyz;
     float variance = centre.w * centre.w, weight_sum = 1.0;
 #if RATIO

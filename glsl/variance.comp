@@ -20,7 +20,6 @@ layout(constant_id = 3) const bool FILLED = false;
 layout(push_constant) uniform Push {
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
     float volume_sigma_z;
     float spatial_variance_frames;
     float alpha;

@@ -19,7 +19,6 @@ layout(push_constant) uniform Push {
     float normal_tolerance;
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
 } push;
 
 #include "cubic.glsl"

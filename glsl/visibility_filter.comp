@@ -21,7 +21,6 @@ layout(push_constant) uniform Push {
     float visibility_sigma;
     float sigma_n;
     float sigma_z;
-    float edge_falloff;
 } push;
 
 #include "frame.glsl"

@@ -5,7 +5,7 @@
 
 use super::support::{assert_valid, gpu, scene::Guides, scene::Scene, session, svgf, upload};
 use ash::vk;
-use atrous::config::{AdaptiveRule, BlockSort, EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
+use atrous::config::{AdaptiveRule, EawWeights, GradientSource, PostProcess, Preset, Sampling, Signals};
 use atrous::executor::Session;
 use atrous::{Config, Counter, DebugView, FrameParams, Lifetime, ResetReason, Shape, Tuning, UseFrame};
 use atrous_harness::DeviceTest;
@@ -31,7 +31,7 @@ fn configurations() -> Vec<(&'static str, Config)> {
         ("svgf", base),
         ("svgf apart", apart),
         ("svgf object normals, no ids", Config { object_normal: true, surface_id: false, ..apart }),
-        ("svgf fireflies", Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..base }),
+        ("svgf fireflies", Config { firefly_filter: true, ..base }),
         ("svgf one level, tone map", Config { levels: Some(1), post_process: PostProcess::ToneMap, ..base }),
         ("svgf ten levels", Config { levels: Some(10), post_process: PostProcess::None, ..base }),
         ("svgf debug views", Config { debug_view: true, ..apart }),

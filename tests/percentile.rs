@@ -1,14 +1,13 @@
 //! The preset `percentile`: light that changes, outliers, pixels without history, and what its parts cost.
 
 use super::support::{assert_valid, frame, rmse, scene::Scene, session, session_with, svgf, svgf_tuning, upload};
-use atrous::config::{AdaptiveRule, BlockSort, Preset, Signals};
+use atrous::config::{AdaptiveRule, Preset, Signals};
 use atrous::executor::{Session, SessionOptions};
 use atrous::{Config, FrameContext, Tuning};
 use atrous_harness::DeviceTest;
 
 pub const TESTS: &[DeviceTest] = &[
     ("a_light_that_comes_on_and_one_that_goes_out_are_seen", a_light_that_changes_is_seen),
-    ("both_sorts_give_the_same_bits", both_sorts_give_the_same_bits),
     ("a_black_pixel_does_not_stay_black", a_black_pixel_does_not_stay_black),
     ("repair_finds_history_where_svgf_finds_none", repair_finds_history_where_svgf_finds_none),
     ("cost_against_svgf", cost_against_svgf),
@@ -52,28 +51,6 @@ fn a_light_that_changes_is_seen() {
             }
         }
     }
-}
-
-fn both_sorts_give_the_same_bits() {
-    let extent = [320, 180];
-    let scene = Scene { speed: 0.05, ..Scene::new(extent) };
-    let run = |block_sort: BlockSort| {
-        let options = SessionOptions { poison: true, timestamps: true, keep_transients: true, ..Default::default() };
-        let mut s = session_with(&Config { block_sort, ..config(extent) }, options);
-        let mut blocks = Vec::new();
-        let mut fastest = f64::INFINITY;
-        for i in 0..4 {
-            upload(&mut s, &scene.frame(i, i));
-            s.run(&scene.params(i), &tuning()).expect("frame");
-            blocks.push(s.download_bytes("block_percentiles", atrous::UseFrame::Current).expect("kept"));
-            let times = s.times();
-            fastest = times.iter().filter(|t| t.name == "block_percentiles").map(|t| t.milliseconds).fold(fastest, f64::min);
-        }
-        println!("{block_sort:?}: {fastest:.2} ms at {}x{}", extent[0], extent[1]);
-        blocks
-    };
-    assert_eq!(run(BlockSort::Counting), run(BlockSort::OddEven));
-    assert_valid();
 }
 
 fn mean(image: &[[f32; 4]]) -> f64 {

@@ -1,6 +1,6 @@
-// Edge stopping by depth and normal: [SVGF] eq. 3 and 4; with edge_falloff [PSVGF], depth-dependent edge functions.
+// Edge stopping by depth and normal: [SVGF] eq. 3 and 4.
 // Deviation: w_n is exp(-sigma_n (1 - cos)), which is cos^sigma_n to the second order, and takes no logarithm.
-// Twin: src/reference/geometry_weights.rs. Needs `float sigma_n`, `float sigma_z` and `float edge_falloff` in the shader's block `push`.
+// Twin: src/reference/geometry_weights.rs. Needs `float sigma_n` and `float sigma_z` in the shader's block `push`.
 #ifndef GEOMETRY_WEIGHTS_GLSL
 #define GEOMETRY_WEIGHTS_GLSL
 #include "frame.glsl"
@@ -16,7 +16,6 @@ struct EdgeCentre {
     float depth;
     vec3 normal;            // in steps
     vec2 gradient;          // of depth, scene units per pixel
-    float influence;        // of the edge functions at this depth: 1 near, towards 0 far away
     float normal_sharpness; // per squared step
 };
 
@@ -25,14 +24,13 @@ EdgeCentre edge_centre(GuideBits packed, vec2 gradient) {
     centre.depth = guide_depth(packed);
     centre.normal = guide_normal_steps(packed);
     centre.gradient = gradient;
-    centre.influence = LOG2_E / (1.0 + push.edge_falloff * centre.depth);
-    centre.normal_sharpness = centre.influence * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
+    centre.normal_sharpness = LOG2_E * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     return centre;
 }
 
 // Per unit of depth; the same on both sides of the centre.
 float depth_sharpness(EdgeCentre centre, vec2 offset) {
-    return centre.influence / (push.sigma_z * abs(dot(centre.gradient, offset)) + DEPTH_EPSILON * centre.depth);
+    return LOG2_E / (push.sigma_z * abs(dot(centre.gradient, offset)) + DEPTH_EPSILON * centre.depth);
 }
 
 // log2(w_z * w_n): transcendentals are what a tap costs, so every tap takes one exp2 of this and of its luminance weight together, and

@@ -63,15 +63,13 @@ pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 4, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 5, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
@@ -90,15 +88,13 @@ pub(crate) static ATROUS_SIGNALS_2: Shader = Shader {
         PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 4, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 5, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
@@ -116,16 +112,14 @@ pub(crate) static ATROUS_SIGNALS_1_SPECULAR_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 20, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("specular_blur"), offset: 24, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 16, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("specular_blur"), offset: 20, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("KERNEL"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 2, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("ODD"), id: 3, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 4, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 5, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("OURS"), id: 3, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 4, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -162,7 +156,6 @@ pub(crate) static BLOCK_PERCENTILES: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("VOLUME"), id: 1, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("ODD_EVEN"), id: 2, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static CHANGE_TEST: Shader = Shader {
@@ -238,7 +231,6 @@ pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 12, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
@@ -269,7 +261,6 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 12, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
@@ -336,7 +327,6 @@ pub(crate) static FILL_HOLES: Shader = Shader {
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("RADIUS"), id: 1, scalar: Scalar::Int, default: 1 },
@@ -552,11 +542,9 @@ pub(crate) static GRADIENT_ATROUS_RATIO_0: Shader = Shader {
         PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 1, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
@@ -578,11 +566,9 @@ pub(crate) static GRADIENT_ATROUS_RATIO_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("sigma_l"), offset: 4, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 1, scalar: Scalar::Bool, default: 0 },
-        SpecialisationConstant { name: Cow::Borrowed("SMOOTH"), id: 2, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
@@ -919,10 +905,9 @@ pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("alpha"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
@@ -946,10 +931,9 @@ pub(crate) static VARIANCE_SIGNALS_2: Shader = Shader {
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 0, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 12, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 16, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("alpha"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("volume_sigma_z"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("spatial_variance_frames"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("alpha"), offset: 16, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("ESTIMATOR"), id: 1, scalar: Scalar::Uint, default: 0 },
@@ -976,7 +960,6 @@ pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
         PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 24, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
@@ -999,7 +982,6 @@ pub(crate) static VISIBILITY_FILTER_LAST_0: Shader = Shader {
         PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 24, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },
@@ -1023,7 +1005,6 @@ pub(crate) static VISIBILITY_FILTER_LAST_1: Shader = Shader {
         PushMember { name: Cow::Borrowed("visibility_sigma"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("edge_falloff"), offset: 24, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("FIRST"), id: 1, scalar: Scalar::Bool, default: 0 },

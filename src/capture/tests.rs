@@ -159,7 +159,6 @@ fn written_now(folder: &Path) -> String {
         gradient_source: GradientSource::Reshaded,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
-        block_sort: BlockSort::OddEven,
         eaw_weights: EawWeights { radiance: true, normal: false, position: true },
         sampling: Sampling::OneOf2x2,
         conventions,

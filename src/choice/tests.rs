@@ -6,12 +6,11 @@ use crate::{DebugView, ResetReason, ToneCurve};
 
 /// Numbers and names that hosts in C, files and command lines have: a change here breaks them. The numbers follow one another from
 /// the first one on.
-const STABLE: [(&str, u32, &str); 19] = [
+const STABLE: [(&str, u32, &str); 18] = [
     ("AdaptiveRule", 0, "change_test percentiles"),
-    ("BlockSort", 0, "counting odd_even"),
     ("DepthEncoding", 0, "linear device ray_length"),
     ("GradientSource", 0, "forward_projected reshaded sparse confidence"),
-    ("Kernel", 0, "spline box hexagon"),
+    ("Kernel", 0, "spline box"),
     ("MotionDepth", 0, "none difference absolute"),
     ("MotionDirection", 0, "previous_minus_current current_minus_previous"),
     ("MotionUnit", 0, "pixels uv ndc"),
@@ -56,7 +55,6 @@ fn check<T: Choice>() -> &'static str {
 fn names_and_numbers_are_stable_and_lead_back() {
     let checked = [
         check::<AdaptiveRule>(),
-        check::<BlockSort>(),
         check::<DepthEncoding>(),
         check::<GradientSource>(),
         check::<crate::nodes::Kernel>(),

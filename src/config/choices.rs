@@ -93,17 +93,6 @@ choices! {
         Percentiles = 1 => "percentiles",
     }
 
-    /// The method that finds the percentiles of a block. The result is the same to the bit.
-    #[derive(Default)]
-    #[non_exhaustive]
-    pub enum BlockSort {
-        /// Every pixel counts those before it: one barrier.
-        #[default]
-        Counting = 0 => "counting",
-        /// Odd-even transposition as published \[PSVGF\]: 64 rounds with a barrier each. For comparison.
-        OddEven = 1 => "odd_even",
-    }
-
     /// Source of the temporal gradients of [`Preset::Asvgf`] and [`Preset::Stabilize`].
     #[derive(Default)]
     #[non_exhaustive]

@@ -50,8 +50,6 @@ macro_rules! config_fields {
                 /// The rule by which the preset `Percentile` detects changes of light. Default:
                 /// [`AdaptiveRule::ChangeTest`].
                 adaptive_rule: filter choice AdaptiveRule = AdaptiveRule::default();
-                /// The method that finds percentiles. Default: [`BlockSort::Counting`].
-                block_sort: filter choice BlockSort = BlockSort::default();
                 /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
                 stratum_size: filter number u32 = 3;
                 /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].

@@ -12,7 +12,7 @@ mod serde_forms;
 #[cfg(all(test, feature = "serde"))]
 mod serde_tests;
 
-pub use choices::{AdaptiveRule, BlockSort, GradientSource, PostProcess, Preset, Sampling, Signals};
+pub use choices::{AdaptiveRule, GradientSource, PostProcess, Preset, Sampling, Signals};
 pub use conventions::{
     Conventions, DepthEncoding, MotionDepth, MotionDirection, MotionUnit, NormalEncoding, NormalSpace, RoughnessEncoding,
     ViewForward,

@@ -21,7 +21,6 @@ fn config() -> Config {
         visibility: true,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
-        block_sort: BlockSort::OddEven,
         stratum_size: 4,
         gradient_source: GradientSource::Sparse,
         forward_motion: true,

@@ -219,7 +219,7 @@ mod tests {
         for (preset, has, lacks) in [
             (Preset::Svgf, "sigma_l", "gradient_scale"),
             (Preset::Asvgf, "gradient_scale", "percentile_range"),
-            (Preset::Asvgf, "edge_falloff", "volume_sigma_z"),
+            (Preset::Asvgf, "sigma_z", "volume_sigma_z"),
             (Preset::Volume, "volume_sigma_z", "sigma_z"),
             (Preset::Volume, "volume_alpha", "normal_tolerance"),
             (Preset::Percentile, "percentile_range", "gradient_scale"),

@@ -113,10 +113,6 @@ tuning! {
     /// Smallest cosine between expected and stored normal of a pixel's history. Raising it drops more history on curved and bumpy
     /// surfaces.
     normal_tolerance: "1", -1.0 ..= 1.0, 0.7;
-    /// Loss of influence of the edge functions with the depth of the centre pixel, 1 / (1 +
-    /// edge_falloff · depth) (PSVGF). Raising it blurs more far away. It counts in units of the
-    /// scene: for example, 0.05 in metres equals 0.0005 in centimetres.
-    edge_falloff: "1 / scene unit", 0.0 ..= 1000.0, 0.0;
     /// Lower percentile of the luminance of 8×8 pixels (PSVGF). With one sample per pixel it is
     /// close to 0 at any setting.
     percentile_low: "share of the pixels", 0.0 ..= 1.0, 0.1;

@@ -9,7 +9,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, L
 /// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
 /// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
 ///
-/// It reads `signals`, `sampling`, `levels`, `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and
+/// It reads `signals`, `sampling`, `levels`, `firefly_filter`, `gradient_source`, `stratum_size`, `forward_motion` and
 /// `surface_id` of the configuration.
 pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);

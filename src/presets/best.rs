@@ -4,9 +4,7 @@ use super::specular::{compared, modulated, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
-use crate::nodes::{
-    Accumulation, Atrous, Confidences, Demodulate, Estimator, GradientAtrous, Kernel, Known, LuminanceWeight, Variance,
-};
+use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
 
 /// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
 /// `docs/lab/quality.md` measures the worth of each.
@@ -58,7 +56,7 @@ impl Best {
 /// filter runs before it. Where no gradient is known, the change test of [`super::percentile`]
 /// replaces it. `docs/lab/quality.md` measures the worth of each part.
 ///
-/// It reads `signals`, `sampling`, `levels`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
+/// It reads `signals`, `sampling`, `levels`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.
 pub fn best(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     best_with(g, guides, config, Best::new(config))
@@ -74,7 +72,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
             true => g.gradient_and_ratio(guides, &compared, source),
             false => g.gradient(guides, &compared, source),
         };
-        g.gradient_atrous(guides, &gradient, GradientAtrous::default())
+        g.gradient_atrous(guides, &gradient)
     });
     let samples = gradients.and_then(|gradients| gradients.samples());
     let demodulate = Demodulate { gradient, samples, sampling: config.sampling, ..Demodulate::default() };

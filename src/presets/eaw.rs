@@ -8,7 +8,7 @@ use crate::nodes::{Albedo, Demodulate, Eaw, Known};
 
 /// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
 ///
-/// It reads `signals`, `levels`, `eaw_weights`, `sampling`, `firefly_filter` and `block_sort` of the configuration.
+/// It reads `signals`, `levels`, `eaw_weights`, `sampling` and `firefly_filter` of the configuration.
 pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let &Config { eaw_weights: weights, sampling, .. } = config;
     let levels = config.levels();

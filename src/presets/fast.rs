@@ -10,7 +10,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, L
 /// history. Take it if you count every microsecond. `docs/lab/performance.md` compares its cost and
 /// quality with the others.
 ///
-/// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
+/// It reads `signals`, `sampling`, `levels` and `firefly_filter` of the configuration.
 pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     fast_with(g, guides, config, fast_filter(config))
 }

@@ -3,7 +3,7 @@
 
 use crate::config::{Config, GradientSource};
 use crate::graph::{Confidence, Gradient, Graph, Guides, Radiance};
-use crate::nodes::{ForwardProject, GradientAtrous, Gradients};
+use crate::nodes::{ForwardProject, Gradients};
 
 /// The source of gradients, by [`Config::gradient_source`]; for
 /// [`GradientSource::ForwardProjected`] with the output `gradient_samples`. `None`: your own
@@ -37,6 +37,6 @@ pub fn change_of_light(g: &mut Graph, guides: &Guides, noisy: &Radiance, gradien
         return ChangeOfLight { confidence: g.host_confidence(), gradient: None };
     };
     let gradient = g.gradient(guides, noisy, source);
-    let gradient = g.gradient_atrous(guides, &gradient, GradientAtrous::default());
+    let gradient = g.gradient_atrous(guides, &gradient);
     ChangeOfLight { confidence: g.adaptive_alpha(&gradient, None), gradient: Some(gradient) }
 }

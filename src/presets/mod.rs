@@ -193,7 +193,7 @@ fn firefly_filter(
 
 /// Takes outliers out. Light that returns stays, where the preset has a history.
 fn without_fireflies(g: &mut Graph, guides: &Guides, irradiance: &Irradiance, config: &Config) -> (Irradiance, Usual) {
-    let percentiles = g.block_percentiles(guides, irradiance, config.block_sort);
+    let percentiles = g.block_percentiles(guides, irradiance);
     let limits = match config.has_surface_history() {
         true => g.firefly_limits(guides, irradiance, &percentiles),
         false => g.firefly_limits_of_frame(irradiance, &percentiles),

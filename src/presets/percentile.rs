@@ -9,7 +9,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, L
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
 /// \[PSVGF\]
 ///
-/// It reads `signals`, `sampling`, `levels`, `adaptive_rule` and `block_sort` of the configuration.
+/// It reads `signals`, `sampling`, `levels` and `adaptive_rule` of the configuration.
 pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });

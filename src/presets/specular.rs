@@ -1,11 +1,8 @@
 //! The filter of specular light, beside that of diffuse light.
 
 use crate::config::{Config, Signals};
-use crate::graph::{Confidence, Difference, Feedback, Gradient, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
-use crate::nodes::{
-    Albedo, Atrous, Demodulate, Estimator, GradientAtrous, Gradients, Kernel, LuminanceWeight, Modulate, SpecularAccumulation,
-    Variance,
-};
+use crate::graph::{Confidence, Difference, Feedback, GradientSamples, Graph, Guides, Irradiance, Radiance, Reflection};
+use crate::nodes::{Albedo, Atrous, Demodulate, Estimator, Kernel, LuminanceWeight, Modulate, SpecularAccumulation, Variance};
 
 /// Parameters of [`specular`], which differ from preset to preset.
 #[derive(Clone, Copy, Debug)]
@@ -23,13 +20,8 @@ pub struct Specular {
     /// Confidence in the history, which no ratio of light scales.
     pub confidence: Option<Confidence>,
     /// Difference of diffuse light from its history. A change test of it and of specular light then
-    /// replaces `confidence`, unless there are `gradients`. Default: none.
+    /// replaces `confidence`. Default: none.
     pub difference: Option<Difference>,
-    /// Source of gradients of specular light alone, from which it then has a confidence of its own
-    /// instead of `confidence`: light that changes only reflections leaves diffuse light its
-    /// history, where that has gradients of its own, too. Samples that the host shades again alone
-    /// are a source: the others are of all light. Costs 8 bytes per pixel. Default: none.
-    pub gradients: Option<Gradients>,
     /// Re-shaded pixels.
     pub samples: Option<GradientSamples>,
 }
@@ -44,7 +36,6 @@ impl Default for Specular {
             sharp: false,
             confidence: None,
             difference: None,
-            gradients: None,
             samples: None,
         }
     }
@@ -57,19 +48,17 @@ impl Default for Specular {
 pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specular) -> (Irradiance, Reflection) {
     let noisy = g.radiance("noisy_specular");
     let Specular { feedback, variance, kernel, luminance_weight, sharp, samples, .. } = specular;
-    let gradient = specular.gradients.map(|source| own_gradient(g, guides, &noisy, source));
-    let demodulate = Demodulate { albedo: Albedo::Specular, gradient, samples, sampling: config.sampling };
+    let demodulate = Demodulate { albedo: Albedo::Specular, samples, sampling: config.sampling, ..Demodulate::default() };
     let irradiance = g.demodulate(guides, &noisy, demodulate);
     let irradiance = g.fill_holes(guides, &irradiance, config.sampling);
     let history = g.specular_history(&irradiance, feedback);
-    let confidence = match (gradient, specular.difference) {
-        (Some(gradient), _) => Some(g.scope(SCOPE, |g| g.adaptive_alpha(&gradient, None))),
-        (None, Some(diffuse)) => {
+    let confidence = match specular.difference {
+        Some(diffuse) => {
             let own = g.block_difference(guides, &irradiance, &history.history);
             let both = g.pair(&own, &diffuse);
             Some(g.scope(SCOPE, |g| g.change_test(&both)))
         }
-        (None, None) => specular.confidence,
+        None => specular.confidence,
     };
     let accumulation = SpecularAccumulation { confidence, sharp, ..SpecularAccumulation::default() };
     let found = g.specular_accumulation(guides, &irradiance, &history, accumulation);
@@ -82,16 +71,6 @@ pub fn specular(g: &mut Graph, guides: &Guides, config: &Config, specular: Specu
 
 /// Behind the names of nodes that diffuse light has, too.
 const SCOPE: &str = "specular";
-
-fn own_gradient(g: &mut Graph, guides: &Guides, noisy: &Radiance, source: Gradients) -> Gradient {
-    if !matches!(source, Gradients::ForwardProjected(_)) {
-        g.fail(SCOPE, "gradients", "an image of all light was given; allowed are forward-projected samples".to_owned());
-    }
-    g.scope(SCOPE, |g| {
-        let gradient = g.gradient(guides, noisy, source);
-        g.gradient_atrous(guides, &gradient, GradientAtrous::default())
-    })
-}
 
 /// Radiance of the filtered irradiance of a preset; with [`Signals::Specular`] plus specular light,
 /// and its reflections.

@@ -10,7 +10,7 @@ use crate::nodes::{Accumulation, Demodulate, Estimator, Known, Variance};
 /// A-RAE: `noisy_radiance` is compared and `other_denoised_radiance` is accumulated. Both are
 /// divided by the albedo, so that textures stay. \[ASVGF\] 4
 ///
-/// It reads `firefly_filter`, `block_sort`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
+/// It reads `firefly_filter`, `gradient_source`, `stratum_size`, `forward_motion` and `surface_id` of the
 /// configuration.
 pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let gradients = gradient_samples(g, guides, config);

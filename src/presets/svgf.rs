@@ -8,7 +8,7 @@ use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, LuminanceWei
 
 /// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
 ///
-/// It reads `signals`, `sampling`, `levels`, `firefly_filter` and `block_sort` of the configuration.
+/// It reads `signals`, `sampling`, `levels` and `firefly_filter` of the configuration.
 pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let noisy = noisy(g, config.signals);
     let irradiance = g.demodulate(guides, &noisy, Demodulate { sampling: config.sampling, ..Demodulate::default() });

@@ -9,14 +9,14 @@ use crate::nodes::{Known, Modulate, Usual, VolumeAtrous};
 /// \[PSVGF\]
 ///
 /// Both share one graph: you schedule one list of passes and begin one frame, and the guide has one
-/// owner. It reads `levels` (at least 2, since the first one writes the history), `firefly_filter`
-/// and `block_sort` of the configuration.
+/// owner. It reads `levels` (at least 2, since the first one writes the history) and
+/// `firefly_filter` of the configuration.
 pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let volume = g.volume();
     let motion = g.volume_motion(guides, &volume);
     let mut radiance = g.volume_points(&volume);
     let usual = config.firefly_filter.then(|| {
-        let percentiles = g.volume_percentiles(guides, &radiance, config.block_sort);
+        let percentiles = g.volume_percentiles(guides, &radiance);
         Usual { percentiles, limits: g.firefly_limits_of_frame(&radiance, &percentiles) }
     });
     if let Some(Usual { limits, .. }) = &usual {

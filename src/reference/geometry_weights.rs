@@ -25,7 +25,6 @@ enum Edges {
     Surface {
         sigma_z: f32,
         sigma_n: f32,
-        edge_falloff: f32,
     },
     /// Depth alone, and less strictly; there is no background \[PSVGF\].
     Volume {
@@ -38,7 +37,7 @@ impl Geometry {
         Self {
             surfaces: Image::compute(guide.extent(), frame.render_extent, |p| unpack_guide(guide.at(p))),
             gradients: Image::compute(guide.extent(), frame.render_extent, |p| unpack_depth_gradient(depth_gradient.at(p)).into()),
-            edges: Edges::Surface { sigma_z: tuning.sigma_z, sigma_n: tuning.sigma_n, edge_falloff: tuning.edge_falloff },
+            edges: Edges::Surface { sigma_z: tuning.sigma_z, sigma_n: tuning.sigma_n },
             sigma_l: tuning.sigma_l,
         }
     }
@@ -76,29 +75,21 @@ impl Geometry {
             return 0.0;
         }
         match self.edges {
-            Edges::Surface { sigma_z, sigma_n, edge_falloff } => {
+            Edges::Surface { sigma_z, sigma_n } => {
                 let offset = (q - p).as_vec2();
-                depth_and_normal_weight([sigma_z, sigma_n], edge_falloff, &at_p, &at_q, self.gradients.at(p), offset)
+                depth_and_normal_weight([sigma_z, sigma_n], &at_p, &at_q, self.gradients.at(p), offset)
             }
             Edges::Volume { sigma_z } => (-relative_difference(at_p.linear_depth, at_q.linear_depth) / sigma_z).exp(),
         }
     }
 }
 
-/// `w_z·w_n` of two surfaces that lie `offset` pixels apart. With `edge_falloff` the influence of both falls with the depth of the
-/// centre \[PSVGF\].
-pub(crate) fn depth_and_normal_weight(
-    [sigma_z, sigma_n]: [f32; 2],
-    edge_falloff: f32,
-    p: &Surface,
-    q: &Surface,
-    gradient: Vec2,
-    offset: Vec2,
-) -> f32 {
+/// `w_z·w_n` of two surfaces that lie `offset` pixels apart.
+pub(crate) fn depth_and_normal_weight([sigma_z, sigma_n]: [f32; 2], p: &Surface, q: &Surface, gradient: Vec2, offset: Vec2) -> f32 {
     let tolerance = sigma_z * gradient.dot(offset).abs() + DEPTH_EPSILON * p.linear_depth;
     let difference = (p.linear_depth - q.linear_depth).abs();
     let exponent_z = -difference / tolerance.max(f32::MIN_POSITIVE);
     // 1 − cos of two unit normals is half of their squared distance.
     let exponent_n = -sigma_n * 0.5 * Vec3::from(p.normal).distance_squared(q.normal.into());
-    ((exponent_z + exponent_n) / (1.0 + edge_falloff * p.linear_depth)).exp()
+    (exponent_z + exponent_n).exp()
 }

@@ -3,8 +3,8 @@
 use crate::graphs::dice::Dice;
 use crate::support::{assert_finite, assert_valid, session, soak};
 use atrous::config::{
-    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
-    NormalEncoding, NormalSpace, PostProcess, Preset, RoughnessEncoding, Sampling, Signals, ViewForward,
+    AdaptiveRule, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
+    NormalSpace, PostProcess, Preset, RoughnessEncoding, Sampling, Signals, ViewForward,
 };
 use atrous::executor::Session;
 use atrous::{Component, Config, DebugView, FrameParams, ImageFormat, Lifetime, ResetReason, Shape, Tuning};
@@ -34,7 +34,6 @@ pub fn config(dice: &mut Dice) -> Config {
         visibility: dice.coin(),
         firefly_filter: dice.coin(),
         adaptive_rule: dice.one_of(&AdaptiveRule::ALL),
-        block_sort: dice.one_of(&BlockSort::ALL),
         stratum_size: 2 + dice.below(3),
         gradient_source: dice.one_of(&GradientSource::ALL),
         forward_motion: dice.coin(),

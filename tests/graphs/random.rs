@@ -1,7 +1,7 @@
 //! Random graphs that make sense: a seed says which nodes there are, and with which parameters.
 
 use super::dice::Dice;
-use atrous::config::{BlockSort, Conventions, EawWeights, Sampling};
+use atrous::config::{Conventions, EawWeights, Sampling};
 use atrous::graph::{
     Accumulated, Confidence, Estimate, Feedback, Gradient, GradientSamples, Graph, Guides, History, Irradiance, Radiance, Value,
 };
@@ -187,8 +187,7 @@ fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
         _ => Gradients::Sparse { stratum_size },
     };
     let gradient = g.gradient(guides, noisy, source);
-    let smooth = GradientAtrous { smooth_deviation: stratum_size == 2 };
-    let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient, smooth) } else { gradient };
+    let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient) } else { gradient };
     let samples = source.samples();
     Change { confidence: Some(g.adaptive_alpha(&gradient, None)), gradient: Some(gradient), samples }
 }
@@ -203,7 +202,7 @@ fn without_fireflies(
     if !wanted && dice.coin() {
         return (irradiance, None);
     }
-    let percentiles = g.block_percentiles(guides, &irradiance, dice.one_of(&[BlockSort::Counting, BlockSort::OddEven]));
+    let percentiles = g.block_percentiles(guides, &irradiance);
     let limits = match dice.coin() {
         true => g.firefly_limits(guides, &irradiance, &percentiles),
         false => g.firefly_limits_of_frame(&irradiance, &percentiles),
@@ -247,7 +246,7 @@ impl Filter<'_> {
             _ => {
                 let estimator = dice.one_of(&[Estimator::Switched, Estimator::Fading, Estimator::OfMean]);
                 let estimate = estimate(g, estimator);
-                let kernel = dice.one_of(&[Kernel::Spline, Kernel::Box, Kernel::Hexagon]);
+                let kernel = dice.one_of(&Kernel::ALL);
                 let sigma_l = dice.one_of(&[Value::Own, Value::Fixed(1.5), Value::Tunable("volume_sigma_l")]);
                 let luminance_weight = dice.one_of(&[LuminanceWeight::Published, LuminanceWeight::OfMeans]);
                 let shape = Atrous { levels: levels(dice), kernel, luminance_weight, ..Atrous::default() };
@@ -291,7 +290,7 @@ fn volume(g: &mut Graph, dice: &mut Dice, guides: &Guides) -> Branch {
     let motion = g.volume_motion(guides, &volume);
     let mut radiance = g.volume_points(&volume);
     let usual = dice.coin().then(|| {
-        let percentiles = g.volume_percentiles(guides, &radiance, BlockSort::Counting);
+        let percentiles = g.volume_percentiles(guides, &radiance);
         Usual { percentiles, limits: g.firefly_limits_of_frame(&radiance, &percentiles) }
     });
     if let Some(Usual { limits, .. }) = &usual {

@@ -15,7 +15,7 @@ use super::support::{
     scene::{Guides, Scene},
     session_with, svgf, svgf_tuning, upload,
 };
-use ::atrous::config::{AdaptiveRule, BlockSort, PostProcess, Preset, Sampling, Signals};
+use ::atrous::config::{AdaptiveRule, PostProcess, Preset, Sampling, Signals};
 use ::atrous::executor::{Session, SessionOptions};
 use ::atrous::{Config, Declaration, FrameContext, FrameParams, ResetReason, Tuning, Use};
 use atrous_harness::DeviceTest;
@@ -34,7 +34,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("without_ids", || sequence(&Config { surface_id: false, ..svgf([40, 23]) })),
     ("one_pixel", || sequence(&svgf([1, 1]))),
     ("a_rect_in_a_larger_image", || sequence_of(&svgf([64, 40]), [37, 21])),
-    ("firefly_filter", || sequence(&Config { firefly_filter: true, block_sort: BlockSort::OddEven, ..svgf([61, 35]) })),
+    ("firefly_filter", || sequence(&Config { firefly_filter: true, ..svgf([61, 35]) })),
     ("outliers", outliers),
     ("percentile", || sequence(&percentile([61, 35]))),
     ("percentile_two_signals", || sequence(&Config { signals: Signals::Apart, ..percentile([61, 35]) })),
@@ -79,7 +79,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("import_in_every_encoding", import::every_encoding),
     ("import_with_instance_transforms", import::instance_transforms),
     ("normals_switched_off", || {
-        tuned_sequence(&svgf([40, 23]), [40, 23], Tuning { sigma_n: 0.0, edge_falloff: 0.3, ..svgf_tuning() });
+        tuned_sequence(&svgf([40, 23]), [40, 23], Tuning { sigma_n: 0.0, ..svgf_tuning() });
     }),
     ("tone_map_curves", tone_map::curves),
     ("asvgf_forward_projected", asvgf::forward_projected),

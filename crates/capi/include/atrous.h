@@ -171,8 +171,6 @@ typedef struct AtrousConfig {
   uint32_t firefly_filter;
   // The rule by which the preset `Percentile` detects changes of light. 0 (change_test), 1 (percentiles). Default: 0.
   uint32_t adaptive_rule;
-  // The method that finds percentiles. 0 (counting), 1 (odd_even). Default: 0.
-  uint32_t block_sort;
   // Side of the strata of temporal gradients, 2 to 4 pixels. Only for presets with gradients. Default: 3.
   uint32_t stratum_size;
   // Source of the temporal gradients. Only for presets with gradients. 0 (forward_projected), 1 (reshaded), 2 (sparse), 3

@@ -31,7 +31,7 @@ fn defaults_are_those_of_the_crate() {
 #[test]
 fn numbers_out_of_range_are_named() {
     type Case = (&'static str, fn(&mut AtrousConfig));
-    let cases: [Case; 11] = [
+    let cases: [Case; 10] = [
         ("preset", |c| c.preset = 77),
         ("depth", |c| c.depth = 77),
         ("motion_y_up", |c| c.motion_y_up = 77),
@@ -40,7 +40,6 @@ fn numbers_out_of_range_are_named() {
         ("visibility", |c| c.visibility = 77),
         ("firefly_filter", |c| c.firefly_filter = 77),
         ("adaptive_rule", |c| c.adaptive_rule = 77),
-        ("block_sort", |c| c.block_sort = 77),
         ("eaw_weights", |c| c.eaw_weights = 77),
         ("sampling", |c| c.sampling = 77),
     ];
@@ -88,14 +87,13 @@ fn choices_of_a_frame_are_those_of_the_crate() {
 
 #[test]
 fn every_choice_of_a_filter_is_reachable() {
-    use atrous::config::{AdaptiveRule, BlockSort, EawWeights, Sampling};
+    use atrous::config::{AdaptiveRule, EawWeights, Sampling};
     let given = AtrousConfig {
         preset: 4,
         volume: 1,
         visibility: 1,
         firefly_filter: 1,
         adaptive_rule: 1,
-        block_sort: 1,
         eaw_weights: 0b101,
         sampling: 2,
         ..AtrousConfig::default_for([64, 36])
@@ -106,7 +104,6 @@ fn every_choice_of_a_filter_is_reachable() {
         visibility: true,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
-        block_sort: BlockSort::OddEven,
         eaw_weights: EawWeights { radiance: true, normal: false, position: true },
         sampling: Sampling::OneOf4x4,
         ..Config::new([64, 36])

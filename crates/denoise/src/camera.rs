@@ -2,6 +2,7 @@
 
 use crate::captured_config::CapturedConfig;
 use crate::error::{Result, ToolError};
+use crate::old_tunables::without_gone;
 use atrous::ResetReason;
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
@@ -123,7 +124,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let json: Json = serde_json::from_str(text).map_err(|e| problem(format!("is not a sequence description: {e}")))?;
     let mut cameras = BTreeMap::new();
-    for (index, frame) in json.frames.iter().enumerate() {
+    for (index, frame) in json.frames.into_iter().enumerate() {
         let number = frame.i.unwrap_or(index as u64);
         let camera = Camera {
             index: frame.index.unwrap_or(number),
@@ -133,7 +134,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             exposure_ratio: frame.exposure_ratio,
             reset: frame.reset,
             reshaded: frame.reshaded,
-            tuning: frame.tuning.clone(),
+            tuning: without_gone(frame.tuning).map_err(problem)?,
         };
         if cameras.insert(number, camera).is_some() {
             return Err(problem(format!("has frame {number} twice")));
@@ -143,5 +144,6 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
     let checksum = crc32fast::hash(text.as_bytes());
     let config = json.levels.map_or(json.config, CapturedConfig::of_the_first);
-    Ok(SequenceFile { path: path.to_owned(), cameras, conventions, config, tuning: json.tuning, checksum, verbatim: json.verbatim })
+    let tuning = without_gone(json.tuning).map_err(problem)?;
+    Ok(SequenceFile { path: path.to_owned(), cameras, conventions, config, tuning, checksum, verbatim: json.verbatim })
 }

@@ -6,6 +6,9 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use serde_json::{Map, Value};
 
+/// Fields of older captures that choose nothing any more: the picture is the same without.
+const WITHOUT_EFFECT: [&str; 1] = ["block_sort"];
+
 /// Fields of the configuration that choose the filter. Every one may be left out. Signals and guides are seen by the channels.
 #[derive(Clone, Debug, Default)]
 pub struct CapturedConfig {
@@ -36,7 +39,7 @@ fn changed(config: &Config, fields: &Map<String, Value>) -> serde_json::Result<C
 impl<'de> Deserialize<'de> for CapturedConfig {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let mut others = Map::deserialize(deserializer)?;
-        others.retain(|_, value| !value.is_null());
+        others.retain(|name, value| !value.is_null() && !WITHOUT_EFFECT.contains(&name.as_str()));
         let known = || Config::FIELDS.iter().filter(|field| field.is_of_filter).map(|field| field.name);
         if let Some(name) = others.keys().find(|name| known().all(|known| known != name.as_str())) {
             let known: Vec<_> = known().map(|name| format!("`{name}`")).collect();

@@ -29,6 +29,7 @@ pub mod memory;
 mod missing;
 pub mod motion;
 mod negative;
+mod old_tunables;
 pub mod options;
 mod panics;
 mod pictures;

@@ -96,7 +96,6 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         visibility: choices.one_in(2),
         firefly_filter: choices.one_in(2),
         adaptive_rule: choice(choices),
-        block_sort: choice(choices),
         eaw_weights: EawWeights::from_bits(number(choices, 7)).unwrap_or_default(),
         sampling: choice(choices),
         stratum_size: number(choices, 3),

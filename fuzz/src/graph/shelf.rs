@@ -139,14 +139,13 @@ impl Shelf {
             }
             10 => {
                 let gradient = any(choices, &self.gradients)?;
-                let parameters = GradientAtrous { smooth_deviation: choices.one_in(2) };
-                let gradient = if choices.one_in(2) { g.gradient_atrous(&guides, &gradient, parameters) } else { gradient };
+                let gradient = if choices.one_in(2) { g.gradient_atrous(&guides, &gradient) } else { gradient };
                 self.gradients.push(gradient);
                 self.confidence.push(g.adaptive_alpha(&gradient, None));
             }
             11 => {
                 let irradiance = self.port(choices, &self.irradiance)?;
-                let percentiles = g.block_percentiles(&guides, &irradiance, choice(choices));
+                let percentiles = g.block_percentiles(&guides, &irradiance);
                 self.percentiles.push(percentiles);
                 let limits = match choices.one_in(2) {
                     true => g.firefly_limits(&guides, &irradiance, &percentiles),

@@ -104,7 +104,7 @@ fn an_optional_binding_that_is_wired_has_a_use_and_a_bit() {
 
 #[test]
 fn a_constant_is_set_by_its_name() {
-    let declaration = finish(|pass, _| pass.constant("ODD", 1).constant("KERNEL", 2)).expect("it fits");
+    let declaration = finish(|pass, _| pass.constant("OURS", 1).constant("KERNEL", 2)).expect("it fits");
     assert_eq!(declaration.passes()[1].dispatch().expect("a dispatch").constants, [(1, 2), (3, 1)]);
 }
 
@@ -152,13 +152,13 @@ fn a_wrong_constant_is_named_with_those_that_there_are() {
     for for_all in crate::shaders::SET_FOR_ALL {
         problem(|pass, _| pass.constant(for_all, 3), for_all, &["no constant"]);
     }
-    problem(|pass, _| pass.constant("ODD", 1).constant("ODD", 0), "ODD", &["set twice"]);
-    problem(|pass, _| pass.constant("ODD", 2), "ODD", &["is 2; a bool is 0 or 1"]);
+    problem(|pass, _| pass.constant("OURS", 1).constant("OURS", 0), "OURS", &["set twice"]);
+    problem(|pass, _| pass.constant("OURS", 2), "OURS", &["is 2; a bool is 0 or 1"]);
 }
 
 #[test]
 fn a_wrong_parameter_is_named_with_those_that_there_are() {
-    let known = "sigma_l, sigma_n, sigma_z, edge_falloff, volume_sigma_z";
+    let known = "sigma_l, sigma_n, sigma_z, volume_sigma_z";
     problem(|pass, _| pass.value("sigma", Value::Fixed(1.0)), "sigma", &["no parameter of atrous_signals_1", known]);
     problem(|_, i| i.modulation().value("present", Value::Fixed(1.0)), "present", &["no parameter"]);
     let no_tunable = |pass: Pass, _: &Images| pass.value("sigma_l", Value::Tunable("sigma"));

@@ -13,9 +13,6 @@ choices! {
         /// 3×3 box \[ASVGF\]: 9 taps, 1, 2, 4, 7, 15, 31, ... pixels apart. With even steps alone no level but the first would mix even
         /// pixels with odd ones, which leaves a lattice where the first one refuses outliers.
         Box = 1 => "box",
-        /// The pixel and six around it: 7 taps. They are those of the box without the two beside it on even levels, without the two
-        /// above and below it on odd ones, so that two levels together look the same way in both directions.
-        Hexagon = 2 => "hexagon",
     }
 }
 
@@ -27,7 +24,7 @@ impl Kernel {
     pub(crate) fn radius(self) -> i32 {
         match self {
             Self::Spline => 2,
-            Self::Box | Self::Hexagon => 1,
+            Self::Box => 1,
         }
     }
 
@@ -40,16 +37,12 @@ impl Kernel {
         }
     }
 
-    /// The weight of the tap at an offset in steps of the level; `None` where there is no tap.
-    pub(crate) fn weight(self, level: u32, x: i32, y: i32) -> Option<f32> {
+    /// The weight of the tap at an offset in steps of the level, at most [`Self::radius`] along each axis.
+    pub(crate) fn weight(self, x: i32, y: i32) -> f32 {
         let [x, y] = [x, y].map(|offset| offset.unsigned_abs() as usize);
         match self {
-            Self::Spline => Some(SPLINE.get(x)? * SPLINE.get(y)?),
-            Self::Box => Some(1.0 / 9.0),
-            Self::Hexagon => {
-                let left_out = if level.is_multiple_of(2) { (1, 0) } else { (0, 1) };
-                ((x, y) != left_out).then_some(1.0 / 7.0)
-            }
+            Self::Spline => SPLINE[x] * SPLINE[y],
+            Self::Box => 1.0 / 9.0,
         }
     }
 }
@@ -60,13 +53,11 @@ mod tests {
 
     #[test]
     fn weights_add_up_to_one_around_the_centre() {
-        for (kernel, taps) in [(Kernel::Spline, 25), (Kernel::Box, 9), (Kernel::Hexagon, 7)] {
-            for level in 0..4 {
-                let side = || -kernel.radius()..=kernel.radius();
-                let weights: Vec<f32> = side().flat_map(|y| side().filter_map(move |x| kernel.weight(level, x, y))).collect();
-                assert_eq!(weights.len(), taps, "{kernel:?}");
-                assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{kernel:?}");
-            }
+        for (kernel, taps) in [(Kernel::Spline, 25), (Kernel::Box, 9)] {
+            let side = || -kernel.radius()..=kernel.radius();
+            let weights: Vec<f32> = side().flat_map(|y| side().map(move |x| kernel.weight(x, y))).collect();
+            assert_eq!(weights.len(), taps, "{kernel:?}");
+            assert!((weights.iter().sum::<f32>() - 1.0).abs() < 1e-6, "{kernel:?}");
         }
     }
 
@@ -74,15 +65,6 @@ mod tests {
     #[test]
     fn a_box_has_odd_steps_after_the_first_level() {
         assert_eq!([0, 1, 2, 3, 4, 5].map(|level| Kernel::Box.step(level)), [1, 2, 4, 7, 15, 31]);
-        for kernel in [Kernel::Spline, Kernel::Hexagon] {
-            assert_eq!([0, 1, 2, 3, 4, 5].map(|level| kernel.step(level)), [1, 2, 4, 8, 16, 32], "{kernel}");
-        }
-    }
-
-    #[test]
-    fn a_hexagon_lies_the_other_way_on_the_next_level() {
-        let beside = |level| Kernel::Hexagon.weight(level, 1, 0).is_some();
-        let above = |level| Kernel::Hexagon.weight(level, 0, -1).is_some();
-        assert_eq!([beside(0), above(0), beside(1), above(1)], [false, true, true, false]);
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|level| Kernel::Spline.step(level)), [1, 2, 4, 8, 16, 32]);
     }
 }

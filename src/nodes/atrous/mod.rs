@@ -98,8 +98,6 @@ impl Graph {
             level_pass(&node, name, module, level)
                 .constant("KERNEL", atrous.kernel as u32)
                 .constant("OURS", u32::from(atrous.luminance_weight == LuminanceWeight::OfMeans))
-                // Of no other kernel, so that its levels share their pipelines.
-                .constant("ODD", if atrous.kernel == Kernel::Hexagon { level % 2 } else { 0 })
                 .value("sigma_l", atrous.sigma_l)
                 .value("sigma_n", atrous.sigma_n)
                 .value("sigma_z", atrous.sigma_z)
@@ -121,7 +119,6 @@ impl Graph {
                 .value("sigma_l", Value::Tunable("volume_sigma_l"))
                 .value("sigma_n", UNREAD)
                 .value("sigma_z", UNREAD)
-                .value("edge_falloff", UNREAD)
                 .bind("guide", guides.guide)
                 .bind("depth_gradient", guides.depth_gradient)
         })

@@ -108,8 +108,7 @@ fn filter(
                 Sum::new(centre(i), variance.sqrt(), level.luminance_weight, geometry.sigma_l)
             });
             for (offset, q) in rect.window(p, level.kernel.radius(), step) {
-                let Some(h) = level.kernel.weight(level.number, offset.x, offset.y) else { continue };
-                let weight = h * shown(q);
+                let weight = level.kernel.weight(offset.x, offset.y) * shown(q);
                 if weight > 0.0 {
                     sums.iter_mut().zip(pair).for_each(|(sum, image)| sum.add(weight, p == q, image.at(q)));
                 }

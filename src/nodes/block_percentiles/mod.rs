@@ -5,7 +5,6 @@
 pub(crate) mod twin;
 
 use super::pass;
-use crate::config::BlockSort;
 use crate::graph::{Graph, Guides, Irradiance, Percentiles, Port, VolumeRadiance, PACKED_32};
 use crate::shaders;
 
@@ -14,23 +13,22 @@ pub const BLOCK_SIZE: u32 = 8;
 
 impl Graph {
     /// Percentiles of every signal, one pass and one image each.
-    pub fn block_percentiles(&mut self, guides: &Guides, irradiance: &Irradiance, sort: BlockSort) -> Percentiles {
-        self.percentiles_of(guides, irradiance, sort, false)
+    pub fn block_percentiles(&mut self, guides: &Guides, irradiance: &Irradiance) -> Percentiles {
+        self.percentiles_of(guides, irradiance, false)
     }
 
     /// Percentiles of a volume, with the pixels of the background.
-    pub fn volume_percentiles(&mut self, guides: &Guides, radiance: &VolumeRadiance, sort: BlockSort) -> Percentiles {
-        self.percentiles_of(guides, radiance, sort, true)
+    pub fn volume_percentiles(&mut self, guides: &Guides, radiance: &VolumeRadiance) -> Percentiles {
+        self.percentiles_of(guides, radiance, true)
     }
 
-    fn percentiles_of<K>(&mut self, guides: &Guides, port: &Port<K>, sort: BlockSort, volume: bool) -> Percentiles {
+    fn percentiles_of<K>(&mut self, guides: &Guides, port: &Port<K>, volume: bool) -> Percentiles {
         let percentiles: Percentiles = self.image_each(port, "block_percentiles", PACKED_32, BLOCK_SIZE);
         for (input, output) in port.images().iter().zip(percentiles.images()) {
             let label = self.label(*input).to_owned();
             let node = self.node("block_percentiles", &label);
             let pass = pass(&node, &shaders::BLOCK_PERCENTILES)
                 .constant("VOLUME", u32::from(volume))
-                .constant("ODD_EVEN", u32::from(sort == BlockSort::OddEven))
                 .bind("guide", guides.guide)
                 .bind("irradiance", *input)
                 .bind("block_percentiles", *output);

@@ -4,7 +4,7 @@
 
 pub(crate) mod twin;
 
-use super::{pass, UNREAD};
+use super::pass;
 use crate::config::Sampling;
 use crate::contract::Input;
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, Value, HDR};
@@ -85,7 +85,6 @@ impl Graph {
             .constant("PAINTING", demodulate.sampling as u32)
             .value("sigma_n", Value::Fixed(HOLE_SIGMA_N))
             .value("sigma_z", Value::Fixed(HOLE_SIGMA_Z))
-            .value("edge_falloff", UNREAD)
             .bind("guide", guides.guide)
             .bind("depth_gradient", guides.depth_gradient)
             .each("noisy", noisy.images())

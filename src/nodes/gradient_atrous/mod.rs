@@ -13,17 +13,9 @@ use crate::shaders;
 /// Iterations of the reconstruction, as in the paper.
 const ITERATIONS: u32 = 5;
 
-/// Parameters of the node `gradient_atrous`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct GradientAtrous {
-    /// Whether the means of strata are compared by the deviation of 3×3 strata \[ASVGF eq. 11\]
-    /// instead of the stratum's own. Default: false; `docs/lab/stages.md` has the figures.
-    pub smooth_deviation: bool,
-}
-
 impl Graph {
     /// Reconstructed gradients, in five passes; with the ratio of light, where [`Self::gradient_and_ratio`] measured it.
-    pub fn gradient_atrous(&mut self, guides: &Guides, gradient: &Gradient, parameters: GradientAtrous) -> Gradient {
+    pub fn gradient_atrous(&mut self, guides: &Guides, gradient: &Gradient) -> Gradient {
         let node = self.node("gradient_atrous", "");
         let size = gradient.stratum_size;
         let images = ["gradient_even", "gradient_odd"].map(|name| self.strata_image(name, size));
@@ -41,7 +33,6 @@ impl Graph {
                 .level(level)
                 .grid(Grid::Strata(size))
                 .constant("STRATUM_SIZE", size)
-                .constant("SMOOTH", u32::from(parameters.smooth_deviation))
                 .bind("gradient_guide", gradient.guide)
                 .bind("depth_gradient", guides.depth_gradient)
                 .bind("gradient_in", from)

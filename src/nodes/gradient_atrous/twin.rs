@@ -41,8 +41,6 @@ pub(crate) struct GradientAtrousInputs<'a> {
     pub gradient: &'a Image<[f32; 4]>,
     /// Light, where its ratio is wanted.
     pub light: Option<Light<'a>>,
-    /// Whether the deviation by which means are compared is that of 3×3 strata \[ASVGF eq. 11\].
-    pub smooth_deviation: bool,
     /// Whether this is the last iteration, which leaves the ratio in the place of the light before.
     pub last: bool,
 }
@@ -169,8 +167,7 @@ fn weights(tuning: &Tuning, strata: Strata, level: u32, inputs: &GradientAtrousI
     }
     let p = pixel_of(strata, inputs.gradient_guide, s);
     let slope = Vec2::from(unpack_depth_gradient(inputs.depth_gradient.at(p)));
-    let deviation = if inputs.smooth_deviation { smoothed_deviation(strata, inputs, s) } else { centre[3] };
-    let tolerance = tuning.sigma_l * deviation + LUMINANCE_EPSILON;
+    let tolerance = tuning.sigma_l * centre[3] + LUMINANCE_EPSILON;
     let weight = |t: IVec2| {
         if t == s {
             return Some((t, 1.0));
@@ -180,19 +177,9 @@ fn weights(tuning: &Tuning, strata: Strata, level: u32, inputs: &GradientAtrousI
         let offset = (pixel_of(strata, inputs.gradient_guide, t) - p).as_vec2();
         let weight_l = (-(inputs.gradient.at(t)[2] - centre[2]).abs() / tolerance).exp();
         let sigmas = [tuning.sigma_z, tuning.sigma_n];
-        Some((t, weight_l * depth_and_normal_weight(sigmas, tuning.edge_falloff, &surface, &tap, slope, offset)))
+        Some((t, weight_l * depth_and_normal_weight(sigmas, &surface, &tap, slope, offset)))
     };
     Some((0..9).filter_map(|i| weight(s + IVec2::new(i % 3 - 1, i / 3 - 1) * (1 << level))).collect())
-}
-
-/// \[ASVGF eq. 11\]: the root of the Gaussian mean of the variance of 3×3 strata, without the background.
-fn smoothed_deviation(strata: Strata, inputs: &GradientAtrousInputs, s: IVec2) -> f32 {
-    let offsets = (0..9).map(|i| IVec2::new(i % 3 - 1, i / 3 - 1));
-    let taps = offsets.map(|o| (s + o, 0.25_f32 * 0.5_f32.powi(o.abs().element_sum())));
-    let counts = |t: &IVec2| strata.contains(*t) && !unpack_guide(inputs.gradient_guide.at(*t)).is_background();
-    let taps: Vec<_> = taps.filter(|(t, _)| counts(t)).collect();
-    let variance: f32 = taps.iter().map(|(t, weight)| weight * inputs.gradient.at(*t)[3].powi(2)).sum();
-    (variance / taps.iter().map(|(_, weight)| weight).sum::<f32>()).sqrt()
 }
 
 /// The pixel that stands for a stratum.
@@ -219,7 +206,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         depth_gradient: b.uint("depth_gradient")?,
         gradient: b.colour("gradient_in")?,
         light,
-        smooth_deviation: b.is_on("SMOOTH")?,
         last: light.is_some() && b.is_on("LAST")?,
     };
     let outputs = gradient_atrous(b.frame, b.tuning, b.stratum_size()?, b.level, &inputs);

@@ -58,7 +58,6 @@ impl Graph {
             .constant("VOLUME", 1)
             .value("sigma_n", UNREAD)
             .value("sigma_z", UNREAD)
-            .value("edge_falloff", UNREAD)
             .bind("guide", guides.guide)
             .bind("depth_gradient", guides.depth_gradient);
         self.add_estimate(pass, accumulated, history)

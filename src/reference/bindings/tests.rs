@@ -106,7 +106,6 @@ fn a_constant_chooses_the_kernel_and_the_geometry() {
     let expected = [
         ([0, 0, 0], surfaces(level)),
         ([1, 0, 0], surfaces(AtrousLevel { kernel: Kernel::Box, ..level })),
-        ([2, 0, 0], surfaces(AtrousLevel { kernel: Kernel::Hexagon, ..level })),
         ([0, 0, 1], surfaces(AtrousLevel { luminance_weight: LuminanceWeight::OfMeans, ..level })),
         ([0, 1, 0], volume_atrous(&frame, &tuning, level, &scene.guide, &image)),
     ];

@@ -3,8 +3,8 @@
 use ash::vk::Format;
 use atrous::capture::{InputFrame, InputImage, SequenceWriter};
 use atrous::config::{
-    AdaptiveRule, BlockSort, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit,
-    NormalEncoding, NormalSpace, Preset, Sampling, Signals, ViewForward,
+    AdaptiveRule, Conventions, DepthEncoding, EawWeights, GradientSource, MotionDepth, MotionDirection, MotionUnit, NormalEncoding,
+    NormalSpace, Preset, Sampling, Signals, ViewForward,
 };
 use atrous::{Config, FrameParams, ResetReason, Tuning};
 use atrous_denoise::frame_files;
@@ -41,7 +41,6 @@ fn the_description_of_an_old_capture_is_read() {
         gradient_source: GradientSource::Reshaded,
         firefly_filter: true,
         adaptive_rule: AdaptiveRule::Percentiles,
-        block_sort: BlockSort::OddEven,
         eaw_weights: EawWeights { radiance: true, normal: false, position: true },
         sampling: Sampling::OneOf2x2,
         conventions,

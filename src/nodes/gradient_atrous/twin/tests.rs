@@ -17,7 +17,6 @@ fn reconstructed(gradient: &Image<[f32; 4]>, surfaces: impl Fn(i32, i32) -> Surf
             depth_gradient: &depth_gradient,
             gradient: &gradient,
             light: None,
-            smooth_deviation: false,
             last: false,
         };
         gradient_atrous(&frame(EXTENT), &svgf_tuning(), 3, level, &inputs).gradient
@@ -68,26 +67,6 @@ fn a_place_whose_samples_all_say_that_nothing_changed_keeps_to_that() {
 fn a_background_stratum_is_left_alone() {
     let input = paint(STRATA, |x, y| [x as f32, y as f32, 1.0, 0.0]);
     assert_eq!(reconstructed(&input, |_, _| surface(0.0)), input);
-}
-
-/// One stratum whose pixels happen to be alike, among noisy ones with another mean.
-#[test]
-fn a_smooth_deviation_lets_strata_that_know_of_none_take_part() {
-    let gradient = paint(STRATA, |x, y| if (x, y) == (12, 10) { [0.0, 0.0, 0.2, 0.0] } else { [0.5, 1.0, 1.0, 0.5] });
-    let at_the_stratum = |smooth_deviation| {
-        let inputs = GradientAtrousInputs {
-            gradient_guide: &paint(STRATA, |_, _| surface(4.0)).map(pack_guide).map(|t| [t[0] & !0xf, t[1], t[2], t[3]]),
-            depth_gradient: &Image::new(EXTENT, 0),
-            gradient: &gradient,
-            light: None,
-            smooth_deviation,
-            last: false,
-        };
-        gradient_atrous(&frame(EXTENT), &Tuning::default(), 3, 0, &inputs).gradient.at(IVec2::new(12, 10))
-    };
-    assert_eq!(at_the_stratum(false)[..2], [0.0, 0.0]);
-    let [change, brightest, ..] = at_the_stratum(true);
-    assert!(change > 0.1 && (change / brightest - 0.5).abs() < 1e-3, "{change} of {brightest}");
 }
 
 /// The light of a place whose samples are `times` those given: before and now.
@@ -176,7 +155,6 @@ fn a_ratio_that_is_known_is_not_blurred() {
                 depth_gradient: &depth_gradient,
                 gradient: &gradient,
                 light: Some(Light { before: &images[0], now: &images[1] }),
-                smooth_deviation: false,
                 last: level + 1 == GRADIENT_ITERATIONS,
             };
             images = gradient_atrous(&frame(EXTENT), &svgf_tuning(), 3, level, &inputs).light.expect("light went in");

@@ -32,7 +32,7 @@ pub fn all() -> Vec<Filter> {
     let preset = |preset: Preset| Filter { name: preset.name().to_owned(), preset, spatial: None };
     let mut all: Vec<_> = PRESETS.map(preset).into();
     for (preset, own) in OWN {
-        for (kernel, taps) in [(Kernel::Spline, 25), (Kernel::Box, 9), (Kernel::Hexagon, 7)] {
+        for (kernel, taps) in [(Kernel::Spline, 25), (Kernel::Box, 9)] {
             for levels in 3..=5 {
                 let spatial = Spatial { kernel, levels };
                 let name = format!("{preset} {taps}×{levels}");
