@@ -1,7 +1,7 @@
 #version 450
 // How far the light of this frame departs from its own history, block by block: mean and deviation of the paired differences.
 // Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (src/nodes/block_difference/specification.md).
-// In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance (filter_ping), irradiance_history, moments (previous).
+// In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance, irradiance_history, moments (previous).
 //      Pixels without a sample (alpha -1) do not count.
 // Out: block_difference, one texel a block: mean, deviation, pixels, noise, mean luminance of the brighter side.
 #extension GL_EXT_samplerless_texture_functions : require

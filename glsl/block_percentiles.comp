@@ -2,7 +2,7 @@
 // Two percentiles of luminance in every block of 8x8 pixels: what is usual around here, in this frame alone.
 // Source: [PSVGF], block percentiles. Deviations: ranks by counting, for the bits of the published odd-even sort.
 // A bit says whether the brightest pixels are a cluster.
-// In:  guide, noisy irradiance (filter_ping). Out: block_percentiles, half2(low, up) of luminance, one texel a block; up is negative
+// In:  guide, noisy irradiance. Out: block_percentiles, half2(low, up) of luminance, one texel a block; up is negative
 // where the pixels from up on lie beside each other in a darker block.
 // Pixels outside the render extent, background and pixels without a sample (alpha -1) do not take part. Without any: 0, 0.
 // Constants: VOLUME: the background takes part, since fog lies before it.

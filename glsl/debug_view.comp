@@ -13,7 +13,7 @@
 #define SIGNALS 2
 
 layout(push_constant) uniform Push {
-    uint level;  // number of the view
+    uint view;
     uint present;
     float alpha;
     float light_radius;
@@ -78,8 +78,8 @@ const uint NEEDED[20] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTOR
                                FIREFLY_LIMITS_0, MOMENTS_0, SURFACE_MOTION, FRAME, FRAME, FRAME, FRAME, REFLECTION, REFLECTION,
                                REFLECTION, REFLECTION, VISIBILITY_HISTORY, VISIBILITY_HISTORY);
 const uint VIEW_HISTORY_LENGTH = 0u;
-const uint VIEW_VARIANCE = 1u;
-const uint VIEW_MOMENTS = 2u;
+const uint VIEW_DEVIATION = 1u;
+const uint VIEW_MEAN_AND_DEVIATION = 2u;
 const uint VIEW_GRADIENT = 3u;
 const uint VIEW_LAMBDA = 4u;
 const uint VIEW_ALPHA = 5u;
@@ -102,7 +102,7 @@ const float LONG_HISTORY = 32.0;    // frames; from here on histories look alike
 const float WIDEST_LOBE = 45.0;     // degrees
 const float LARGE_MOTION = 64.0;    // pixels; from here on motions look alike
 const float WIDE_PENUMBRA = 16.0;   // pixels
-const float VARIANCE_SCALE = 4.0;   // deviations of 1/4 are in the middle of the colours
+const float DEVIATION_SCALE = 4.0;   // deviations of 1/4 are in the middle of the colours
 const uint BAD_KINDS = 12u;
 
 const vec3 VIRIDIS[9] = vec3[](vec3(68, 1, 84), vec3(71, 45, 123), vec3(59, 82, 139), vec3(44, 114, 142), vec3(33, 145, 140),
@@ -234,8 +234,8 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
     float value = 0.0;
     switch (view) {
     case VIEW_HISTORY_LENGTH: value = history_length_at(p); return vec4(false_colour(value / LONG_HISTORY), value);
-    case VIEW_VARIANCE: value = filter_deviation(p); return vec4(false_colour(compressed(VARIANCE_SCALE * value)), value);
-    case VIEW_MOMENTS: {
+    case VIEW_DEVIATION: value = filter_deviation(p); return vec4(false_colour(compressed(DEVIATION_SCALE * value)), value);
+    case VIEW_MEAN_AND_DEVIATION: {
         vec2 m = mean_and_deviation(p);
         return vec4(compressed(m.x), compressed(m.y), 0.0, m.x);
     }
@@ -267,7 +267,7 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
-    uint view = min(push.level, VIEW_PENUMBRA);
+    uint view = min(push.view, VIEW_PENUMBRA);
     GuideBits packed = GuideBits(packed_at(guide, p));
     vec4 value = vec4(0.0);
     if (!is_present(NEEDED[view])) value.rgb = vec3(((p.x >> 3 ^ p.y >> 3) & 1) == 0 ? 0.02 : 0.05);

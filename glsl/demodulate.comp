@@ -2,19 +2,19 @@
 // Divides the noisy radiance by the albedo, so that texture does not reach the filters, and stops what is not finite.
 // Source: [SVGF] section 3, demodulation by the albedo.
 // In:  noisy radiance per signal and albedo of the host, linear Rec. 709; guide. Specular light has specular_f0 in place of an albedo where the
-//      host has none, and specular_hit_distance. Out: filter_ping per signal: irradiance; alpha: 0 (-1 in holes), or the hit distance
+//      host has none, and specular_hit_distance. Out: irradiance per signal; alpha: 0 (-1 in holes), or the hit distance
 //      (scene units; 0: unknown; 65504: beyond the scene). Radiance that is not finite is no sample: a hole, filled from the 3x3 pixels around
 //      it (alpha -1; -2: none of them has a sample), unless the input is sub-sampled: then fill_holes or eaw does it.
 //      With LUMINANCE noisy_luminance: luminance of the noisy radiance, or of the radiance `compared` (-1: not finite), and of the albedo,
 //      for the temporal gradients of the next frame; and noisy_red_blue, for its ratio of light.
-// Constants: PAINTING: levels of [EAW] that paint in the holes of a sub-sampled input; 0 where every pixel has a sample.
+// Constants: SAMPLING: levels of [EAW] that fill the holes of a sub-sampled input; 0 where every pixel has a sample.
 // optional: albedo, specular_f0, specular_hit_distance, noisy_1, irradiance_1, compared_0, compared_1, noisy_red_blue
 // variants: LUMINANCE=0 LUMINANCE=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
-layout(constant_id = 1) const uint PAINTING = 0u;
+layout(constant_id = 1) const uint SAMPLING = 0u;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -101,7 +101,7 @@ vec4 demodulated(ivec2 p, texture2D noisy, vec3 radiance, vec3 divisor) {
         if (is_saturated(irradiance)) count_bad(SATURATED);
         return vec4(storable(irradiance), 0.0);
     }
-    if (PAINTING > 0u) return vec4(vec3(0.0), HOLE);
+    if (SAMPLING > 0u) return vec4(vec3(0.0), HOLE);
     count_bad(BAD_RADIANCE);
     return filled(p, noisy);
 }

@@ -3,7 +3,7 @@
 // Source: [EAW] eq. 2 to 5 and the listing, 3.2 for holes. Deviations: sigma of the position is relative to the depth; equal kernel
 // weights where no valid tap passes the edge functions, so that no hole is left.
 // In:  guide, irradiance per signal, alpha -1 in holes. Out: the same after this level.
-// Constants: RADIANCE, NORMAL, POSITION: which edges count. PAINTING: levels that paint in the holes of a sub-sampled input; 0 where it
+// Constants: RADIANCE, NORMAL, POSITION: which edges count. SAMPLING: levels that fill the holes of a sub-sampled input; 0 where it
 // has none.
 // variants: SIGNALS=1 SIGNALS=2
 #extension GL_EXT_control_flow_attributes : require
@@ -20,13 +20,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const bool RADIANCE = true;
 layout(constant_id = 2) const bool NORMAL = true;
 layout(constant_id = 3) const bool POSITION = true;
-layout(constant_id = 4) const uint PAINTING = 0u;
+layout(constant_id = 4) const uint SAMPLING = 0u;
 
 layout(push_constant) uniform Push {
     uint level;
-    float sigma_rt;
-    float sigma_rt_n;
-    float sigma_rt_x;
+    float eaw_sigma_radiance;
+    float eaw_sigma_normal;
+    float eaw_sigma_position;
 } push;
 
 PACKED_IMAGE(1, guide);
@@ -47,29 +47,29 @@ struct Sum {
 };
 
 struct Level {
-    float inverse_sigma_rt;  // squared; 0 while there are holes
-    float inverse_sigma_n;   // squared, in steps of the normal
-    float inverse_sigma_x;
+    float inverse_sigma_radiance;  // squared; 0 while there are holes
+    float inverse_sigma_normal;   // squared, in steps of the normal
+    float inverse_sigma_position;
 };
 
 Level level_of(float z) {
     float step_squared = exp2(2.0 * float(push.level));
     Level level;
-    bool holes_left = push.level < PAINTING;
-    float sigma_rt = push.sigma_rt * frame.filter_exposure;
-    level.inverse_sigma_rt = RADIANCE && !holes_left ? step_squared / (sigma_rt * sigma_rt) : 0.0;
-    float sigma_n = push.sigma_rt_n * NORMAL_STEPS;
-    level.inverse_sigma_n = NORMAL ? 1.0 / (step_squared * sigma_n * sigma_n) : 0.0;
-    level.inverse_sigma_x = POSITION ? 1.0 / (push.sigma_rt_x * max(z, 1e-15)) : 0.0;
+    bool holes_left = push.level < SAMPLING;
+    float sigma_radiance = push.eaw_sigma_radiance * frame.filter_exposure;
+    level.inverse_sigma_radiance = RADIANCE && !holes_left ? step_squared / (sigma_radiance * sigma_radiance) : 0.0;
+    float sigma_normal = push.eaw_sigma_normal * NORMAL_STEPS;
+    level.inverse_sigma_normal = NORMAL ? 1.0 / (step_squared * sigma_normal * sigma_normal) : 0.0;
+    level.inverse_sigma_position = POSITION ? 1.0 / (push.eaw_sigma_position * max(z, 1e-15)) : 0.0;
     return level;
 }
 
 float squared(vec3 v) { return dot(v, v); }
 
-void add_tap(inout Sum sum, vec4 value, vec4 centre, float exponent, float kernel, float inverse_sigma_rt) {
+void add_tap(inout Sum sum, vec4 value, vec4 centre, float exponent, float kernel, float inverse_sigma_radiance) {
     kernel = value.a < 0.0 ? 0.0 : kernel;
     // A hole has no radiance to compare with.
-    float radiance = centre.a < 0.0 ? 0.0 : squared(value.rgb - centre.rgb) * inverse_sigma_rt;
+    float radiance = centre.a < 0.0 ? 0.0 : squared(value.rgb - centre.rgb) * inverse_sigma_radiance;
     float weight = kernel * exp(-exponent - radiance);
     sum.irradiance += weight * value.rgb;
     sum.weight += weight;
@@ -113,13 +113,13 @@ void main() {
             ivec2 q = p + ivec2(i, j) * step_size, tap = nearest_inside(q);
             GuideBits packed_q = GuideBits(packed_at(guide, tap));
             float z_q = guide_depth(packed_q);
-            float exponent = squared(n - guide_normal_steps(packed_q)) * level.inverse_sigma_n;
-            exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_x);
+            float exponent = squared(n - guide_normal_steps(packed_q)) * level.inverse_sigma_normal;
+            exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_position);
             exponent = background ? 0.0 : exponent;
             float kernel = q == tap && (z_q == 0.0) == background ? KERNEL[abs(i)] * KERNEL[abs(j)] : 0.0;
-            add_tap(sum_0, imageLoad(input_0, tap), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
+            add_tap(sum_0, imageLoad(input_0, tap), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_radiance);
 #if SIGNALS == 2
-            add_tap(sum_1, imageLoad(input_1, tap), centre_1, exponent, kernel, background ? 0.0 : level.inverse_sigma_rt);
+            add_tap(sum_1, imageLoad(input_1, tap), centre_1, exponent, kernel, background ? 0.0 : level.inverse_sigma_radiance);
 #endif
         }
     imageStore(output_0, p, result(sum_0, centre_0, background));

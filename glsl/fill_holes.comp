@@ -1,7 +1,7 @@
 #version 450
 // Gives pixels without a sample the mean of the samples around them that show the same surface: what a hole shows until it has a past.
 // Source: ours; weights by distance of [Shepard 1968], edges of [SVGF] eq. 3 and 4. Deviation: without edges where these let nothing pass.
-// In:  guide, depth_gradient; holed: irradiance, alpha -1 in holes (filter_ping). Out: filled (filter_filled): the same, without holes; alpha
+// In:  guide, depth_gradient; holed: irradiance, alpha -1 in holes. Out: filled (filled_irradiance): the same, without holes; alpha
 //      stays -1, so that the accumulation knows what is no sample, and is -2 in a hole without any sample around it, which is counted as
 //      radiance that is not finite.
 // Constant: RADIUS of the window, pixels.

@@ -2,7 +2,7 @@
 // Scales outliers down to the brightest luminance that is usual around them, before they reach the history, and spreads what that takes
 // over the block.
 // Source: [PSVGF], firefly filter. Deviation: what is cut off is not lost, but for what would show as a bright block.
-// In:  guide, firefly_limits. In place: filter_ping, noisy irradiance, own block only.
+// In:  guide, firefly_limits. In place: irradiance, still noisy, own block only.
 // Constants: VOLUME: of every pixel, whatever the guide says.
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require

@@ -3,7 +3,7 @@
 // divided by the latter. Without that a pixel in every stratum has the light of one texel and the albedo of another where textures are fine.
 // Source: ours. [ASVGF] 3.1 patches the G-buffer of these pixels instead, so that the picture has the texture of that point.
 // In:  gradient_samples; candidates of this frame; guide; albedo, or specular_f0, by which demodulate divided. candidate_albedo of the previous
-//      frame. In place, pixels of samples only: filter_ping per signal. Out: candidate_albedo: rgb: divisor at the candidate of every stratum.
+//      frame. In place, pixels of samples only: irradiance per signal. Out: candidate_albedo: rgb: divisor at the candidate of every stratum.
 // Constants: STRATUM_SIZE.
 // optional: irradiance_1, albedo, specular_f0
 #extension GL_EXT_samplerless_texture_functions : require

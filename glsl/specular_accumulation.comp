@@ -147,7 +147,7 @@ Past past_at(Centre c, vec2 position) {
         sum.roughness += weight * r.roughness;
         add_history(sum.light, texelFetch(history, tap, 0).rgb, m, c.origin, weight);
     }
-    if (weights < MIN_TAP_WEIGHT) return nothing();
+    if (weights < SMALLEST_WEIGHT_SUM) return nothing();
     float scale = 1.0 / weights;
     History light = History(sum.light.irradiance * scale, sum.light.mean * scale, sum.light.second_moment * scale);
     return Past(true, sum.frames * scale, sum.nearness * scale, sum.roughness * scale, light);

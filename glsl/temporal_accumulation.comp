@@ -3,7 +3,7 @@
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
 // In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame; object normals in the
 //      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
-// In place: filter_ping, noisy irradiance to accumulated irradiance with the history length in alpha, own pixel only. Out: new_moments.
+// In place: irradiance, from noisy to accumulated with the history length in alpha, own pixel only. Out: new_moments.
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
@@ -181,7 +181,7 @@ Gathered gather(vec2 position, Expected expected) {
         if (weight > 0.0 && refusal(tap, expected, 0.0) == REASON_NONE) add_tap(sum, tap, weight);
     }
     if (SHARP && !VOLUME && sum.weight > WHOLE_WEIGHT && f != vec2(0.0)) sharpen(sum, ivec2(corner), f, expected);
-    if (sum.weight >= MIN_TAP_WEIGHT) return sum;
+    if (sum.weight >= SMALLEST_WEIGHT_SUM) return sum;
     sum = nothing();
     ivec2 nearest = ivec2(floor(position + 0.5));
     // Rare, and where branches are masked instead of skipped every unrolled tap costs.

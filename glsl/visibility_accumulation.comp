@@ -187,7 +187,7 @@ Gathered gather(vec2 position, Expected expected) {
         if (weight > 0.0) add_tap(sum, ivec2(corner) + offset, weight, expected);
     }
     if (sum.weight > WHOLE_WEIGHT && f != vec2(0.0)) sharpen(sum, ivec2(corner), f, expected);
-    if (sum.weight >= MIN_TAP_WEIGHT) return sum;
+    if (sum.weight >= SMALLEST_WEIGHT_SUM) return sum;
     sum = Gathered(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     ivec2 nearest = ivec2(floor(position + 0.5));
     [[dont_unroll]] for (int i = 0; i < 9; ++i) add_tap(sum, nearest + ivec2(i % 3 - 1, i / 3 - 1), 1.0, expected);

@@ -3,7 +3,7 @@
 // Source: [PSVGF], volumes: virtual points of high contribution, chosen by transmittance sampling.
 // In:  noisy_volume of the host, linear Rec. 709; scattering_depth of the host, linear depth in scene units, 0, infinite or NaN for no point.
 //      Radiance that is not finite is no sample: the mean of the 3x3 pixels around it stands in for it.
-// Out: filter_ping_volume: radiance; alpha: 0, -1 where it was filled in, -2 where nothing around it is finite; volume_points: depth, contribution (the upper half of the luminance as a float), 0.
+// Out: irradiance_volume: radiance; alpha: 0, -1 where it was filled in, -2 where nothing around it is finite; volume_points: depth, contribution (the upper half of the luminance as a float), 0.
 // optional: scattering_depth
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require

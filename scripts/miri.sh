@@ -30,7 +30,7 @@ step --package atrous --no-default-features --features host-stages --lib -- \
     graph::tests::matching graph::tests::whole::a_cycle
 # The twins that look at few pixels at once.
 step --package atrous --no-default-features --features host-stages --lib -- \
-    nodes::adaptive_alpha nodes::block_percentiles nodes::demodulate nodes::fill_holes nodes::modulate nodes::sample_albedo \
+    nodes::history_confidence nodes::block_percentiles nodes::demodulate nodes::fill_holes nodes::modulate nodes::sample_albedo \
     nodes::shadowed_light nodes::tone_map nodes::visibility_samples nodes::volume_points
 echo
 echo "miri.sh: all passed"

@@ -7,7 +7,7 @@
 #include "surface_motion.glsl"
 
 // Below this sum of bilinear weights a reprojection rests on next to nothing.
-const float MIN_TAP_WEIGHT = 0.01;
+const float SMALLEST_WEIGHT_SUM = 0.01;
 
 struct Expected {
     float depth;

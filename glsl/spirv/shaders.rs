@@ -17,38 +17,6 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 384
 const _: () = assert!(std::mem::offset_of!(FrameConstants, sample_from_world) == 320);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_previous_sample) == 256);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, world_from_view) == 64);
-pub(crate) static ADAPTIVE_ALPHA_SOURCE_0: Shader = Shader {
-    stage: Cow::Borrowed("adaptive_alpha"), name: Cow::Borrowed("adaptive_alpha_source_0"), spirv: Cow::Borrowed(include_bytes!("adaptive_alpha_source_0.spv")), workgroup: [8, 8, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("gradient"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 4, name: Cow::Borrowed("other_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-        ShaderBinding { number: 5, name: Cow::Borrowed("unscaled_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
-        ShaderBinding { number: 6, name: Cow::Borrowed("steadiness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
-    ]),
-    members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("gradient_scale"), offset: 4, scalar: Scalar::Float },
-    ]),
-    constants: Cow::Borrowed(&[
-        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
-    ]),
-};
-pub(crate) static ADAPTIVE_ALPHA_SOURCE_1: Shader = Shader {
-    stage: Cow::Borrowed("adaptive_alpha"), name: Cow::Borrowed("adaptive_alpha_source_1"), spirv: Cow::Borrowed(include_bytes!("adaptive_alpha_source_1.spv")), workgroup: [8, 8, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("confidence"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
-    ]),
-    members: Cow::Borrowed(&[
-    ]),
-    constants: Cow::Borrowed(&[
-    ]),
-};
 pub(crate) static ATROUS_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("atrous"), name: Cow::Borrowed("atrous_signals_1"), spirv: Cow::Borrowed(include_bytes!("atrous_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -201,7 +169,7 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         ShaderBinding { number: 19, name: Cow::Borrowed("firefly_limits_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
     ]),
     members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("view"), offset: 0, scalar: Scalar::Uint },
         PushMember { name: Cow::Borrowed("present"), offset: 4, scalar: Scalar::Uint },
         PushMember { name: Cow::Borrowed("alpha"), offset: 8, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("light_radius"), offset: 12, scalar: Scalar::Float },
@@ -234,7 +202,7 @@ pub(crate) static DEMODULATE_LUMINANCE_0: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SAMPLING"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -264,7 +232,7 @@ pub(crate) static DEMODULATE_LUMINANCE_1: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
-        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 1, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SAMPLING"), id: 1, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -278,15 +246,15 @@ pub(crate) static EAW_SIGNALS_1: Shader = Shader {
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_rt"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_rt_n"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_rt_x"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("eaw_sigma_radiance"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("eaw_sigma_normal"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("eaw_sigma_position"), offset: 12, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("RADIANCE"), id: 1, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("NORMAL"), id: 2, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("POSITION"), id: 3, scalar: Scalar::Bool, default: 1 },
-        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 4, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SAMPLING"), id: 4, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -302,15 +270,15 @@ pub(crate) static EAW_SIGNALS_2: Shader = Shader {
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("level"), offset: 0, scalar: Scalar::Uint },
-        PushMember { name: Cow::Borrowed("sigma_rt"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_rt_n"), offset: 8, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("sigma_rt_x"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("eaw_sigma_radiance"), offset: 4, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("eaw_sigma_normal"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("eaw_sigma_position"), offset: 12, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("RADIANCE"), id: 1, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("NORMAL"), id: 2, scalar: Scalar::Bool, default: 1 },
         SpecialisationConstant { name: Cow::Borrowed("POSITION"), id: 3, scalar: Scalar::Bool, default: 1 },
-        SpecialisationConstant { name: Cow::Borrowed("PAINTING"), id: 4, scalar: Scalar::Uint, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("SAMPLING"), id: 4, scalar: Scalar::Uint, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
@@ -570,6 +538,38 @@ pub(crate) static GRADIENT_ATROUS_RATIO_1: Shader = Shader {
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("LAST"), id: 1, scalar: Scalar::Bool, default: 0 },
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static HISTORY_CONFIDENCE_SOURCE_0: Shader = Shader {
+    stage: Cow::Borrowed("history_confidence"), name: Cow::Borrowed("history_confidence_source_0"), spirv: Cow::Borrowed(include_bytes!("history_confidence_source_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("gradient"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("light_ratio"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("other_confidence"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 5, name: Cow::Borrowed("unscaled_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 6, name: Cow::Borrowed("steadiness"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("gradient_scale"), offset: 4, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
+    ]),
+};
+pub(crate) static HISTORY_CONFIDENCE_SOURCE_1: Shader = Shader {
+    stage: Cow::Borrowed("history_confidence"), name: Cow::Borrowed("history_confidence_source_1"), spirv: Cow::Borrowed(include_bytes!("history_confidence_source_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("confidence"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("history_confidence"), kind: BindingKind::StorageImage(TexelFormat::R32f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+    ]),
+    constants: Cow::Borrowed(&[
     ]),
 };
 pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
@@ -1071,4 +1071,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ADAPTIVE_ALPHA_SOURCE_0, &ADAPTIVE_ALPHA_SOURCE_1, &ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

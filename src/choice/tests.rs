@@ -25,7 +25,7 @@ const STABLE: [(&str, u32, &str); 18] = [
     (
         "DebugView",
         0,
-        "history_length variance moments gradient lambda alpha percentiles fireflies disocclusion motion normal depth surface_id bad_values hit_distance lobe_angle virtual_motion reflection_history visibility penumbra",
+        "history_length deviation mean_and_deviation gradient lambda alpha percentiles fireflies disocclusion motion normal depth surface_id bad_values hit_distance lobe_angle virtual_motion reflection_history visibility penumbra",
     ),
     ("ResetReason", 1, "created camera_cut resize scene_load origin_shift exposure_jump"),
     ("ToneCurve", 0, "aces reinhard linear"),

@@ -14,9 +14,9 @@ choices! {
         #[default]
         HistoryLength = 0 => "history_length",
         /// Standard deviation of luminance that guides the filter (after its first level), x/(0.25 + x) in false colours.
-        Variance = 1 => "variance",
+        Deviation = 1 => "deviation",
         /// Mean of luminance over the history in red, its standard deviation in green, both x/(1 + x). a: the mean.
-        Moments = 2 => "moments",
+        MeanAndDeviation = 2 => "mean_and_deviation",
         /// Change of luminance of the re-shaded samples δ, against the larger luminance Δ: red is brighter than before, blue
         /// darker. a: δ.
         Gradient = 3 => "gradient",
@@ -70,10 +70,10 @@ impl DebugView {
     /// The binding of the shader without which there is nothing to show, as `NEEDED` in `glsl/debug_view.comp`.
     const fn needs(self) -> Option<&'static str> {
         match self {
-            Self::HistoryLength | Self::Moments | Self::Alpha | Self::Disocclusion => Some("moments_0"),
+            Self::HistoryLength | Self::MeanAndDeviation | Self::Alpha | Self::Disocclusion => Some("moments_0"),
             Self::Percentiles => Some("block_percentiles_0"),
             Self::Fireflies => Some("firefly_limits_0"),
-            Self::Variance => Some("history_0"),
+            Self::Deviation => Some("history_0"),
             Self::Lambda => Some("history_confidence"),
             Self::Gradient => Some("gradient"),
             Self::Motion => Some("surface_motion"),
@@ -103,12 +103,12 @@ mod tests {
         let views = |preset| Config { preset, debug_view: true, ..Config::new([16, 16]) }.declare().expect("valid").debug_views();
         let guides = [DebugView::Motion, DebugView::Normal, DebugView::Depth, DebugView::SurfaceId, DebugView::BadValues];
         assert_eq!(views(Preset::Eaw), guides);
-        assert!(!views(Preset::Svgf).contains(&DebugView::Lambda) && views(Preset::Svgf).contains(&DebugView::Variance));
+        assert!(!views(Preset::Svgf).contains(&DebugView::Lambda) && views(Preset::Svgf).contains(&DebugView::Deviation));
         assert!(views(Preset::Asvgf).contains(&DebugView::Gradient) && !views(Preset::Asvgf).contains(&DebugView::Fireflies));
         assert!(
             views(Preset::Percentile).contains(&DebugView::Fireflies) && !views(Preset::Percentile).contains(&DebugView::Gradient)
         );
-        assert!(!views(Preset::Stabilize).contains(&DebugView::Variance) && views(Preset::Stabilize).contains(&DebugView::Alpha));
+        assert!(!views(Preset::Stabilize).contains(&DebugView::Deviation) && views(Preset::Stabilize).contains(&DebugView::Alpha));
         let config = Config { signals: Signals::Specular, debug_view: true, ..Config::new([16, 16]) };
         let specular = config.declare().expect("valid").debug_views();
         for view in [DebugView::LobeAngle, DebugView::VirtualMotion, DebugView::ReflectionHistory] {

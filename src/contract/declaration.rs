@@ -215,7 +215,11 @@ mod tests {
     fn a_preset_names_the_tunables_that_it_reads() {
         let read = |config: Config| -> Vec<&str> { config.declare().expect("valid").tunables().map(|field| field.name).collect() };
         let of = |preset| read(Config { preset, debug_view: true, ..Config::new([16, 16]) });
-        assert_eq!(of(Preset::Eaw), ["sigma_rt", "sigma_rt_n", "sigma_rt_x"], "a view's alpha is none of its own");
+        assert_eq!(
+            of(Preset::Eaw),
+            ["eaw_sigma_radiance", "eaw_sigma_normal", "eaw_sigma_position"],
+            "a view's alpha is none of its own"
+        );
         for (preset, has, lacks) in [
             (Preset::Svgf, "sigma_l", "gradient_scale"),
             (Preset::Asvgf, "gradient_scale", "percentile_range"),
@@ -223,8 +227,8 @@ mod tests {
             (Preset::Volume, "volume_sigma_z", "sigma_z"),
             (Preset::Volume, "volume_alpha", "normal_tolerance"),
             (Preset::Percentile, "percentile_range", "gradient_scale"),
-            (Preset::Fast, "change_threshold", "sigma_rt"),
-            (Preset::Best, "change_threshold", "sigma_rt"),
+            (Preset::Fast, "change_threshold", "eaw_sigma_radiance"),
+            (Preset::Best, "change_threshold", "eaw_sigma_radiance"),
         ] {
             let names = of(preset);
             assert!(names.contains(&has) && !names.contains(&lacks), "{preset:?}: {names:?}");

@@ -133,11 +133,11 @@ tuning! {
     firefly_spread: "times what is left of the outlier", 0.0 ..= 1024.0, 2.0;
     /// Radiance edge stopping of the first level of (EAW); halved from level to level. Of the size of the brightest light, so that
     /// geometry alone leads the first level. Raising it blurs more.
-    sigma_rt: "irradiance", 0.0001 ..= 65504.0, 4.0;
+    eaw_sigma_radiance: "irradiance", 0.0001 ..= 65504.0, 4.0;
     /// Normal edge stopping of (EAW). Raising it blurs over edges and relief.
-    sigma_rt_n: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
+    eaw_sigma_normal: "length of the difference of two normals", 0.001 ..= 64.0, 0.3;
     /// Position edge stopping of (EAW), as a share of the depth. Raising it blurs over gaps.
-    sigma_rt_x: "depths", 0.001 ..= 64.0, 0.05;
+    eaw_sigma_position: "depths", 0.001 ..= 64.0, 0.05;
     /// Smallest weight of the new sample in the accumulated radiance of a volume, and in its moments. Raising it reacts faster and
     /// leaves more noise.
     volume_alpha: "1", 0.0 ..= 1.0, 0.1;

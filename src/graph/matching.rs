@@ -1,7 +1,7 @@
 //! Compares the wires of a node with the interface of its shader, and finds the source of
 //! everything.
 
-use super::pass::{Level, Pass, Value, Wire};
+use super::pass::{Pass, Value, Wire};
 use super::Image;
 use crate::contract::{
     component_of, Access, Dispatch, ImageFormat, Lifetime, Parameter, PassDecl, ResourceDecl, Shape, Slot, Tuning, Use, UseFrame,
@@ -174,21 +174,24 @@ fn match_parameters(pass: &Pass) -> Result<Vec<Parameter>, Mismatch> {
             return mismatch(name, "the parameter is set twice; set it once".to_owned());
         }
     }
-    if pass.level != Level::None && !shader.has_member(LEVEL) {
+    if pass.level.is_some() && !shader.has_member(LEVEL) {
         return mismatch(LEVEL, format!("{} has no push constant of this name; leave the level out", shader.name));
     }
     shader.members.iter().map(|member| parameter(pass, member)).collect()
 }
+
+/// The push constant that has the number of the view, in a pass that shows one.
+const VIEW: &str = "view";
 
 fn parameter(pass: &Pass, member: &PushMember) -> Result<Parameter, Mismatch> {
     let name = &*member.name;
     let (parameter, scalar) = match name {
         PRESENT => (Parameter::Present, Scalar::Uint),
         LEVEL => match pass.level {
-            Level::None => return mismatch(LEVEL, format!("{} has this push constant; give the pass a level", pass.shader.name)),
-            Level::Number(level) => (Parameter::Fixed(level), Scalar::Uint),
-            Level::View => (Parameter::View, Scalar::Uint),
+            None => return mismatch(LEVEL, format!("{} has this push constant; give the pass a level", pass.shader.name)),
+            Some(level) => (Parameter::Fixed(level), Scalar::Uint),
         },
+        VIEW if pass.shows_view => (Parameter::View, Scalar::Uint),
         _ => match pass.parameters.iter().find(|(other, _)| other == name) {
             Some((_, Value::Fixed(number))) => (Parameter::Fixed(number.to_bits()), Scalar::Float),
             Some((_, Value::Tunable(tunable))) => tunable_of(tunable, name)?,

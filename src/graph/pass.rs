@@ -26,17 +26,6 @@ pub(crate) struct Wire {
     pub frame: UseFrame,
 }
 
-/// Source of the push constant `level`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Level {
-    /// No such push constant.
-    None,
-    /// A fixed level.
-    Number(u32),
-    /// The view of the frame.
-    View,
-}
-
 /// One dispatch that is being described.
 #[derive(Clone, Debug)]
 pub(crate) struct Pass {
@@ -44,7 +33,10 @@ pub(crate) struct Pass {
     pub name: String,
     pub phase: Phase,
     pub shader: ShaderRef,
-    pub level: Level,
+    /// The push constant `level`.
+    pub level: Option<u32>,
+    /// Whether the push constant `view` is the view of the frame. A frame without a view leaves the pass out.
+    pub shows_view: bool,
     pub grid: Grid,
     pub constants: Vec<(String, u32)>,
     pub parameters: Vec<(String, Value)>,
@@ -61,7 +53,8 @@ impl Pass {
             name: node.to_owned(),
             phase: Phase::AfterLighting,
             shader: shader.into(),
-            level: Level::None,
+            level: None,
+            shows_view: false,
             grid: Grid::Pixels,
             constants: Vec::new(),
             parameters: Vec::new(),
@@ -81,12 +74,12 @@ impl Pass {
 
     /// The push constant `level`.
     pub(crate) fn level(self, level: u32) -> Self {
-        Self { level: Level::Number(level), ..self }
+        Self { level: Some(level), ..self }
     }
 
-    /// The view of the frame as the push constant `level`. A frame without a view leaves the pass out.
+    /// The view of the frame as the push constant `view`. A frame without a view leaves the pass out.
     pub(crate) fn view(self) -> Self {
-        Self { level: Level::View, ..self }
+        Self { shows_view: true, ..self }
     }
 
     pub(crate) fn grid(self, grid: Grid) -> Self {

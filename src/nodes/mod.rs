@@ -37,7 +37,6 @@ macro_rules! stages {
 }
 
 stages! {
-    adaptive_alpha,
     atrous,
     block_difference,
     block_percentiles,
@@ -52,6 +51,7 @@ stages! {
     forward_project,
     gradient,
     gradient_atrous,
+    history_confidence,
     import,
     modulate,
     percentile_rule,

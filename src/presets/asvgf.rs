@@ -4,7 +4,7 @@ use super::specular::{compared, modulated, Specular};
 use super::{change_of_light, firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// A-SVGF: temporal gradients measure how outdated the history of each pixel is. The rest is SVGF
 /// with a 3×3 box, and with the fading estimate of variance \[PSVGF\]. \[ASVGF\] 3.
@@ -37,14 +37,14 @@ pub fn asvgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         filtered.into(),
         Specular { samples, confidence: Some(change.confidence), ..Specular::default() },
     );
-    let known = Known {
+    let intermediates = Intermediates {
         history: Some(history),
         reflection,
         deviation: true,
         confidence: Some(change.confidence),
         gradient: change.gradient,
         usual,
-        ..Known::new(&noisy)
+        ..Intermediates::new(&noisy)
     };
-    Denoised { radiance, known }
+    Denoised { radiance, intermediates }
 }

@@ -4,7 +4,7 @@ use super::specular::{compared, modulated, Specular};
 use super::{firefly_filter, gradient_samples, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Difference, Feedback, Gradient, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Confidences, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// Parameters of [`best_with`]: the parts of [`best`] beyond A-SVGF, one by one.
 /// `docs/lab/quality.md` measures the worth of each.
@@ -103,16 +103,16 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
         ..Specular::default()
     };
     let (radiance, reflection) = modulated(g, guides, config, filtered.into(), specular);
-    let known = Known {
+    let intermediates = Intermediates {
         history: Some(history),
         reflection,
         deviation: true,
         confidence: Some(confidence),
         gradient,
         usual,
-        ..Known::new(&noisy)
+        ..Intermediates::new(&noisy)
     };
-    Denoised { radiance, known }
+    Denoised { radiance, intermediates }
 }
 
 /// Confidence from gradients, and from the change test where the light's difference from its history is given. That in a history that
@@ -120,7 +120,7 @@ pub fn best_with(g: &mut Graph, guides: &Guides, config: &Config, best: Best) ->
 fn confidences(g: &mut Graph, gradient: &Gradient, difference: Option<Difference>, signals: Signals) -> Confidences {
     let tested = difference.map(|difference| g.scope("tested", |g| g.change_and_steadiness(&difference)));
     match signals {
-        Signals::Specular => g.adaptive_alphas(gradient, tested.as_ref()),
-        _ => Confidences::equal(g.adaptive_alpha(gradient, tested.as_ref())),
+        Signals::Specular => g.history_confidences(gradient, tested.as_ref()),
+        _ => Confidences::equal(g.history_confidence(gradient, tested.as_ref())),
     }
 }

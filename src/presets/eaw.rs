@@ -4,7 +4,7 @@ use super::specular::{modulate, sum};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::{Config, Signals};
 use crate::graph::{Graph, Guides};
-use crate::nodes::{Albedo, Demodulate, Eaw, Known};
+use crate::nodes::{Albedo, Demodulate, Eaw, Intermediates};
 
 /// EAW: wavelet levels by radiance, normal and position, without history. \[EAW\]
 ///
@@ -26,5 +26,5 @@ pub fn eaw(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
         }
         _ => g.modulate(guides, &filtered, modulate(config)),
     };
-    Denoised { radiance, known: Known { usual, ..Known::new(&noisy) } }
+    Denoised { radiance, intermediates: Intermediates { usual, ..Intermediates::new(&noisy) } }
 }

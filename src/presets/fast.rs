@@ -4,7 +4,7 @@ use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// SVGF with 4 levels of 9 taps, and with the change test of [`super::percentile`] before the
 /// history. Take it if you count every microsecond. `docs/lab/performance.md` compares its cost and
@@ -35,7 +35,13 @@ pub fn fast_with(g: &mut Graph, guides: &Guides, config: &Config, spatial: Atrou
     let filtered = g.atrous(guides, &estimate, spatial);
     let (radiance, reflection) =
         modulated(g, guides, config, filtered.into(), Specular { difference: Some(difference), ..Specular::default() });
-    let known =
-        Known { history: Some(history), reflection, deviation: true, confidence: Some(confidence), usual, ..Known::new(&noisy) };
-    Denoised { radiance, known }
+    let intermediates = Intermediates {
+        history: Some(history),
+        reflection,
+        deviation: true,
+        confidence: Some(confidence),
+        usual,
+        ..Intermediates::new(&noisy)
+    };
+    Denoised { radiance, intermediates }
 }

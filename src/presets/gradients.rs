@@ -38,5 +38,5 @@ pub fn change_of_light(g: &mut Graph, guides: &Guides, noisy: &Radiance, gradien
     };
     let gradient = g.gradient(guides, noisy, source);
     let gradient = g.gradient_atrous(guides, &gradient);
-    ChangeOfLight { confidence: g.adaptive_alpha(&gradient, None), gradient: Some(gradient) }
+    ChangeOfLight { confidence: g.history_confidence(&gradient, None), gradient: Some(gradient) }
 }

@@ -33,7 +33,7 @@ use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
 use crate::graph::{Graph, Guides, Irradiance, Radiance};
-use crate::nodes::{Import, Known, Usual};
+use crate::nodes::{Import, Intermediates, Usual};
 
 /// The outputs of a preset.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +41,7 @@ pub struct Denoised {
     /// Denoised radiance.
     pub radiance: Radiance,
     /// Intermediate images, for [`Graph::debug_view`].
-    pub known: Known,
+    pub intermediates: Intermediates,
 }
 
 impl Config {
@@ -100,7 +100,7 @@ impl Config {
             post_process(&mut g, &guides, self.post_process, &radiance);
         }
         if let Some(shown) = shown.filter(|_| self.debug_view) {
-            let view = g.debug_view(&guides, &Known { visibility: accumulated, ..shown.known });
+            let view = g.debug_view(&guides, &Intermediates { visibility: accumulated, ..shown.intermediates });
             g.output("debug_view", &view);
         }
         Ok(g)
@@ -129,7 +129,7 @@ fn filter_of(preset: Preset) -> Option<fn(&mut Graph, &Guides, &Config) -> Denoi
 /// Makes outputs of the results of a filter of surfaces.
 fn outputs(g: &mut Graph, denoised: &Denoised) {
     g.output("denoised_radiance", &denoised.radiance);
-    if let Some(confidence) = &denoised.known.confidence {
+    if let Some(confidence) = &denoised.intermediates.confidence {
         g.output("history_confidence", confidence);
     }
 }

@@ -4,7 +4,7 @@ use super::specular::{modulated, Specular};
 use super::{noisy, without_fireflies, Denoised};
 use crate::config::{AdaptiveRule, Config};
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Kernel, Known, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Estimator, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// Percentile-adaptive SVGF: statistics of 8×8 pixels remove fireflies and detect outdated history.
 /// \[PSVGF\]
@@ -33,13 +33,13 @@ pub fn percentile(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let filtered = g.atrous(guides, &estimate, atrous);
     let (radiance, reflection) =
         modulated(g, guides, config, filtered.into(), Specular { confidence: Some(confidence), difference, ..Specular::default() });
-    let known = Known {
+    let intermediates = Intermediates {
         history: Some(history),
         reflection,
         deviation: true,
         confidence: Some(confidence),
         usual: Some(usual),
-        ..Known::new(&noisy)
+        ..Intermediates::new(&noisy)
     };
-    Denoised { radiance, known }
+    Denoised { radiance, intermediates }
 }

@@ -5,7 +5,7 @@ use super::specular::modulate;
 use super::{change_of_light, firefly_filter, gradient_samples, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Demodulate, Estimator, Known, Variance};
+use crate::nodes::{Accumulation, Demodulate, Estimator, Intermediates, Variance};
 
 /// A-RAE: `noisy_radiance` is compared and `other_denoised_radiance` is accumulated. Both are
 /// divided by the albedo, so that textures stay. \[ASVGF\] 4
@@ -26,12 +26,12 @@ pub fn stabilize(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     let variance = Variance { estimator: Estimator::Temporal, ..Variance::default() };
     let estimate = g.variance(guides, &accumulated, &history, variance);
     let radiance = g.modulate(guides, &estimate.into(), modulate(config));
-    let known = Known {
+    let intermediates = Intermediates {
         history: Some(history),
         confidence: Some(change.confidence),
         gradient: change.gradient,
         usual,
-        ..Known::new(&other)
+        ..Intermediates::new(&other)
     };
-    Denoised { radiance, known }
+    Denoised { radiance, intermediates }
 }

@@ -4,7 +4,7 @@ use super::specular::{modulated, Specular};
 use super::{firefly_filter, noisy, Denoised};
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides};
-use crate::nodes::{Accumulation, Atrous, Demodulate, Kernel, Known, LuminanceWeight, Variance};
+use crate::nodes::{Accumulation, Atrous, Demodulate, Intermediates, Kernel, LuminanceWeight, Variance};
 
 /// SVGF: temporal accumulation, variance, à-trous levels of which the first feeds the history back. \[SVGF\] 4.
 ///
@@ -31,5 +31,8 @@ pub fn svgf(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
             ..Specular::default()
         },
     );
-    Denoised { radiance, known: Known { history: Some(history), reflection, deviation: true, usual, ..Known::new(&noisy) } }
+    Denoised {
+        radiance,
+        intermediates: Intermediates { history: Some(history), reflection, deviation: true, usual, ..Intermediates::new(&noisy) },
+    }
 }

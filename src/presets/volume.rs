@@ -3,7 +3,7 @@
 use super::Denoised;
 use crate::config::Config;
 use crate::graph::{Feedback, Graph, Guides, Radiance};
-use crate::nodes::{Known, Modulate, Usual, VolumeAtrous};
+use crate::nodes::{Intermediates, Modulate, Usual, VolumeAtrous};
 
 /// The passes of a volume, alone or after those of any preset for surfaces, whose guides they read.
 /// \[PSVGF\]
@@ -30,6 +30,7 @@ pub fn volume(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
     // Its levels are of halves, and those hold it in the exposure of the filter alone.
     let modulate = Modulate { albedo: false, emission: false, float_output: true, ..Modulate::default() };
     let radiance = if config.float_output { g.modulate(guides, &filtered.cast(), modulate) } else { filtered };
-    let known = Known { albedo: false, history: Some(history), deviation: true, usual, ..Known::new(&volume.noisy()) };
-    Denoised { radiance, known }
+    let intermediates =
+        Intermediates { albedo: false, history: Some(history), deviation: true, usual, ..Intermediates::new(&volume.noisy()) };
+    Denoised { radiance, intermediates }
 }

@@ -2,7 +2,7 @@
 
 use super::texels::{Texels, BYTES, COLOUR, PACKED, SCALAR, UINT};
 use super::{Image, InstanceTransform};
-use crate::{Error, FrameConstants, Statistics, Tuning};
+use crate::{DebugView, Error, FrameConstants, Statistics, Tuning};
 
 /// The CPU twin of a stage: reads what the pass reads, and writes what it writes.
 pub type Twin = fn(&mut Bindings) -> Result<(), Error>;
@@ -18,8 +18,10 @@ pub struct Bindings<'a> {
     pub frame: &'a FrameConstants,
     /// Tunables as the pass sees them: one may come from a tunable of another name, as those of a volume do.
     pub tuning: &'a Tuning,
-    /// À-trous level; of the stage `debug_view` the number of the view.
+    /// À-trous level.
     pub level: u32,
+    /// The view of the frame.
+    pub view: DebugView,
     constants: &'a [(&'a str, u32)],
     reads: Vec<(&'a str, &'a Texels)>,
     writes: Vec<(&'a str, [u32; 2])>,
@@ -29,13 +31,30 @@ pub struct Bindings<'a> {
 impl<'a> Bindings<'a> {
     /// A pass of a stage without anything bound.
     pub(crate) const fn new(stage: &'a str, frame: &'a FrameConstants, tuning: &'a Tuning) -> Self {
-        Self { stage, frame, tuning, level: 0, constants: &[], reads: Vec::new(), writes: Vec::new(), written: Vec::new() }
+        Self {
+            stage,
+            frame,
+            tuning,
+            level: 0,
+            view: DebugView::HistoryLength,
+            constants: &[],
+            reads: Vec::new(),
+            writes: Vec::new(),
+            written: Vec::new(),
+        }
     }
 
-    /// Sets the à-trous level, or the number of the view.
+    /// Sets the à-trous level.
     #[must_use]
     pub(crate) fn with_level(mut self, level: u32) -> Self {
         self.level = level;
+        self
+    }
+
+    /// Sets the view.
+    #[must_use]
+    pub(crate) fn with_view(mut self, view: DebugView) -> Self {
+        self.view = view;
         self
     }
 

@@ -36,11 +36,10 @@ impl Dispatch {
     }
 
     /// The push constant `level`.
-    fn level(&self, frame: &FrameContext) -> u32 {
+    fn level(&self) -> u32 {
         let level = self.shader.members.iter().zip(&self.parameters).find(|(member, _)| member.name == LEVEL);
         match level.map(|(_, parameter)| *parameter) {
             Some(Parameter::Fixed(level)) => level,
-            Some(Parameter::View) => frame.debug_view.unwrap_or_default() as u32,
             _ => 0,
         }
     }
@@ -71,7 +70,7 @@ impl Declaration {
         // A stage may have written it since the frame began.
         let block = block.and_then(Texels::as_constants).unwrap_or(frame.constants);
         let bindings = Bindings::new(stage, &block, &tuning).with_constants(&constants);
-        let mut bindings = bindings.with_level(dispatch.level(frame));
+        let mut bindings = bindings.with_level(dispatch.level()).with_view(frame.debug_view.unwrap_or_default());
         for (name, u) in names.iter().zip(&pass.uses) {
             if let Some(texels) = read(u).filter(|_| u.access.reads()) {
                 bindings.reads(name, texels);

@@ -46,7 +46,7 @@ pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> De
         g.output("display", &display);
     }
     if dice.coin() {
-        let shown = fog.filter(|_| dice.coin()).map_or(surfaces.known, |fog| fog.known);
+        let shown = fog.filter(|_| dice.coin()).map_or(surfaces.intermediates, |fog| fog.intermediates);
         let view = g.debug_view(&guides, &shown);
         g.output("debug_view", &view);
     }
@@ -56,7 +56,7 @@ pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> De
 /// What a filter leaves.
 struct Branch {
     radiance: Radiance,
-    known: Known,
+    intermediates: Intermediates,
 }
 
 /// How far history is still true, and what says so.
@@ -123,8 +123,9 @@ fn surfaces(g: &mut Graph, dice: &mut Dice, guides: &Guides, output: &str) -> Br
         g.output(&format!("{output}_confidence"), &confidence);
     }
     let Change { confidence, gradient, .. } = change;
-    let known = Known { albedo, history: Some(history), deviation, confidence, gradient, usual, ..Known::new(&noisy) };
-    Branch { radiance, known }
+    let intermediates =
+        Intermediates { albedo, history: Some(history), deviation, confidence, gradient, usual, ..Intermediates::new(&noisy) };
+    Branch { radiance, intermediates }
 }
 
 fn divisor(albedo: bool) -> Albedo {
@@ -163,7 +164,7 @@ fn without_history(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
     let radiance =
         g.modulate(guides, &filtered, Modulate { albedo, emission: dice.coin(), float_output: dice.coin(), ..Modulate::default() });
     g.output(output, &radiance);
-    Branch { radiance, known: Known { albedo, usual, ..Known::new(noisy) } }
+    Branch { radiance, intermediates: Intermediates { albedo, usual, ..Intermediates::new(noisy) } }
 }
 
 /// What comes before the history: gradients of each source, or what the host knows.
@@ -189,7 +190,7 @@ fn change_of_light(g: &mut Graph, dice: &mut Dice, guides: &Guides, noisy: &Radi
     let gradient = g.gradient(guides, noisy, source);
     let gradient = if dice.coin() { g.gradient_atrous(guides, &gradient) } else { gradient };
     let samples = source.samples();
-    Change { confidence: Some(g.adaptive_alpha(&gradient, None)), gradient: Some(gradient), samples }
+    Change { confidence: Some(g.history_confidence(&gradient, None)), gradient: Some(gradient), samples }
 }
 
 fn without_fireflies(
@@ -307,6 +308,7 @@ fn volume(g: &mut Graph, dice: &mut Dice, guides: &Guides) -> Branch {
         g.volume_atrous(guides, &estimate, VolumeAtrous { levels, feedback: fed_back, ..VolumeAtrous::default() }).into();
     g.output("denoised_volume", &filtered);
     let deviation = fed_back.is_some();
-    let known = Known { albedo: false, history: Some(history), deviation, usual, ..Known::new(&volume.noisy()) };
-    Branch { radiance: filtered, known }
+    let intermediates =
+        Intermediates { albedo: false, history: Some(history), deviation, usual, ..Intermediates::new(&volume.noisy()) };
+    Branch { radiance: filtered, intermediates }
 }

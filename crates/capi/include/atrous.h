@@ -249,7 +249,7 @@ typedef struct AtrousFrameParams {
   uint32_t reshaded;
   // The view of the pass `debug_view`; without one you leave the pass out.
   //
-  // 0 (none), 1 (history_length), 2 (variance), 3 (moments), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
+  // 0 (none), 1 (history_length), 2 (deviation), 3 (mean_and_deviation), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
   // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
   // 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
   uint32_t debug_view;

@@ -2,7 +2,7 @@
 
 use crate::captured_config::CapturedConfig;
 use crate::error::{Result, ToolError};
-use crate::old_tunables::without_gone;
+use crate::old_tunables::of_today;
 use atrous::ResetReason;
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
@@ -134,7 +134,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             exposure_ratio: frame.exposure_ratio,
             reset: frame.reset,
             reshaded: frame.reshaded,
-            tuning: without_gone(frame.tuning).map_err(problem)?,
+            tuning: of_today(frame.tuning).map_err(problem)?,
         };
         if cameras.insert(number, camera).is_some() {
             return Err(problem(format!("has frame {number} twice")));
@@ -144,6 +144,6 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
     let conventions = json.conventions.iter().map(|(key, value)| (key.clone(), text_of(value))).collect();
     let checksum = crc32fast::hash(text.as_bytes());
     let config = json.levels.map_or(json.config, CapturedConfig::of_the_first);
-    let tuning = without_gone(json.tuning).map_err(problem)?;
+    let tuning = of_today(json.tuning).map_err(problem)?;
     Ok(SequenceFile { path: path.to_owned(), cameras, conventions, config, tuning, checksum, verbatim: json.verbatim })
 }

@@ -51,7 +51,7 @@ fn convex_diffuser_under_an_even_sky_shows_its_albedo_and_nothing_indirect() {
 #[test]
 fn white_metal_keeps_what_single_scattering_keeps() {
     let Some(gpu) = Validated::new() else { return };
-    // Known: the directional albedo of single-scattering GGX, here between 0 and 45 degrees, by an independent integration.
+    // Intermediates: the directional albedo of single-scattering GGX, here between 0 and 45 degrees, by an independent integration.
     for (roughness, expected) in [(0.2, 0.998), (0.6, 0.812)] {
         let mut scene = Scene::new("metal", view(vec3(0.0, 0.0, 2.2)));
         scene.environment = Environment { zenith: Vec3::ONE, horizon: Vec3::ONE, ground: Vec3::ONE };

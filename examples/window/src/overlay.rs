@@ -98,7 +98,7 @@ fn text(probe: &Probe) -> String {
     }
     for (view, label, unit) in [
         (DebugView::HistoryLength, "history", " frames"),
-        (DebugView::Variance, "deviation", ""),
+        (DebugView::Deviation, "deviation", ""),
         (DebugView::Alpha, "alpha", ""),
         (DebugView::Lambda, "lambda", ""),
         (DebugView::Motion, "motion", " px"),

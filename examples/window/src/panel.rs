@@ -171,8 +171,8 @@ fn about(preset: atrous::config::Preset) -> &'static str {
 fn explained(view: DebugView) -> &'static str {
     match view {
         DebugView::HistoryLength => "Frames accumulated: dark blue 0, yellow 32 and more",
-        DebugView::Variance => "Standard deviation of luminance that guides the filter",
-        DebugView::Moments => "Mean (red) and standard deviation (green) of luminance over the history",
+        DebugView::Deviation => "Standard deviation of luminance that guides the filter",
+        DebugView::MeanAndDeviation => "Mean (red) and standard deviation (green) of luminance over the history",
         DebugView::Gradient => "Change of the same samples from frame to frame: red brighter, blue darker",
         DebugView::Lambda => "How far light changed: 0 keeps the history, 1 drops it",
         DebugView::Alpha => "Weight of the new sample",

@@ -191,7 +191,7 @@ mod tests {
     fn settings_survive_a_file() {
         let mut settings = Settings { scene: "hall".into(), divider: 0.25, speed: 0.5, ..Settings::default() };
         settings.set_tuning(Preset::Svgf, "alpha", 0.05);
-        settings.set_tuning(Preset::Eaw, "sigma_rt", Tuning::default().sigma_rt);
+        settings.set_tuning(Preset::Eaw, "eaw_sigma_radiance", Tuning::default().eaw_sigma_radiance);
         let path = file("");
         settings.save(&path).expect("saved");
         assert_eq!(Settings::load(&path).expect("loaded"), settings);

@@ -141,7 +141,7 @@ impl Shelf {
                 let gradient = any(choices, &self.gradients)?;
                 let gradient = if choices.one_in(2) { g.gradient_atrous(&guides, &gradient) } else { gradient };
                 self.gradients.push(gradient);
-                self.confidence.push(g.adaptive_alpha(&gradient, None));
+                self.confidence.push(g.history_confidence(&gradient, None));
             }
             11 => {
                 let irradiance = self.port(choices, &self.irradiance)?;
@@ -165,8 +165,8 @@ impl Shelf {
             }
             14 => {
                 let radiance = self.port(choices, &self.radiance)?;
-                let known = Known { confidence: any(choices, &self.confidence), ..Known::new(&radiance) };
-                let display = if choices.one_in(2) { g.tone_map(&radiance) } else { g.debug_view(&guides, &known) };
+                let intermediates = Intermediates { confidence: any(choices, &self.confidence), ..Intermediates::new(&radiance) };
+                let display = if choices.one_in(2) { g.tone_map(&radiance) } else { g.debug_view(&guides, &intermediates) };
                 let display = if choices.one_in(2) { g.taa(&guides, &display) } else { display };
                 g.output(choices.one_of(&["display", "display", "noisy_radiance", ""]), &display);
             }

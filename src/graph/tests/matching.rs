@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::contract::{Grid, Lifetime, Parameter, Tuning};
-use crate::graph::pass::Level;
 use crate::graph::resources::HOST_COLOUR;
 use crate::shaders::{self, Scalar};
 use std::sync::Arc;
@@ -167,7 +166,7 @@ fn a_wrong_parameter_is_named_with_those_that_there_are() {
     problem(curve, "sigma_l", &["is a Float", "must be a Uint"]);
     let twice = |pass: Pass, _: &Images| pass.value("sigma_l", Value::Fixed(1.0)).value("sigma_l", Value::Fixed(2.0));
     problem(twice, "sigma_l", &["set twice"]);
-    problem(|pass, _| Pass { level: Level::None, ..pass }, "level", &["give the pass a level"]);
+    problem(|pass, _| Pass { level: None, ..pass }, "level", &["give the pass a level"]);
 }
 
 #[test]

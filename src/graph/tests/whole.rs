@@ -253,7 +253,7 @@ fn a_transient_lies_in_an_output_that_is_written_later() {
     assert_eq!(life(&shared, "denoised_radiance"), ["demodulate", "tone_map"]);
     // Another phase, before which the host may still show the picture of the previous frame.
     assert_eq!(life(&shared, "display"), life(&apart, "display"));
-    assert!(shared.find("filter_ping").is_none() && apart.find("filter_ping").is_some());
+    assert!(shared.find("irradiance").is_none() && apart.find("irradiance").is_some());
     let output = |declaration: &Declaration| {
         declaration.resources()[declaration.find("denoised_radiance").expect("known").0 as usize].clone()
     };

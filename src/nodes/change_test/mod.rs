@@ -9,16 +9,16 @@ use crate::contract::{Grid, Lifetime};
 use crate::graph::{Confidence, Difference, Graph, Image, Port, Steadiness, CONFIDENCE};
 use crate::shaders;
 
-/// Result of the change test of a history, for [`Graph::adaptive_alpha`].
+/// Result of the change test of a history, for [`Graph::history_confidence`].
 #[derive(Clone, Copy, Debug)]
-pub struct Tested {
+pub struct ChangeTest {
     /// Confidence in the history.
     pub confidence: Confidence,
     /// Certainty of no change, block by block: there a gradient is noise.
     pub steadiness: Option<Steadiness>,
 }
 
-impl From<Confidence> for Tested {
+impl From<Confidence> for ChangeTest {
     fn from(confidence: Confidence) -> Self {
         Self { confidence, steadiness: None }
     }
@@ -32,11 +32,11 @@ impl Graph {
 
     /// [`Self::change_test`], and in the same pass the certainty that nothing changed: neither that
     /// mean nor one of its nine blocks departs by more than noise.
-    pub fn change_and_steadiness(&mut self, difference: &Difference) -> Tested {
+    pub fn change_and_steadiness(&mut self, difference: &Difference) -> ChangeTest {
         let label = self.label_of(difference);
         let steadiness = self.named_image("steadiness", &label, CONFIDENCE, BLOCK_SIZE, Lifetime::Transient);
         let confidence = self.add_change_test(difference, Some(steadiness));
-        Tested { confidence, steadiness: Some(Port::of(self.refreshed(steadiness))) }
+        ChangeTest { confidence, steadiness: Some(Port::of(self.refreshed(steadiness))) }
     }
 
     fn add_change_test(&mut self, difference: &Difference, steadiness: Option<Image>) -> Confidence {

@@ -75,10 +75,10 @@ impl DebugView {
             Self::HistoryLength => {
                 const { &[false_coloured("history, frames", &[(0.0, "0"), (0.25, "8"), (0.5, "16"), (1.0, "32+")])] }
             }
-            Self::Variance => {
+            Self::Deviation => {
                 const { &[false_coloured("deviation of luminance", &[(0.0, "0"), (0.5, "0.25"), (0.8, "1"), (1.0, "")])] }
             }
-            Self::Moments => {
+            Self::MeanAndDeviation => {
                 const { &[channel("mean luminance", OPEN, |t| [t, 0.0, 0.0]), channel("its deviation", OPEN, |t| [0.0, t, 0.0])] }
             }
             Self::Gradient => {

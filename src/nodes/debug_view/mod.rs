@@ -13,7 +13,7 @@ pub use legend::{Ramp, ViewLegend};
 
 /// Images of a graph beside the guides. The views of a missing image are a dark chequer.
 #[derive(Clone, Copy, Debug)]
-pub struct Known {
+pub struct Intermediates {
     /// Your noisy radiance, one or two signals.
     pub noisy: Radiance,
     /// Whether it is divided by the optional input `albedo`. Default: true.
@@ -34,7 +34,7 @@ pub struct Known {
     pub usual: Option<Usual>,
 }
 
-impl Known {
+impl Intermediates {
     /// A filter with nothing but its input.
     pub fn new(noisy: &Radiance) -> Self {
         Self {
@@ -54,7 +54,7 @@ impl Known {
 impl Graph {
     /// A picture of the state of each pixel, one view per frame:
     /// [`crate::FrameParams::debug_view`]. The shown images are kept until then.
-    pub fn debug_view(&mut self, guides: &Guides, known: &Known) -> Display {
+    pub fn debug_view(&mut self, guides: &Guides, intermediates: &Intermediates) -> Display {
         let node = self.node("debug_view", "");
         let shown = self.named_image("view", "", HDR, 1, Lifetime::Transient);
         let mut pass = pass(&node, &shaders::DEBUG_VIEW)
@@ -62,25 +62,25 @@ impl Graph {
             .view()
             .bind("guide", guides.guide)
             .bind("surface_motion", guides.surface_motion)
-            .each("noisy", known.noisy.images())
+            .each("noisy", intermediates.noisy.images())
             .bind("debug_view", shown)
-            .bind_some("history_confidence", known.confidence.map(|confidence| confidence.image()))
-            .bind_some("reflection", known.reflection.map(|reflection| reflection.image))
-            .bind_some("visibility_history", known.visibility.map(|visibility| visibility.image()));
-        if known.albedo {
+            .bind_some("history_confidence", intermediates.confidence.map(|confidence| confidence.image()))
+            .bind_some("reflection", intermediates.reflection.map(|reflection| reflection.image))
+            .bind_some("visibility_history", intermediates.visibility.map(|visibility| visibility.image()));
+        if intermediates.albedo {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }
-        if let Some(history) = &known.history {
+        if let Some(history) = &intermediates.history {
             pass = pass.each("moments", &self.current_moments(history));
-            if known.deviation {
+            if intermediates.deviation {
                 let colour: Vec<_> = history.colour().iter().map(|image| self.refreshed(*image)).collect();
                 pass = pass.each("history", &colour);
             }
         }
-        if let Some(gradient) = &known.gradient {
+        if let Some(gradient) = &intermediates.gradient {
             pass = pass.constant("STRATUM_SIZE", gradient.stratum_size).bind("gradient", gradient.image);
         }
-        if let Some(Usual { percentiles, limits }) = &known.usual {
+        if let Some(Usual { percentiles, limits }) = &intermediates.usual {
             pass = pass.each("block_percentiles", percentiles.images()).each("firefly_limits", limits.images());
         }
         self.add(pass);

@@ -91,8 +91,10 @@ pub(crate) fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &Debug
 impl DebugViewInputs<'_> {
     fn has(&self, view: DebugView) -> bool {
         match view {
-            DebugView::HistoryLength | DebugView::Moments | DebugView::Alpha | DebugView::Disocclusion => !self.moments.is_empty(),
-            DebugView::Variance => !self.irradiance_history.is_empty(),
+            DebugView::HistoryLength | DebugView::MeanAndDeviation | DebugView::Alpha | DebugView::Disocclusion => {
+                !self.moments.is_empty()
+            }
+            DebugView::Deviation => !self.irradiance_history.is_empty(),
             DebugView::Gradient => self.gradient.is_some(),
             DebugView::Lambda => self.history_confidence.is_some(),
             DebugView::HitDistance | DebugView::LobeAngle | DebugView::VirtualMotion | DebugView::ReflectionHistory => {
@@ -132,11 +134,11 @@ impl DebugViewInputs<'_> {
                 let frames = self.moments_at(0, p).history_length;
                 coloured(frames / LONG_HISTORY, frames)
             }
-            DebugView::Variance => {
+            DebugView::Deviation => {
                 let deviation = root_of_squares(self.irradiance_history.iter().map(|image| image.at(p)[3].max(0.0)));
                 coloured(deviation / (MIDDLE_DEVIATION + deviation), deviation)
             }
-            DebugView::Moments => {
+            DebugView::MeanAndDeviation => {
                 let each = || (0..self.moments.len()).map(|i| self.moments_at(i, p));
                 let (mean, deviation) = (each().map(|m| m.mean).sum(), root_of_squares(each().map(|m| m.deviation)));
                 ([compressed(mean), compressed(deviation), 0.0], mean)

@@ -30,7 +30,7 @@ pub enum Albedo {
 pub struct Demodulate {
     /// The divisor. Default: [`Albedo::Diffuse`].
     pub albedo: Albedo,
-    /// Share of the pixels that have a sample: holes are marked, for the node `fill_holes` or for the node `eaw` to paint in. Default: all
+    /// Share of the pixels that have a sample: holes are marked, for the node `fill_holes` or for the node `eaw` to fill. Default: all
     /// of them, and the few whose radiance is not finite are filled here.
     pub sampling: Sampling,
     /// Gradients that compare the luminance of the noisy radiance with that of the frame before, which this node keeps for them.
@@ -78,11 +78,11 @@ impl Graph {
     /// around it, and a negative alpha tells the accumulation so.
     pub fn demodulate(&mut self, guides: &Guides, noisy: &Radiance, demodulate: Demodulate) -> Irradiance {
         let node = self.node("demodulate", &self.label_of(noisy));
-        let irradiance: Irradiance = self.image_each(noisy, "filter_ping", HDR, 1);
+        let irradiance: Irradiance = self.image_each(noisy, "irradiance", HDR, 1);
         let kept = demodulate.gradient.and_then(|gradient| gradient.kept);
         let module = if kept.is_some() { &shaders::DEMODULATE_LUMINANCE_1 } else { &shaders::DEMODULATE_LUMINANCE_0 };
         let mut pass = pass(&node, module)
-            .constant("PAINTING", demodulate.sampling as u32)
+            .constant("SAMPLING", demodulate.sampling as u32)
             .value("sigma_n", Value::Fixed(HOLE_SIGMA_N))
             .value("sigma_z", Value::Fixed(HOLE_SIGMA_Z))
             .bind("guide", guides.guide)

@@ -205,7 +205,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         albedo: b.optional_colour("albedo")?,
         specular_f0: b.optional_colour("specular_f0")?,
         specular_hit_distance: b.optional_colour("specular_hit_distance")?,
-        is_sub_sampled: b.is_on("PAINTING")?,
+        is_sub_sampled: b.is_on("SAMPLING")?,
     };
     let outputs = demodulate(b.frame, b.tuning, &inputs);
     b.count(&outputs.statistics)?;

@@ -44,7 +44,7 @@ impl Graph {
                 .constant("RADIANCE", u32::from(eaw.weights.radiance))
                 .constant("NORMAL", u32::from(eaw.weights.normal))
                 .constant("POSITION", u32::from(eaw.weights.position))
-                .constant("PAINTING", eaw.sampling as u32)
+                .constant("SAMPLING", eaw.sampling as u32)
                 .bind("guide", guides.guide)
         })
     }

@@ -29,8 +29,8 @@ pub(crate) struct EawInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Edge functions that are on.
     pub weights: EawWeights,
-    /// Levels that paint in holes; 0 where the input has none.
-    pub painting_levels: u32,
+    /// Levels that fill holes; 0 where the input has none.
+    pub filling_levels: u32,
 }
 
 /// Filters every signal with taps `2^level` pixels apart. Texels of the result are as those of the input; holes become fewer.
@@ -40,7 +40,7 @@ pub(crate) fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &
         let surface = unpack_guide(inputs.guide.at(p));
         (surface, view_position(frame, p, surface.linear_depth))
     });
-    let edges = Edges { tuning, weights: inputs.weights, painting_levels: inputs.painting_levels, level };
+    let edges = Edges { tuning, weights: inputs.weights, filling_levels: inputs.filling_levels, level };
     let filter =
         |image: &&Image<[f32; 4]>| Image::compute(extent, frame.render_extent, |p| filtered(frame, &edges, &points, image, p));
     inputs.irradiance.iter().map(filter).collect()
@@ -50,7 +50,7 @@ pub(crate) fn eaw(frame: &FrameConstants, tuning: &Tuning, level: u32, inputs: &
 struct Edges<'a> {
     tuning: &'a Tuning,
     weights: EawWeights,
-    painting_levels: u32,
+    filling_levels: u32,
     level: u32,
 }
 
@@ -63,15 +63,15 @@ struct Sharpness {
 
 impl Sharpness {
     fn new(frame: &FrameConstants, edges: &Edges, linear_depth: f32) -> Self {
-        let Edges { tuning, weights, painting_levels, level } = *edges;
+        let Edges { tuning, weights, filling_levels, level } = *edges;
         let step = (1_u64 << level) as f32;
         let on = |on: bool, sharpness: f32| if on { sharpness } else { 0.0 };
         // While holes are left, radiance says nothing.
-        let by_radiance = weights.radiance && level >= painting_levels;
+        let by_radiance = weights.radiance && level >= filling_levels;
         Self {
-            radiance: on(by_radiance, step / (tuning.sigma_rt * frame.filter_exposure)),
-            normal: on(weights.normal, 1.0 / (step * tuning.sigma_rt_n)),
-            position: on(weights.position, 1.0 / (tuning.sigma_rt_x * linear_depth.max(1e-15))),
+            radiance: on(by_radiance, step / (tuning.eaw_sigma_radiance * frame.filter_exposure)),
+            normal: on(weights.normal, 1.0 / (step * tuning.eaw_sigma_normal)),
+            position: on(weights.position, 1.0 / (tuning.eaw_sigma_position * linear_depth.max(1e-15))),
         }
     }
 }
@@ -125,7 +125,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         guide: b.packed("guide")?,
         irradiance: &b.colours("input")?,
         weights: EawWeights { radiance: b.is_on("RADIANCE")?, normal: b.is_on("NORMAL")?, position: b.is_on("POSITION")? },
-        painting_levels: b.constant("PAINTING")?,
+        filling_levels: b.constant("SAMPLING")?,
     };
     let filtered = eaw(b.frame, b.tuning, b.level, &inputs);
     b.write_signals("output", filtered)

@@ -20,7 +20,7 @@ impl Graph {
             Sampling::OneOf2x2 => 1,
             Sampling::OneOf4x4 => 3,
         };
-        let filled: Irradiance = self.image_each(irradiance, "filter_filled", HDR, 1);
+        let filled: Irradiance = self.image_each(irradiance, "filled_irradiance", HDR, 1);
         for (from, to) in irradiance.images().iter().zip(filled.images()) {
             let label = self.label(*from).to_owned();
             let node = self.node("fill_holes", &label);

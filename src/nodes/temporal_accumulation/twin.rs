@@ -23,7 +23,7 @@ mod volume;
 
 pub(crate) use adapter::{twin, RULES};
 pub(crate) use blend::{blend, fresh, AlphaBounds};
-pub(crate) use taps::{cubic_taps, MIN_TAP_WEIGHT};
+pub(crate) use taps::{cubic_taps, SMALLEST_WEIGHT_SUM};
 pub(crate) use volume::{volume_accumulation, VolumeAccumulationInputs};
 
 /// Guide and histories that the previous frame left.
@@ -67,7 +67,7 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Object normals, where the host gives them.
     pub object_normals: Option<ObjectNormals<'a>>,
-    /// Confidence from `adaptive_alpha`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
+    /// Confidence from `history_confidence`, `percentile_rule` or `change_test`: alpha rises where it is below 1 \[ASVGF 3.5\].
     pub history_confidence: Option<&'a Image<f32>>,
     /// Repair of disocclusions, and a history as long as the confidence says \[PSVGF\].
     pub repair: bool,
@@ -178,7 +178,7 @@ fn reprojected(
     Reprojected::new(frame, tuning, (surface, p), &motion, unpack_depth_gradient(inputs.depth_gradient.at(p)))
 }
 
-/// Tested pixels with their weights, and those of a cubic.
+/// ChangeTest pixels with their weights, and those of a cubic.
 type Taps = ([(IVec2, f32); 9], Option<[(IVec2, f32); 16]>);
 
 /// A surface with what is expected of it in the previous frame.

@@ -37,7 +37,7 @@ impl Graph {
     pub fn volume_points(&mut self, volume: &Volume) -> VolumeRadiance {
         let node = self.node("volume_points", "");
         let label = self.label(volume.noisy.image()).to_owned();
-        let radiance = self.named_image("filter_ping", &label, HDR, 1, Lifetime::Transient);
+        let radiance = self.named_image("irradiance", &label, HDR, 1, Lifetime::Transient);
         let pass = pass(&node, &shaders::VOLUME_POINTS)
             .bind("noisy_volume", volume.noisy.image())
             .bind("scattering_depth", self.input(Input::SCATTERING_DEPTH))

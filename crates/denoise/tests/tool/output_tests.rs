@@ -74,7 +74,7 @@ fn pictures_and_scores_are_not_overwritten_unasked() {
         ("report.html", "--report"),
         ("scores.json", "--score"),
         ("scores.png", "--score"),
-        ("views/frame_0001_variance.png", "--views"),
+        ("views/frame_0001_deviation.png", "--views"),
     ] {
         let output = folder();
         let path = output.path().join(name);
@@ -116,7 +116,7 @@ fn a_disk_without_room_keeps_what_is_finished() {
             .flat("G B", Type::Float, 0.5)
             .write(&frame_path(input.path(), number));
     }
-    let more = ["--float", "--preset", "eaw", "--set", "sigma_rt=0.0001"];
+    let more = ["--float", "--preset", "eaw", "--set", "eaw_sigma_radiance=0.0001"];
     let program = program(input.path(), output.path(), &[&more[..], &ALONE].concat());
     let run = limited(&program, "trap '' XFSZ; ulimit -f 16").output().expect("a run");
     let message = String::from_utf8_lossy(&run.stderr);

@@ -31,7 +31,7 @@ fn results_have_the_names_and_metadata_of_the_input() {
     let values = red(&frame_path(out.path(), 2));
     let worst = values.iter().map(|v| (v - 0.5).abs()).fold(0.0, f32::max);
     assert!(worst < 0.2, "{worst}");
-    for file in ["strip.png", "scores.json", "scores.png", "frame_0001.png", "views/frame_0001_variance.png"] {
+    for file in ["strip.png", "scores.json", "scores.png", "frame_0001.png", "views/frame_0001_deviation.png"] {
         assert!(out.path().join(file).exists(), "{file}");
     }
     let leftovers =

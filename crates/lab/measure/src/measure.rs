@@ -42,7 +42,7 @@ pub struct Denoised {
 
 /// Views of a strip. What is left out shows the inputs, or single passes.
 const SHOWN: [DebugView; 5] =
-    [DebugView::HistoryLength, DebugView::Variance, DebugView::Gradient, DebugView::Lambda, DebugView::Alpha];
+    [DebugView::HistoryLength, DebugView::Deviation, DebugView::Gradient, DebugView::Lambda, DebugView::Alpha];
 
 /// Scores of one picture against the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -58,7 +58,7 @@ pub fn write_strip(path: &Path, title: &str, frame: &Frame, names: &[&str], scor
 fn label(view: DebugView) -> &'static str {
     match view {
         DebugView::HistoryLength => "history length\n0 to 32 frames",
-        DebugView::Variance => "standard deviation\n0.25 in the middle",
+        DebugView::Deviation => "standard deviation\n0.25 in the middle",
         DebugView::Gradient => "gradient\nred brighter, blue darker",
         DebugView::Lambda => "lambda, change of light\n0 to 1",
         DebugView::Alpha => "alpha, weight of the new frame\n0 to 1",

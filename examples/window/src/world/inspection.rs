@@ -12,7 +12,7 @@ use crate::shared::{FilterReport, Probe, HISTOGRAM_BARS};
 /// What the magnifier shows of a pixel.
 const PROBED: [DebugView; 8] = [
     DebugView::HistoryLength,
-    DebugView::Variance,
+    DebugView::Deviation,
     DebugView::Alpha,
     DebugView::Lambda,
     DebugView::Motion,

@@ -12,11 +12,8 @@ const PICTURE: Tolerance = Tolerance { relative: 4e-3, absolute: 2e-4, ..HALF };
 /// How what it writes is compared with the GPU.
 pub(crate) const RULES: &[Rule] = &[pixels("debug_view", PICTURE)];
 
-/// The level of the pass is the number of the view.
+/// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let all = DebugView::ALL;
-    let last = all.len() as u32 - 1;
-    let view = *all.get(b.level as usize).ok_or(Error::Config { name: "debug_view", given: b.level, min: 0, max: last })?;
     let inputs = DebugViewInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -33,6 +30,6 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         visibility_history: b.has("visibility_history").then(|| b.uint("visibility_history")).transpose()?,
         albedo: b.optional_colour("albedo")?,
     };
-    let picture = debug_view(b.frame, b.tuning, &inputs, view);
+    let picture = debug_view(b.frame, b.tuning, &inputs, b.view);
     b.write("debug_view", picture)
 }

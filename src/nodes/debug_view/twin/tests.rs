@@ -41,7 +41,7 @@ fn alpha_holds_the_number_and_the_background_is_black() {
     let moments = Moments { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: Reason::Depth as u16 };
     for (shown, number) in [
         (DebugView::HistoryLength, 4.0),
-        (DebugView::Moments, 1.0),
+        (DebugView::MeanAndDeviation, 1.0),
         (DebugView::Alpha, 0.25),
         (DebugView::Disocclusion, 3.0),
         (DebugView::Depth, 3.0),
@@ -54,7 +54,7 @@ fn alpha_holds_the_number_and_the_background_is_black() {
 
 #[test]
 fn what_the_preset_lacks_is_a_chequer() {
-    for shown in [DebugView::Variance, DebugView::Lambda, DebugView::Gradient, DebugView::Fireflies] {
+    for shown in [DebugView::Deviation, DebugView::Lambda, DebugView::Gradient, DebugView::Fireflies] {
         let image = view(shown, &Moments::default(), &Statistics::default());
         let at = |x, y| image.get(x, y).map(|t| t[0]).expect("inside");
         assert!(at(0, 0) < at(8, 0) && at(0, 0) == at(8, 8) && at(8, 0) < 0.1, "{shown:?}");
@@ -112,7 +112,7 @@ fn the_legend_has_the_colours_of_the_picture() {
         [r, g, b]
     };
     for (shown, mark) in [
-        (DebugView::Variance, "0.25"),
+        (DebugView::Deviation, "0.25"),
         (DebugView::Gradient, "-1"),
         (DebugView::Lambda, "0.5"),
         (DebugView::Alpha, "0.5"),
@@ -132,8 +132,8 @@ fn the_legend_has_the_colours_of_the_picture() {
     assert_near(colour(&none, view), from_srgb(view.legend().cases[0].1.map(f32::from)), "no past");
     let longer = DebugViewInputs { moments: &[&eight], ..inputs };
     assert_near(colour(&longer, DebugView::HistoryLength), of_legend(DebugView::HistoryLength, 0, "8"), "history");
-    let [mean, deviation] = [("1", 0), ("9", 1)].map(|(mark, ramp)| of_legend(DebugView::Moments, ramp, mark));
-    assert_near(colour(&inputs, DebugView::Moments), [mean[0], deviation[1], 0.0], "moments");
+    let [mean, deviation] = [("1", 0), ("9", 1)].map(|(mark, ramp)| of_legend(DebugView::MeanAndDeviation, ramp, mark));
+    assert_near(colour(&inputs, DebugView::MeanAndDeviation), [mean[0], deviation[1], 0.0], "moments");
     let (name, reset) = DebugView::Disocclusion.legend().cases[usize::from(Reason::Normal as u16)];
     assert_eq!(name, "normal");
     assert_near(colour(&inputs, DebugView::Disocclusion), from_srgb(reset.map(f32::from)), "reason");

@@ -27,7 +27,7 @@ fn run(s: &Settings, level: u32, surfaces: impl Fn(i32, i32) -> Surface, input: 
         guide: &guides(EXTENT, surfaces).guide,
         irradiance: &[input],
         weights: EawWeights::first(s.weights),
-        painting_levels: s.sampling as u32,
+        filling_levels: s.sampling as u32,
     };
     eaw(&frame, &s.tuning, level, &inputs).remove(0)
 }
@@ -87,7 +87,7 @@ fn a_hole_that_sees_nothing_of_its_kind_takes_what_there_is() {
 fn extreme_depths_and_radiances_stay_finite() {
     let surfaces = |x: i32, y: i32| surface([1e-30, 1e-3, 1.0, 1e20, 3e38][(x * 3 + y) as usize % 5]);
     let input = noise(EXTENT, 2).map(|t| t.map(|v| if v > 0.5 { 65504.0 } else { 0.0 }));
-    let settings = Settings { tuning: Tuning { sigma_rt: 1e-4, ..svgf_tuning() }, ..of(3, Sampling::Full) };
+    let settings = Settings { tuning: Tuning { eaw_sigma_radiance: 1e-4, ..svgf_tuning() }, ..of(3, Sampling::Full) };
     for level in [0, 9] {
         assert!(all_finite(&run(&settings, level, surfaces, &input.map(|t| [t[0], t[1], t[2], 0.0]))));
     }

@@ -1,7 +1,7 @@
 //! The past of a reflection: where the surface was, where the image behind it was, and how much each is worth.
 
 use super::{Centre, Scene};
-use crate::nodes::temporal_accumulation::twin::{cubic_taps, MIN_TAP_WEIGHT};
+use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
 use crate::reference::projection::extent_ratio;
@@ -157,7 +157,7 @@ impl Scene<'_> {
                 weights += weight;
             }
         }
-        (weights >= MIN_TAP_WEIGHT).then(|| {
+        (weights >= SMALLEST_WEIGHT_SUM).then(|| {
             let mut mean = Past::default();
             mean.add(&sum, 1.0 / weights);
             mean

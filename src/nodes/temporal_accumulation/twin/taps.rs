@@ -4,7 +4,7 @@ use super::{History, Reason};
 use glam::{IVec2, Vec2};
 
 /// Smallest sum of bilinear weights that the 2×2 taps are trusted with.
-pub(crate) const MIN_TAP_WEIGHT: f32 = 0.01;
+pub(crate) const SMALLEST_WEIGHT_SUM: f32 = 0.01;
 
 /// The pixel nearest to a position; pixel centres are whole numbers.
 pub(super) fn nearest(s: Vec2) -> IVec2 {
@@ -60,5 +60,5 @@ fn valid(candidates: &[(IVec2, f32)], refusal: impl Fn(IVec2) -> Reason) -> Opti
         }
     }
     taps.iter_mut().for_each(|tap| tap.1 /= sum);
-    (sum >= MIN_TAP_WEIGHT).then_some(History::Taps(taps))
+    (sum >= SMALLEST_WEIGHT_SUM).then_some(History::Taps(taps))
 }

@@ -2,7 +2,7 @@
 
 use atrous::config::{EawWeights, Preset, Signals};
 use atrous::graph::{Estimate, Feedback, Graph, Guides, History, Irradiance, Value};
-use atrous::nodes::{Accumulation, Atrous, Eaw, Known, Modulate, Variance};
+use atrous::nodes::{Accumulation, Atrous, Eaw, Intermediates, Modulate, Variance};
 use atrous::presets::{self, Denoised};
 use atrous::{Config, Declaration};
 use atrous_engine::denoiser::GraphOfConfig;
@@ -127,7 +127,7 @@ fn accumulated(
         let accumulated = g.temporal_accumulation(guides, &irradiance, &history, Accumulation::default());
         let estimate = g.variance(guides, &accumulated, &history, Variance::default());
         let filtered = spatial(g, guides, &estimate, history);
-        Denoised { radiance: g.modulate(guides, &filtered, Modulate::default()), known: Known::new(&noisy) }
+        Denoised { radiance: g.modulate(guides, &filtered, Modulate::default()), intermediates: Intermediates::new(&noisy) }
     };
     config.graph_with(filter)?.finish()
 }

@@ -31,7 +31,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
         let mut table = Figures::new(name, [("RMSE", 4), ("SSIM", 3), ("temporal RMSE", 4), ("ms, gradients", 1)]);
         for row in on_scene(lab, name, &contenders, folder)?.iter().skip(1) {
             let mean = row.mean();
-            let stages = ["forward_project", "gradient", "gradient_atrous", "adaptive_alpha"];
+            let stages = ["forward_project", "gradient", "gradient_atrous", "history_confidence"];
             table.row(&row.name, &[mean.rmse, mean.ssim, mean.temporal_error, stages.iter().map(|stage| row.stage(stage)).sum()]);
         }
         tables.push(table);

@@ -1,4 +1,4 @@
-//! The stage `adaptive_alpha` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
+//! The stage `history_confidence` \[ASVGF 3.5, eq. 14\]: how far the history of a pixel is still true.
 
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::Blocks;
@@ -10,7 +10,7 @@ use crate::{Error, FrameConstants, Tuning};
 
 /// Source of the confidence.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum AdaptiveAlphaInput<'a> {
+pub(crate) enum HistoryConfidenceInput<'a> {
     /// The reconstructed gradient.
     Gradient {
         /// One texel a stratum: x: δ, y: Δ.
@@ -28,9 +28,9 @@ pub(crate) enum AdaptiveAlphaInput<'a> {
     Confidence(&'a Image<[f32; 4]>),
 }
 
-/// Outputs of [`adaptive_alpha`].
+/// Outputs of [`history_confidence`].
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct AdaptiveAlphaOutputs {
+pub(crate) struct HistoryConfidenceOutputs {
     /// 1 − λ: 1 keeps the history, which the ratio of light scales where there is one, 0 drops it.
     pub history_confidence: Image<f32>,
     /// The same of a history that nothing scales.
@@ -38,15 +38,15 @@ pub(crate) struct AdaptiveAlphaOutputs {
 }
 
 /// Confidence for images of `extent`.
-pub(crate) fn adaptive_alpha(
+pub(crate) fn history_confidence(
     frame: &FrameConstants,
     tuning: &Tuning,
     extent: [u32; 2],
-    input: AdaptiveAlphaInput,
-) -> AdaptiveAlphaOutputs {
+    input: HistoryConfidenceInput,
+) -> HistoryConfidenceOutputs {
     let (rect, blocks) = (RenderRect::new(frame.render_extent), Blocks::new(frame.render_extent));
     let texels = Image::compute(extent, frame.render_extent, |p| match input {
-        AdaptiveAlphaInput::Gradient { gradient, stratum_size, light_ratio, other, steadiness } => {
+        HistoryConfidenceInput::Gradient { gradient, stratum_size, light_ratio, other, steadiness } => {
             let strata = || rect.window(p, 1, 1).map(|(_, q)| q / stratum_size as i32);
             if let Some(other) = other.filter(|_| strata().all(|s| gradient.at(s)[1] == 0.0)) {
                 return [other.at(p); 2];
@@ -56,12 +56,12 @@ pub(crate) fn adaptive_alpha(
             let unsteady = steadiness.map_or(1.0, |steadiness| 1.0 - blocks.interpolated(p, |block| steadiness.at(block)));
             [1.0 - change * unsteady * (1.0 - coherence(&ratios)), 1.0 - change]
         }
-        AdaptiveAlphaInput::Confidence(host) => match host.at(p)[0] {
+        HistoryConfidenceInput::Confidence(host) => match host.at(p)[0] {
             c if c.is_finite() => [c.clamp(0.0, 1.0); 2],
             _ => [1.0; 2],
         },
     });
-    AdaptiveAlphaOutputs { history_confidence: texels.map(|t| t[0]), unscaled_confidence: texels.map(|t| t[1]) }
+    HistoryConfidenceOutputs { history_confidence: texels.map(|t| t[0]), unscaled_confidence: texels.map(|t| t[1]) }
 }
 
 /// How far history that is scaled by these ratios is true: 0 to 1.
@@ -91,8 +91,8 @@ pub(crate) const RULES: &[Rule] = &[pixels("history_confidence", HALF), pixels("
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let input = match b.optional_colour("confidence")? {
-        Some(host) => AdaptiveAlphaInput::Confidence(host),
-        None => AdaptiveAlphaInput::Gradient {
+        Some(host) => HistoryConfidenceInput::Confidence(host),
+        None => HistoryConfidenceInput::Gradient {
             gradient: b.colour("gradient")?,
             stratum_size: b.stratum_size()?,
             light_ratio: b.optional_colour("light_ratio")?,
@@ -100,7 +100,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
             steadiness: b.optional_scalar("steadiness")?,
         },
     };
-    let outputs = adaptive_alpha(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
+    let outputs = history_confidence(b.frame, b.tuning, b.extent_of("history_confidence")?, input);
     b.write("history_confidence", outputs.history_confidence)?;
     if b.has("unscaled_confidence") {
         b.write("unscaled_confidence", outputs.unscaled_confidence)?;
@@ -123,14 +123,14 @@ mod tests {
                 (2, 0) => [1.0, 0.0, 0.0, 0.0],
                 _ => [0.0, 1.0, 0.0, 0.0],
             });
-            let input = AdaptiveAlphaInput::Gradient {
+            let input = HistoryConfidenceInput::Gradient {
                 gradient: &gradient,
                 stratum_size: 3,
                 light_ratio: None,
                 other: None,
                 steadiness: None,
             };
-            let confidence = adaptive_alpha(&frame([7, 7]), &tuning, [7, 7], input).history_confidence;
+            let confidence = history_confidence(&frame([7, 7]), &tuning, [7, 7], input).history_confidence;
             let expected = paint([7, 7], |x, y| if (2..=6).contains(&x) && (2..=6).contains(&y) { 0.5 } else { 1.0 });
             assert_eq!(confidence, expected);
         }
@@ -146,14 +146,14 @@ mod tests {
                 1 => [second, 0.5, 0.5, 1.0],
                 _ => [1.0, 1.0, 1.0, -1.0],
             });
-            let input = AdaptiveAlphaInput::Gradient {
+            let input = HistoryConfidenceInput::Gradient {
                 gradient: &gradient,
                 stratum_size: 3,
                 light_ratio: Some(&ratio),
                 other: None,
                 steadiness: None,
             };
-            let outputs = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
+            let outputs = history_confidence(&frame([9, 3]), &svgf_tuning(), [9, 3], input);
             let unscaled = outputs.unscaled_confidence.texels()[..9].to_vec();
             assert_eq!(unscaled, [0.0; 9], "light changed, and nothing scales this history");
             outputs.history_confidence.texels()[..9].to_vec()
@@ -167,14 +167,14 @@ mod tests {
     fn pixels_without_a_gradient_take_the_other_confidence() {
         let gradient = paint([3, 1], |x, _| if x == 0 { [0.0, 1.0, 0.0, 0.0] } else { [0.0; 4] });
         let other = paint([9, 3], |_, _| 0.25);
-        let input = AdaptiveAlphaInput::Gradient {
+        let input = HistoryConfidenceInput::Gradient {
             gradient: &gradient,
             stratum_size: 3,
             light_ratio: None,
             other: Some(&other),
             steadiness: None,
         };
-        let confidence = adaptive_alpha(&frame([9, 3]), &svgf_tuning(), [9, 3], input).unscaled_confidence;
+        let confidence = history_confidence(&frame([9, 3]), &svgf_tuning(), [9, 3], input).unscaled_confidence;
         assert_eq!(confidence.texels()[..9], [1.0, 1.0, 1.0, 1.0, 0.25, 0.25, 0.25, 0.25, 0.25]);
     }
 
@@ -182,14 +182,14 @@ mod tests {
     fn a_gradient_of_steady_blocks_drops_no_history_that_they_saw() {
         let gradient = paint([8, 1], |_, _| [1.0, 1.0, 0.0, 0.0]);
         let steadiness = paint([3, 1], |x, _| [1.0, 0.0, 0.5][x as usize]);
-        let input = AdaptiveAlphaInput::Gradient {
+        let input = HistoryConfidenceInput::Gradient {
             gradient: &gradient,
             stratum_size: 3,
             light_ratio: None,
             other: None,
             steadiness: Some(&steadiness),
         };
-        let outputs = adaptive_alpha(&frame([24, 3]), &svgf_tuning(), [24, 3], input);
+        let outputs = history_confidence(&frame([24, 3]), &svgf_tuning(), [24, 3], input);
         let confidence = &outputs.history_confidence.texels()[..24];
         assert_eq!(confidence[..4], [1.0; 4], "the block at the edge");
         assert_eq!(confidence[4], 1.0 - 0.5 / 8.0, "half a pixel beyond its centre");
@@ -201,8 +201,8 @@ mod tests {
     #[test]
     fn what_a_host_says_is_bounded() {
         let host = paint([6, 1], |x, _| [[0.25, -1.0, 9.0, f32::NAN, f32::INFINITY, 1.0][x as usize], 0.0, 0.0, 0.0]);
-        let confidence =
-            adaptive_alpha(&frame([6, 1]), &svgf_tuning(), [6, 1], AdaptiveAlphaInput::Confidence(&host)).history_confidence;
+        let confidence = history_confidence(&frame([6, 1]), &svgf_tuning(), [6, 1], HistoryConfidenceInput::Confidence(&host))
+            .history_confidence;
         assert_eq!(confidence.texels(), [0.25, 0.0, 1.0, 1.0, 1.0, 1.0]);
     }
 }

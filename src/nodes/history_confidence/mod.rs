@@ -4,7 +4,7 @@
 
 pub(crate) mod twin;
 
-use super::{pass, Tested};
+use super::{pass, ChangeTest};
 use crate::contract::{Input, Lifetime};
 use crate::graph::{Confidence, Gradient, Graph, Image, Port, CONFIDENCE};
 use crate::shaders;
@@ -30,25 +30,25 @@ impl Graph {
     /// confidence in the history that [`crate::nodes::Accumulation::light_ratio`] scales. Pixels
     /// without a known gradient take the confidence of `tested`: all pixels, in frames without
     /// re-shaded samples. Where the test is sure that nothing changed, a gradient does not count.
-    pub fn adaptive_alpha(&mut self, gradient: &Gradient, tested: Option<&Tested>) -> Confidence {
-        self.add_adaptive_alpha(gradient, tested, None)
+    pub fn history_confidence(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>) -> Confidence {
+        self.add_history_confidence(gradient, tested, None)
     }
 
-    /// [`Self::adaptive_alpha`], and in the same pass the confidence in a history that the ratio of
+    /// [`Self::history_confidence`], and in the same pass the confidence in a history that the ratio of
     /// light does not scale. There gradients always count, since the test compared the other
     /// history.
-    pub fn adaptive_alphas(&mut self, gradient: &Gradient, tested: Option<&Tested>) -> Confidences {
+    pub fn history_confidences(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>) -> Confidences {
         let unscaled = gradient.light_ratio.map(|_| self.confidence_image("unscaled_confidence"));
         // Without the ratio one confidence is for both, so that gradients count.
-        let tested = tested.map(|tested| Tested { steadiness: tested.steadiness.filter(|_| unscaled.is_some()), ..*tested });
-        let scaled = self.add_adaptive_alpha(gradient, tested.as_ref(), unscaled);
+        let tested = tested.map(|tested| ChangeTest { steadiness: tested.steadiness.filter(|_| unscaled.is_some()), ..*tested });
+        let scaled = self.add_history_confidence(gradient, tested.as_ref(), unscaled);
         Confidences { scaled, unscaled: unscaled.map_or(scaled, |image| Port::of(self.refreshed(image))) }
     }
 
-    fn add_adaptive_alpha(&mut self, gradient: &Gradient, tested: Option<&Tested>, unscaled: Option<Image>) -> Confidence {
-        let node = self.node("adaptive_alpha", "");
+    fn add_history_confidence(&mut self, gradient: &Gradient, tested: Option<&ChangeTest>, unscaled: Option<Image>) -> Confidence {
+        let node = self.node("history_confidence", "");
         let confidence = self.confidence_image("history_confidence");
-        let pass = pass(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_0)
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_0)
             .constant("STRATUM_SIZE", gradient.stratum_size)
             .bind("gradient", gradient.image)
             .bind_some("light_ratio", gradient.light_ratio.map(|ratio| ratio.image))
@@ -62,9 +62,9 @@ impl Graph {
 
     /// Confidence in the history, from your own estimate: the input `confidence`.
     pub fn host_confidence(&mut self) -> Confidence {
-        let node = self.node("adaptive_alpha", "");
+        let node = self.node("history_confidence", "");
         let confidence = self.confidence_image("history_confidence");
-        let pass = pass(&node, &shaders::ADAPTIVE_ALPHA_SOURCE_1)
+        let pass = pass(&node, &shaders::HISTORY_CONFIDENCE_SOURCE_1)
             .bind("confidence", self.input(Input::CONFIDENCE))
             .bind("history_confidence", confidence);
         self.add(pass);
