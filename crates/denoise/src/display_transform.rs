@@ -1,7 +1,6 @@
 //! Light as it is shown and scored: in the colours of a display, and at a brightness that an eye sees.
 
 use crate::exr_header::ExrHeader;
-use crate::frame::FrameInputs;
 use exr::meta::attribute::Chromaticities;
 use glam::{Mat3, Vec3};
 use std::borrow::Cow;
@@ -56,33 +55,6 @@ fn to_rec709(c: &Chromaticities) -> Option<Mat3> {
     let adapted = cones.inverse() * Mat3::from_diagonal(white(REC709[3]) / white(own[3])) * cones;
     let matrix = to_xyz(REC709).inverse() * adapted * to_xyz(own);
     (differs && matrix.is_finite()).then_some(matrix)
-}
-
-/// The pictures of a frame, as they are shown.
-pub struct Views<'a> {
-    /// Number of the frame.
-    pub number: u64,
-    /// Width and height.
-    pub extent: [u32; 2],
-    /// The input.
-    pub noisy: Cow<'a, [[f32; 3]]>,
-    /// The result.
-    pub denoised: Cow<'a, [[f32; 3]]>,
-    /// The converged picture.
-    pub reference: Option<Cow<'a, [[f32; 3]]>>,
-}
-
-impl<'a> Views<'a> {
-    /// Those of a frame and its result.
-    pub fn new(frame: &'a FrameInputs, denoised: &'a [[f32; 3]], shown: Shown) -> Self {
-        Self {
-            number: frame.number,
-            extent: frame.params.render_extent,
-            noisy: shown.apply(&frame.noisy),
-            denoised: shown.apply(denoised),
-            reference: frame.reference.as_ref().map(|reference| shown.apply(reference)),
-        }
-    }
 }
 
 #[cfg(test)]

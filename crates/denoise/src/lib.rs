@@ -49,3 +49,4 @@ pub mod shown;
 mod smooth;
 pub mod terminal;
 pub mod tool;
+mod views;

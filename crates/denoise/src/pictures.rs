@@ -2,7 +2,7 @@
 
 use crate::error::{Result, ToolError};
 use crate::score::{FrameScore, ScoreBook};
-use crate::shown::Views;
+use crate::views::Views;
 use atrous_files::Existing;
 use atrous_lab::pages::HeatMap;
 use atrous_lab::pictures::{LinePlot, Picture, PictureError, Region, Strip};

@@ -2,7 +2,7 @@
 
 use crate::error::{Result, ToolError};
 use crate::score::{FrameScore, Metrics, ScoreBook};
-use crate::shown::Views;
+use crate::views::Views;
 use atrous_files::Existing;
 use atrous_lab::pages::{Comparison, Curves, HeatMap, Page, PageError};
 use atrous_lab::pictures::Picture;
