@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 
-/// Gives every field of [`crate::Config`] and [`crate::config::Conventions`] to a macro. With it the structs are made here, and the
-/// struct of the C ABI elsewhere. No part of the public interface.
+/// Gives every field of [`crate::Config`] and [`crate::config::Conventions`] to a macro, which makes the structs here and the struct of
+/// the C ABI elsewhere. No part of the public interface.
 ///
 /// A row: documentation, attributes behind `@`, name, `filter` where it chooses one and `host` where it says something of the host,
 /// kind, type and default.
@@ -22,69 +22,67 @@ macro_rules! config_fields {
                 signals: host choice Signals = Signals::default();
                 /// À-trous levels, 1 to 10; none: those of the preset, [`Preset::levels`]. Default: none.
                 levels: filter number_or_none Option<u32> = None;
-                /// Whether you have a volume (fog, smoke), to be filtered apart, with motion of its own
-                /// \[PSVGF\]: an input `noisy_volume`, an output `denoised_volume`. It is the light that the
-                /// medium itself scatters towards the camera; the radiance of surfaces is the light that
-                /// reaches the camera through it. The two add up to the picture, and the post-process shows
-                /// their sum. Costs 40 bytes per pixel, and 8 of the output. Default: false.
+                /// Whether you give a volume (fog, smoke) apart, as the input `noisy_volume`. The filter gives it
+                /// motion of its own \[PSVGF\] and writes `denoised_volume`. The volume is the light that the medium
+                /// itself scatters towards the camera. The radiance of surfaces is the light that reaches the camera
+                /// through the medium. Their sum is the picture, which the post-process shows. Costs 40 bytes per
+                /// pixel, and 8 of the output. Default: false.
                 ///
-                /// The optional input `scattering_depth` locates it: for every pixel the linear depth (scene
-                /// units, along the view axis, as in `guide`) of one point that contributes much, for example a
-                /// distance chosen by transmittance. 0, infinite or NaN: none. It is carried to the next frame
-                /// to give the volume its motion; without the input a volume moves as the surfaces behind it.
+                /// The optional input `scattering_depth` gives the volume a place: the linear depth of one point per
+                /// pixel that contributes much, in scene units along the view axis. For example, take the distance that
+                /// you sampled by transmittance. 0, infinite or NaN means none. The filter follows the point to the
+                /// next frame. Without the input a volume moves as the surfaces behind it.
                 volume: host flag bool = false;
-                /// Whether you give the visibility of one light, such as the sun, apart: an input
-                /// `noisy_visibility` from 0 (occluded) to 1 (lit), usually one of the two, with
-                /// `occluder_distance`, the distance from the surface to the occluder along the shadow ray
-                /// (scene units; 0 or infinite: none, or not known); an output `denoised_visibility`. The
-                /// light's size is [`crate::Tuning::light_radius`]. Costs 12 bytes per pixel, the output
-                /// included. Default: false.
+                /// Whether you give the visibility of one light, such as the sun, apart. The input `noisy_visibility`
+                /// goes from 0 (occluded) to 1 (lit), usually one of the two. The input `occluder_distance` is the
+                /// distance from the surface to the occluder along the shadow ray (scene units; 0 or infinite: none, or
+                /// not known). The output is `denoised_visibility`. Set the size of the light with
+                /// [`crate::Tuning::light_radius`]. Costs 12 bytes per pixel, the output included. Default: false.
                 ///
-                /// Multiply your light by it. Or give the optional input `unshadowed_direct`, the light that
-                /// the surface would reflect without an occluder, times albedo and BSDF; `denoised_radiance`
-                /// then contains the product. Either way, leave that light out of the noisy radiance.
+                /// Multiply your light by the output. Or give the optional input `unshadowed_direct`, the light of the
+                /// surface without an occluder, times albedo and BSDF. `denoised_radiance` then contains the product.
+                /// Either way, leave that light out of your noisy radiance.
                 visibility: host flag bool = false;
-                /// Scales outliers of the input down to the usual brightness around them, before they reach the
-                /// history \[PSVGF\]. [`Preset::Percentile`] always does. Default: false.
+                /// Whether outliers of the input are scaled down to the usual brightness around them, before they reach
+                /// the history \[PSVGF\]. [`Preset::Percentile`] always does so. Default: false.
                 firefly_filter: filter flag bool = false;
-                /// The rule by which the preset `Percentile` detects changes of light. Default:
-                /// [`AdaptiveRule::ChangeTest`].
+                /// How the preset `Percentile` detects changes of light. Default: [`AdaptiveRule::ChangeTest`].
                 adaptive_rule: filter choice AdaptiveRule = AdaptiveRule::default();
                 /// Side of the strata of temporal gradients, 2 to 4 pixels. Default: 3 \[ASVGF\]. Only for presets with gradients.
                 stratum_size: filter number u32 = 3;
                 /// Source of the temporal gradients. Only for presets with gradients. Default: [`GradientSource::ForwardProjected`].
                 gradient_source: filter choice GradientSource = GradientSource::default();
-                /// Whether you have an image `forward_motion`, for deforming surfaces: at every pixel of the
-                /// previous frame its motion to this frame. Only for forward-projected gradients. Default:
-                /// false.
+                /// Whether you have an image `forward_motion`, for deforming surfaces. It has the motion of every pixel
+                /// of the previous frame to this frame. Only for forward-projected gradients. Default: false.
                 forward_motion: host flag bool = false;
                 /// Edge-stopping functions of the preset `Eaw`. Default: all three.
                 eaw_weights: filter weights EawWeights = EawWeights::default();
-                /// Share of the pixels that have a sample in this frame, for checkerboards and tracing at half
-                /// the rate: the others are NaN in the noisy images. Costs 8 bytes per pixel and signal until
-                /// history is read, and one pass per signal. Not of [`Preset::Stabilize`] and of volumes, whose
-                /// pixels all have one. Default: [`Sampling::Full`].
+                /// Share of the pixels with a sample in each frame, for checkerboards and tracing at half the rate.
+                /// Make the other pixels NaN in your noisy images. Costs 8 bytes per pixel and signal until history is
+                /// read, and one pass per signal. Not for [`Preset::Stabilize`] and volumes, which need a sample in
+                /// every pixel. Default: [`Sampling::Full`].
                 sampling: filter choice Sampling = Sampling::default();
                 /// Whether you have an image of surface ids. Default: true.
                 surface_id: host flag bool = true;
-                /// Whether you have object-space normals, by which a turning object keeps its history. Costs 8
-                /// bytes per pixel. Default: false.
+                /// Whether you have object-space normals. With them a turning object keeps its history. Costs 8 bytes
+                /// per pixel. Default: false.
                 object_normal: host flag bool = false;
                 /// Post-process. Default: [`PostProcess::None`].
                 post_process: host choice PostProcess = PostProcess::default();
-                /// Whether `denoised_radiance` and `denoised_volume` are of 32-bit floats (R32G32B32A32_SFLOAT) instead of halves.
-                /// The filter takes light in any unit; halves hold it from about 1e-4 to 65504. Costs 8 bytes per pixel of each,
-                /// and one pass for a volume. Default: false.
+                /// Whether `denoised_radiance` and `denoised_volume` have 32-bit floats (R32G32B32A32_SFLOAT) instead
+                /// of halves. Your light may have any unit, and halves hold only 1e-4 to 65504 of it. Costs 8 bytes per
+                /// pixel of each, and one pass for a volume. Default: false.
                 float_output: host flag bool = false;
-                /// A last pass `debug_view`, which shows the state of each pixel: see [`crate::DebugView`]. It
-                /// keeps the shown images alive to the end, so that transients cannot share their memory. You
-                /// may leave the pass out of a frame. Default: false.
+                /// Whether you want a last pass `debug_view`, which shows the state of each pixel: see
+                /// [`crate::DebugView`]. It keeps the shown images alive to the end, so you cannot alias these
+                /// transients. You may leave the pass out of a frame. Default: false.
                 debug_view: host flag bool = false;
             }
             conventions {
                 /// Encoding of depth. Default: [`DepthEncoding::Linear`].
                 depth: host choice DepthEncoding = DepthEncoding::default();
-                /// Linear depths from here on are background, as are those from 1e15 on; above 0. Default: infinity, which a file has as `"inf"`.
+                /// Linear depth from which on a pixel is background, above 0. 1e15 and beyond always are. Default:
+                /// infinity, which a file has as `"inf"`.
                 @[cfg_attr(feature = "serde", serde(with = "super::serde_forms::distance"))]
                 background_depth: host distance f32 = f32::INFINITY;
                 /// Encoding of normals. Default: [`NormalEncoding::Xyz`].
@@ -118,7 +116,7 @@ pub struct ConfigField {
     pub name: &'static str,
     /// Its documentation, in Markdown.
     pub doc: &'static str,
-    /// Whether it chooses the filter. The others describe the host: its images, their encodings, and what it wants beside the filter.
+    /// Whether it chooses the filter. The others describe you, the host: your images, their encodings, and your wishes beside the filter.
     pub is_of_filter: bool,
     /// Names and numbers of its values, where it is a choice.
     pub values: fn() -> Vec<(&'static str, u32)>,

@@ -97,7 +97,7 @@
 // Bytes of a name, with its null.
 #define ATROUS_NAME_SIZE 64
 
-// Largest number of uses that a pass has.
+// Most uses of a pass.
 #define ATROUS_MAX_USES 32
 
 // Bytes of the text of a report, with its null.
@@ -119,13 +119,13 @@ enum AtrousStatus
   ATROUS_STATUS_STALE_FRAME = 3,
   // The bindings do not fit the pass in number or kind.
   ATROUS_STATUS_BAD_BINDINGS = 4,
-  // The device lacks something.
+  // The device lacks a feature or a format.
   ATROUS_STATUS_UNSUPPORTED_DEVICE = 5,
   // Memory ran out.
   ATROUS_STATUS_OUT_OF_MEMORY = 6,
   // A different Vulkan call failed.
   ATROUS_STATUS_VULKAN_ERROR = 7,
-  // A bug in atrous: it panicked. Destroy the denoiser.
+  // A bug in atrous: it panicked. Destroy your denoiser.
   ATROUS_STATUS_PANICKED = 8,
 };
 #ifndef __cplusplus
@@ -139,13 +139,13 @@ typedef uint32_t AtrousStatus;
 // A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 typedef struct AtrousDenoiser AtrousDenoiser;
 
-// Choices that are made once; `atrous_config_default` fills it.
+// Your choices; `atrous_config_default` fills them in.
 typedef struct AtrousConfig {
   // sizeof(AtrousConfig).
   uint32_t struct_size;
-  // Width that images are allocated with, pixels.
+  // Width of your images, pixels.
   uint32_t width;
-  // Height that images are allocated with, pixels.
+  // Height of your images, pixels.
   uint32_t height;
   // Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
   uint32_t frames_in_flight;
@@ -156,53 +156,55 @@ typedef struct AtrousConfig {
   uint32_t signals;
   // À-trous levels, 1 to 10; none: those of the preset, `Preset::levels`. 0 is none. Default: 0.
   uint32_t levels;
-  // Whether you have a volume (fog, smoke), to be filtered apart, with motion of its own [PSVGF]: an input
-  // `noisy_volume`, an output `denoised_volume`. It is the light that the medium itself scatters towards the camera; the
-  // radiance of surfaces is the light that reaches the camera through it. The two add up to the picture, and the
-  // post-process shows their sum. Costs 40 bytes per pixel, and 8 of the output. 0 (false), 1 (true). Default: 0.
+  // Whether you give a volume (fog, smoke) apart, as the input `noisy_volume`. The filter gives it motion of its own
+  // [PSVGF] and writes `denoised_volume`. The volume is the light that the medium itself scatters towards the camera.
+  // The radiance of surfaces is the light that reaches the camera through the medium. Their sum is the picture, which
+  // the post-process shows. Costs 40 bytes per pixel, and 8 of the output. 0 (false), 1 (true). Default: 0.
   uint32_t volume;
-  // Whether you give the visibility of one light, such as the sun, apart: an input `noisy_visibility` from 0 (occluded)
-  // to 1 (lit), usually one of the two, with `occluder_distance`, the distance from the surface to the occluder along
-  // the shadow ray (scene units; 0 or infinite: none, or not known); an output `denoised_visibility`. The light's size
-  // is `Tuning::light_radius`. Costs 12 bytes per pixel, the output included. 0 (false), 1 (true). Default: 0.
+  // Whether you give the visibility of one light, such as the sun, apart. The input `noisy_visibility` goes from 0
+  // (occluded) to 1 (lit), usually one of the two. The input `occluder_distance` is the distance from the surface to the
+  // occluder along the shadow ray (scene units; 0 or infinite: none, or not known). The output is `denoised_visibility`.
+  // Set the size of the light with `Tuning::light_radius`. Costs 12 bytes per pixel, the output included. 0 (false), 1
+  // (true). Default: 0.
   uint32_t visibility;
-  // Scales outliers of the input down to the usual brightness around them, before they reach the history [PSVGF].
-  // `Preset::Percentile` always does. 0 (false), 1 (true). Default: 0.
+  // Whether outliers of the input are scaled down to the usual brightness around them, before they reach the history
+  // [PSVGF]. `Preset::Percentile` always does so. 0 (false), 1 (true). Default: 0.
   uint32_t firefly_filter;
-  // The rule by which the preset `Percentile` detects changes of light. 0 (change_test), 1 (percentiles). Default: 0.
+  // How the preset `Percentile` detects changes of light. 0 (change_test), 1 (percentiles). Default: 0.
   uint32_t adaptive_rule;
   // Side of the strata of temporal gradients, 2 to 4 pixels. Only for presets with gradients. Default: 3.
   uint32_t stratum_size;
   // Source of the temporal gradients. Only for presets with gradients. 0 (forward_projected), 1 (reshaded), 2 (sparse), 3
   // (confidence). Default: 0.
   uint32_t gradient_source;
-  // Whether you have an image `forward_motion`, for deforming surfaces: at every pixel of the previous frame its motion
-  // to this frame. Only for forward-projected gradients. 0 (false), 1 (true). Default: 0.
+  // Whether you have an image `forward_motion`, for deforming surfaces. It has the motion of every pixel of the previous
+  // frame to this frame. Only for forward-projected gradients. 0 (false), 1 (true). Default: 0.
   uint32_t forward_motion;
   // Edge-stopping functions of the preset `Eaw`. The sum of any of 1 (radiance), 2 (normal), 4 (position). Default: 7.
   uint32_t eaw_weights;
-  // Share of the pixels that have a sample in this frame, for checkerboards and tracing at half the rate: the others are
-  // NaN in the noisy images. Costs 8 bytes per pixel and signal until history is read, and one pass per signal. Not of
-  // `Preset::Stabilize` and of volumes, whose pixels all have one. 0 (full), 1 (one_of_2x2), 2 (one_of_4x4). Default: 0.
+  // Share of the pixels with a sample in each frame, for checkerboards and tracing at half the rate. Make the other
+  // pixels NaN in your noisy images. Costs 8 bytes per pixel and signal until history is read, and one pass per signal.
+  // Not for `Preset::Stabilize` and volumes, which need a sample in every pixel. 0 (full), 1 (one_of_2x2), 2
+  // (one_of_4x4). Default: 0.
   uint32_t sampling;
   // Whether you have an image of surface ids. 0 (false), 1 (true). Default: 1.
   uint32_t surface_id;
-  // Whether you have object-space normals, by which a turning object keeps its history. Costs 8 bytes per pixel. 0
+  // Whether you have object-space normals. With them a turning object keeps its history. Costs 8 bytes per pixel. 0
   // (false), 1 (true). Default: 0.
   uint32_t object_normal;
   // Post-process. 0 (none), 1 (tone_map), 2 (tone_map_taa). Default: 0.
   uint32_t post_process;
-  // Whether `denoised_radiance` and `denoised_volume` are of 32-bit floats (R32G32B32A32_SFLOAT) instead of halves. The
-  // filter takes light in any unit; halves hold it from about 1e-4 to 65504. Costs 8 bytes per pixel of each, and one
-  // pass for a volume. 0 (false), 1 (true). Default: 0.
+  // Whether `denoised_radiance` and `denoised_volume` have 32-bit floats (R32G32B32A32_SFLOAT) instead of halves. Your
+  // light may have any unit, and halves hold only 1e-4 to 65504 of it. Costs 8 bytes per pixel of each, and one pass for
+  // a volume. 0 (false), 1 (true). Default: 0.
   uint32_t float_output;
-  // A last pass `debug_view`, which shows the state of each pixel: see `DebugView`. It keeps the shown images alive to
-  // the end, so that transients cannot share their memory. You may leave the pass out of a frame. 0 (false), 1 (true).
-  // Default: 0.
+  // Whether you want a last pass `debug_view`, which shows the state of each pixel: see `DebugView`. It keeps the shown
+  // images alive to the end, so you cannot alias these transients. You may leave the pass out of a frame. 0 (false), 1
+  // (true). Default: 0.
   uint32_t debug_view;
   // Encoding of depth. 0 (linear), 1 (device), 2 (ray_length). Default: 0.
   uint32_t depth;
-  // Linear depths from here on are background, as are those from 1e15 on; above 0. Default: inf.
+  // Linear depth from which on a pixel is background, above 0. 1e15 and beyond always are. Default: inf.
   float background_depth;
   // Encoding of normals. 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Default: 0.
   uint32_t normal;
@@ -230,7 +232,7 @@ typedef struct AtrousFrameParams {
   uint32_t struct_size;
   // Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
   uint32_t frame_slot;
-  // The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
+  // Your reason to drop the history: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
   // (scene_load), 5 (origin_shift), 6 (exposure_jump). You need not report 1.
   uint32_t reset;
   // Width rendered this frame, anchored top left.
@@ -274,7 +276,7 @@ typedef struct AtrousCreateInfo {
   VkPipelineCache pipeline_cache;
 } AtrousCreateInfo;
 
-// A small buffer of bytes that a name is copied into.
+// A buffer for a name.
 typedef char AtrousName[ATROUS_NAME_SIZE];
 
 // A resource that you allocate or give.
@@ -287,19 +289,19 @@ typedef struct AtrousResource {
   uint32_t lifetime;
   // Number of copies that you allocate: 2 of a history, 0 of an input.
   uint32_t copies;
-  // 1: an input that may be left out.
+  // 1: an input that you may leave out.
   uint32_t optional;
   // 0: exactly `format`; 1: any floating-point or normalised format; 2: any unsigned integer format.
   uint32_t format_class;
-  // Format to create the image with.
+  // Format for your image.
   VkFormat format;
   // Width of the image.
   uint32_t width;
   // Height of the image.
   uint32_t height;
-  // Usage that passes need of the image; OR in your own.
+  // Usage of the image by the passes; OR in your own.
   VkImageUsageFlags image_usage;
-  // Usage that passes need of the buffer; OR in your own.
+  // Usage of the buffer by the passes; OR in your own.
   VkBufferUsageFlags buffer_usage;
   // Index of the first pass that uses it.
   uint32_t first_pass;
@@ -338,7 +340,7 @@ typedef struct AtrousUse {
 
 // A pass: the smallest thing to schedule. Every barrier belongs between passes.
 typedef struct AtrousPass {
-  // sizeof(AtrousPass), set by the host.
+  // sizeof(AtrousPass), set by you.
   uint32_t struct_size;
   // 0: before lighting; 1: after lighting; 2: post-process.
   uint32_t phase;
@@ -350,15 +352,15 @@ typedef struct AtrousPass {
   AtrousName name;
 } AtrousPass;
 
-// Bytes, known before any is spent; before a device's own alignment.
+// Bytes of the declared resources, before you allocate any. Your device may add alignment.
 typedef struct AtrousMemory {
-  // sizeof(AtrousMemory), set by the host.
+  // sizeof(AtrousMemory), set by you.
   uint32_t struct_size;
-  // Survives the frame.
+  // Histories, which survive the frame.
   uint64_t history;
-  // Transients, aliased by lifetime.
+  // Transients, if you alias them by lifetime.
   uint64_t transient;
-  // Transients if none is aliased.
+  // Transients, if you alias none.
   uint64_t transient_unaliased;
   // Outputs.
   uint64_t output;
@@ -366,13 +368,13 @@ typedef struct AtrousMemory {
 
 // A number of the tuning, for user interfaces.
 typedef struct AtrousTuningField {
-  // sizeof(AtrousTuningField), set by the host.
+  // sizeof(AtrousTuningField), set by you.
   uint32_t struct_size;
   // Smallest legal value.
   float min;
   // Largest legal value.
   float max;
-  // Default of the default preset; others differ in some.
+  // Default in the default preset. Other presets may differ.
   float default_value;
   // Name for atrous_set_tuning.
   AtrousName name;
@@ -401,7 +403,7 @@ typedef struct AtrousBinding {
   VkImage image;
   // 2D view of mip 0, layer 0.
   VkImageView view;
-  // Layout that the image is in when the pass runs.
+  // Layout of the image when the pass runs.
   VkImageLayout layout;
   // Buffer.
   VkBuffer buffer;
@@ -431,7 +433,7 @@ typedef struct AtrousGuides {
   const uint32_t *surface_id;
 } AtrousGuides;
 
-// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
+// Whether your guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
 // frames cannot tell; 4 not given.
 typedef struct AtrousConventionReport {
   // sizeof(AtrousConventionReport), set by you.
@@ -452,7 +454,7 @@ typedef struct AtrousConventionReport {
 extern "C" {
 #endif // __cplusplus
 
-// The message of the last call on this thread that failed; empty before the first. Valid until the next call on this thread fails.
+// The message of the last failed call on your thread, empty before the first. It is valid until the next failure on that thread.
 const char *atrous_last_error(void);
 
 // The name of a status, for logs; never null.
@@ -479,21 +481,22 @@ AtrousStatus atrous_frame_params_default(struct AtrousFrameParams *params,
 AtrousStatus atrous_create(const struct AtrousCreateInfo *info,
                            struct AtrousDenoiser **denoiser);
 
-// Destroys a denoiser. The handle is invalid from then on, and stays so.
+// Destroys a denoiser. Your handle is invalid from then on, and stays so.
 //
 // # Safety
 // GPU work that was recorded with it is complete; the device is live.
 AtrousStatus atrous_destroy(struct AtrousDenoiser *denoiser);
 
-// Declares everything for new extents, and keeps pipelines. History starts over, and frames begun
-// before are refused. Nothing changes on the device: recorded work may still be in flight, as long
-// as its images live. A refused extent changes nothing.
+// Declares everything for a new extent, and keeps the pipelines. Your history starts over. Begin
+// your frames again: those begun before are refused. Nothing changes on the device, so your
+// recorded work may still be in flight, as long as its images live. A refused extent changes
+// nothing.
 //
 // # Safety
 // None beyond those of a call through C.
 AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser, uint32_t width, uint32_t height);
 
-// Gives the numbers of resources and passes. Either pointer may be null.
+// Counts resources and passes. You may leave either pointer null.
 //
 // # Safety
 // Pointers are null or valid.
@@ -517,19 +520,19 @@ AtrousStatus atrous_pass(const struct AtrousDenoiser *denoiser,
                          uint32_t index,
                          struct AtrousPass *pass);
 
-// Bytes that the declared resources take.
+// Counts the bytes of the declared resources.
 //
 // # Safety
 // `memory` is null or points to an AtrousMemory with its struct_size set.
 AtrousStatus atrous_memory(const struct AtrousDenoiser *denoiser, struct AtrousMemory *memory);
 
-// A number of the tuning by its index; invalid argument beyond the last.
+// Describes a number of the tuning by its index. You get an invalid argument beyond the last.
 //
 // # Safety
 // `field` is null or points to an AtrousTuningField with its struct_size set.
 AtrousStatus atrous_tuning_field(uint32_t index, struct AtrousTuningField *field);
 
-// Sets a number of the tuning from the next frame on; it never drops the history.
+// Sets a number of the tuning from the next frame on. You keep the history.
 //
 // # Safety
 // `name` is null or a null-terminated string.
@@ -541,7 +544,7 @@ AtrousStatus atrous_set_tuning(struct AtrousDenoiser *denoiser, const char *name
 // None beyond those of a call through C.
 AtrousStatus atrous_invalidate(struct AtrousDenoiser *denoiser);
 
-// Starts a frame. `frame` goes to every atrous_record of it.
+// Starts a frame. Pass `frame` to every atrous_record of that frame.
 //
 // # Safety
 // Pointers are null or valid with their struct_size set.
@@ -549,7 +552,7 @@ AtrousStatus atrous_begin_frame(struct AtrousDenoiser *denoiser,
                                 const struct AtrousFrameParams *params,
                                 struct AtrousFrame *frame);
 
-// Records one pass: no barrier, no allocation, no submission. `bindings` stand in the order of the pass's uses.
+// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 //
 // Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
 //

@@ -57,15 +57,15 @@ macro_rules! c_struct {
         config { $($(#[$doc:meta])+ $(@[$attribute:meta])* $name:ident: $of:ident $kind:ident $type:ty = $default:expr;)+ }
         conventions { $($(#[$doc2:meta])+ $(@[$attribute2:meta])* $name2:ident: $of2:ident $kind2:ident $type2:ty = $default2:expr;)+ }
     ) => {
-        /// Choices that are made once; [`crate::atrous_config_default`] fills it. The header documents the numbers.
+        /// Your choices; [`crate::atrous_config_default`] fills them in. The header documents the numbers.
         #[derive(Clone, Copy, Debug)]
         #[repr(C)]
         pub struct AtrousConfig {
             /// sizeof(AtrousConfig).
             pub struct_size: u32,
-            /// Width that images are allocated with, pixels.
+            /// Width of your images, pixels.
             pub width: u32,
-            /// Height that images are allocated with, pixels.
+            /// Height of your images, pixels.
             pub height: u32,
             $(#[doc = concat!("`", stringify!($name), "` of [`Config`].")] pub $name: c_type!($kind),)+
             $(#[doc = concat!("`", stringify!($name2), "` of [`Conventions`].")] pub $name2: c_type!($kind2),)+

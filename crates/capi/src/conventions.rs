@@ -34,7 +34,7 @@ pub struct AtrousGuides {
     pub surface_id: *const u32,
 }
 
-/// Whether guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
+/// Whether your guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
 /// frames cannot tell; 4 not given.
 #[derive(Clone, Copy)]
 #[repr(C)]

@@ -79,7 +79,7 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
     }
 }
 
-/// Destroys a denoiser. The handle is invalid from then on, and stays so.
+/// Destroys a denoiser. Your handle is invalid from then on, and stays so.
 ///
 /// # Safety
 /// GPU work that was recorded with it is complete; the device is live.
@@ -88,9 +88,10 @@ pub unsafe extern "C" fn atrous_destroy(denoiser: *mut AtrousDenoiser) -> Atrous
     guard(|| handle::remove(denoiser))
 }
 
-/// Declares everything for new extents, and keeps pipelines. History starts over, and frames begun
-/// before are refused. Nothing changes on the device: recorded work may still be in flight, as long
-/// as its images live. A refused extent changes nothing.
+/// Declares everything for a new extent, and keeps the pipelines. Your history starts over. Begin
+/// your frames again: those begun before are refused. Nothing changes on the device, so your
+/// recorded work may still be in flight, as long as its images live. A refused extent changes
+/// nothing.
 ///
 /// # Safety
 /// None beyond those of a call through C.
@@ -106,7 +107,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
     })
 }
 
-/// Gives the numbers of resources and passes. Either pointer may be null.
+/// Counts resources and passes. You may leave either pointer null.
 ///
 /// # Safety
 /// Pointers are null or valid.
@@ -166,7 +167,7 @@ pub unsafe extern "C" fn atrous_pass(denoiser: *const AtrousDenoiser, index: u32
     })
 }
 
-/// Bytes that the declared resources take.
+/// Counts the bytes of the declared resources.
 ///
 /// # Safety
 /// `memory` is null or points to an AtrousMemory with its struct_size set.
@@ -188,7 +189,7 @@ pub unsafe extern "C" fn atrous_memory(denoiser: *const AtrousDenoiser, memory: 
     })
 }
 
-/// A number of the tuning by its index; invalid argument beyond the last.
+/// Describes a number of the tuning by its index. You get an invalid argument beyond the last.
 ///
 /// # Safety
 /// `field` is null or points to an AtrousTuningField with its struct_size set.
@@ -206,7 +207,7 @@ pub unsafe extern "C" fn atrous_tuning_field(index: u32, field: *mut AtrousTunin
     })
 }
 
-/// Sets a number of the tuning from the next frame on; it never drops the history.
+/// Sets a number of the tuning from the next frame on. You keep the history.
 ///
 /// # Safety
 /// `name` is null or a null-terminated string.
@@ -236,7 +237,7 @@ pub unsafe extern "C" fn atrous_invalidate(denoiser: *mut AtrousDenoiser) -> Atr
     })
 }
 
-/// Starts a frame. `frame` goes to every atrous_record of it.
+/// Starts a frame. Pass `frame` to every atrous_record of that frame.
 ///
 /// # Safety
 /// Pointers are null or valid with their struct_size set.

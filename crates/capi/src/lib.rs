@@ -1,9 +1,8 @@
-//! The C ABI: plain data in, plain data out, one opaque handle, no callback into the host.
+//! The C ABI: plain data in, plain data out, one opaque handle, no callback into your code.
 //!
 //! `include/atrous.h` is made from this package by cbindgen, and a test compares the two. Every
 //! function returns an [`AtrousStatus`]; [`atrous_last_error`] has the message. A panic never
-//! crosses the boundary. A handle is looked up in a table, so one that was destroyed, or never
-//! existed, is an error like any other.
+//! crosses the boundary. You get an error for a handle that was destroyed or never existed.
 //!
 //! Build it with `cargo rustc -p atrous-capi --release --no-default-features --crate-type staticlib` (or `cdylib`).
 

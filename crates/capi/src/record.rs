@@ -7,7 +7,7 @@ use crate::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
 use ash::vk::{CommandBuffer, Handle};
 use atrous::{Access, Binding, Error, FrameContext, Use};
 
-/// Records one pass: no barrier, no allocation, no submission. `bindings` stand in the order of the pass's uses.
+/// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 ///
 /// Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
 ///

@@ -20,13 +20,13 @@ pub enum AtrousStatus {
     StaleFrame = 3,
     /// The bindings do not fit the pass in number or kind.
     BadBindings = 4,
-    /// The device lacks something.
+    /// The device lacks a feature or a format.
     UnsupportedDevice = 5,
     /// Memory ran out.
     OutOfMemory = 6,
     /// A different Vulkan call failed.
     VulkanError = 7,
-    /// A bug in atrous: it panicked. Destroy the denoiser.
+    /// A bug in atrous: it panicked. Destroy your denoiser.
     Panicked = 8,
 }
 
@@ -80,7 +80,7 @@ pub(super) fn guard(body: impl FnOnce() -> Result<(), Failure>) -> AtrousStatus 
     failure.status
 }
 
-/// The message of the last call on this thread that failed; empty before the first. Valid until the next call on this thread fails.
+/// The message of the last failed call on your thread, empty before the first. It is valid until the next failure on that thread.
 #[no_mangle]
 pub extern "C" fn atrous_last_error() -> *const c_char {
     const NONE: &CStr = c"";

@@ -1,5 +1,4 @@
-//! Structs that cross the boundary. `struct_size` stands first, so that a host that was compiled against another header gets an
-//! error.
+//! Structs that cross the boundary. `struct_size` stands first: if you compiled against a different header, you get an error.
 
 use crate::{AtrousConfig, GetInstanceProcAddr};
 use ash::vk::{
@@ -10,10 +9,10 @@ use std::ffi::c_char;
 
 /// Bytes of a name, with its null.
 pub const ATROUS_NAME_SIZE: usize = 64;
-/// Largest number of uses that a pass has.
+/// Most uses of a pass.
 pub const ATROUS_MAX_USES: usize = 32;
 
-/// A small buffer of bytes that a name is copied into.
+/// A buffer for a name.
 pub type AtrousName = [c_char; ATROUS_NAME_SIZE];
 
 /// The device of the passes. Handles stay yours.
@@ -45,7 +44,7 @@ pub struct AtrousFrameParams {
     pub struct_size: u32,
     /// Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
     pub frame_slot: u32,
-    /// The reason why the history is dropped: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
+    /// Your reason to drop the history: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
     /// (scene_load), 5 (origin_shift), 6 (exposure_jump). You need not report 1.
     pub reset: u32,
     /// Width rendered this frame, anchored top left.
@@ -100,19 +99,19 @@ pub struct AtrousResource {
     pub lifetime: u32,
     /// Number of copies that you allocate: 2 of a history, 0 of an input.
     pub copies: u32,
-    /// 1: an input that may be left out.
+    /// 1: an input that you may leave out.
     pub optional: u32,
     /// 0: exactly `format`; 1: any floating-point or normalised format; 2: any unsigned integer format.
     pub format_class: u32,
-    /// Format to create the image with.
+    /// Format for your image.
     pub format: Format,
     /// Width of the image.
     pub width: u32,
     /// Height of the image.
     pub height: u32,
-    /// Usage that passes need of the image; OR in your own.
+    /// Usage of the image by the passes; OR in your own.
     pub image_usage: ImageUsageFlags,
-    /// Usage that passes need of the buffer; OR in your own.
+    /// Usage of the buffer by the passes; OR in your own.
     pub buffer_usage: BufferUsageFlags,
     /// Index of the first pass that uses it.
     pub first_pass: u32,
@@ -155,7 +154,7 @@ pub struct AtrousUse {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousPass {
-    /// sizeof(AtrousPass), set by the host.
+    /// sizeof(AtrousPass), set by you.
     pub struct_size: u32,
     /// 0: before lighting; 1: after lighting; 2: post-process.
     pub phase: u32,
@@ -176,7 +175,7 @@ pub struct AtrousBinding {
     pub image: Image,
     /// 2D view of mip 0, layer 0.
     pub view: ImageView,
-    /// Layout that the image is in when the pass runs.
+    /// Layout of the image when the pass runs.
     pub layout: ImageLayout,
     /// Buffer.
     pub buffer: Buffer,
@@ -186,17 +185,17 @@ pub struct AtrousBinding {
     pub range: u64,
 }
 
-/// Bytes, known before any is spent; before a device's own alignment.
+/// Bytes of the declared resources, before you allocate any. Your device may add alignment.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousMemory {
-    /// sizeof(AtrousMemory), set by the host.
+    /// sizeof(AtrousMemory), set by you.
     pub struct_size: u32,
-    /// Survives the frame.
+    /// Histories, which survive the frame.
     pub history: u64,
-    /// Transients, aliased by lifetime.
+    /// Transients, if you alias them by lifetime.
     pub transient: u64,
-    /// Transients if none is aliased.
+    /// Transients, if you alias none.
     pub transient_unaliased: u64,
     /// Outputs.
     pub output: u64,
@@ -206,13 +205,13 @@ pub struct AtrousMemory {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousTuningField {
-    /// sizeof(AtrousTuningField), set by the host.
+    /// sizeof(AtrousTuningField), set by you.
     pub struct_size: u32,
     /// Smallest legal value.
     pub min: f32,
     /// Largest legal value.
     pub max: f32,
-    /// Default of the default preset; others differ in some.
+    /// Default in the default preset. Other presets may differ.
     pub default_value: f32,
     /// Name for atrous_set_tuning.
     pub name: AtrousName,

@@ -21,8 +21,7 @@ fn config() -> String {
         assert_eq!(atrous_config_default(default.as_mut_ptr(), 1, 1), AtrousStatus::Ok);
         format!("{:?}", default.assume_init())
     };
-    let mut text =
-        "/// Choices that are made once; `atrous_config_default` fills it.\n#[repr(C)]\npub struct AtrousConfig {\n".to_owned();
+    let mut text = "/// Your choices; `atrous_config_default` fills them in.\n#[repr(C)]\npub struct AtrousConfig {\n".to_owned();
     let mut field = |name: &str, lines: &str| {
         let value = default.split_once(&format!(" {name}: ")).expect(name).1;
         let value = value.split([',', ' ']).next().unwrap_or_default();
@@ -38,8 +37,8 @@ fn config() -> String {
         text += &format!("{line}\n    pub {name}: {kind},\n");
     };
     field("struct_size", "sizeof(AtrousConfig).");
-    field("width", "Width that images are allocated with, pixels.");
-    field("height", "Height that images are allocated with, pixels.");
+    field("width", "Width of your images, pixels.");
+    field("height", "Height of your images, pixels.");
     for config_field in Config::FIELDS.iter().chain(Conventions::FIELDS) {
         let ConfigField { name, values, .. } = config_field;
         let list: Vec<_> = values().iter().map(|(value, number)| format!("{number} ({value})")).collect();
