@@ -12,14 +12,14 @@ const CONES: [[f32; 3]; 3] = [[0.8951, -0.7502, 0.0389], [0.2664, 1.7135, -0.068
 
 /// The way from the light of a file to that of pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Shown {
+pub struct DisplayTransform {
     /// A power of two.
     exponent: i32,
     /// From the colours of the file to Rec. 709, where they are others.
     matrix: Option<Mat3>,
 }
 
-impl Shown {
+impl DisplayTransform {
     /// By the header of the first frame, and the exponent that brings its light to about 1.
     pub fn new(header: &ExrHeader, exponent: i32) -> Self {
         let matrix = header.shared.chromaticities.and_then(|c| to_rec709(&c));
@@ -71,7 +71,7 @@ mod tests {
     fn white_stays_white_and_red_is_redder() {
         assert_eq!(to_rec709(&chromaticities(REC709)), None);
         let acescg = [[0.713, 0.293], [0.165, 0.83], [0.128, 0.044], [0.32168, 0.33767]];
-        let shown = Shown { exponent: 0, matrix: to_rec709(&chromaticities(acescg)) };
+        let shown = DisplayTransform { exponent: 0, matrix: to_rec709(&chromaticities(acescg)) };
         let white = shown.apply(&[[1.0; 3]])[0];
         assert!(white.iter().all(|v| (v - 1.0).abs() < 1e-3), "{white:?}");
         // The published matrix from ACEScg to linear sRGB has 1.705 here.

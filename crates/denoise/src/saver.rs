@@ -1,5 +1,6 @@
 //! Steps behind the filter: a frame is written, previewed, scored, counted.
 
+use crate::display_transform::DisplayTransform;
 use crate::error::{Result, ToolError};
 use crate::exr_write::{self, Content, OutputChannels};
 use crate::pictures;
@@ -11,7 +12,6 @@ use crate::report;
 use crate::results;
 use crate::roles::Role;
 use crate::score::{FrameScore, ScoreBook};
-use crate::shown::Shown;
 use crate::terminal;
 use crate::views::Views;
 use atrous_files::Existing;
@@ -44,7 +44,7 @@ pub struct Wanted {
     /// Name of the preset, for titles.
     pub preset: String,
     /// How light is shown.
-    pub shown_as: Shown,
+    pub shown_as: DisplayTransform,
     /// Whether the other layers of the input are kept.
     pub keeps_layers: bool,
 }

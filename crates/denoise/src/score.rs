@@ -1,9 +1,9 @@
 //! Scores frames against the converged image.
 
+use crate::display_transform::DisplayTransform;
 use crate::error::{Result, ToolError};
 use crate::frame::FrameInputs;
 use crate::motion::{self, SurfaceMotion};
-use crate::shown::Shown;
 use atrous::config::Conventions;
 use atrous::FrameParams;
 use atrous_files::Existing;
@@ -81,7 +81,7 @@ struct Previous {
 /// Collects scores in the order of frames.
 pub struct ScoreBook {
     conventions: Conventions,
-    shown: Shown,
+    shown: DisplayTransform,
     step: u64,
     previous: Option<Previous>,
     /// Scores so far.
@@ -92,7 +92,7 @@ pub struct ScoreBook {
 
 impl ScoreBook {
     /// An empty one. Frames are `step` apart; what an eye sees is measured as it is shown.
-    pub fn new(conventions: Conventions, shown: Shown, step: u64) -> Self {
+    pub fn new(conventions: Conventions, shown: DisplayTransform, step: u64) -> Self {
         Self { conventions, shown, step, previous: None, frames: Vec::new(), without_reference: 0 }
     }
 
@@ -167,7 +167,7 @@ fn measure(
     reference: &[[f32; 3]],
     previous: Option<(&Previous, &[[f32; 3]])>,
     surface: &SurfaceMotion,
-    shown: Shown,
+    shown: DisplayTransform,
 ) -> std::result::Result<Metrics, QualityError> {
     let (linear, truth) = (rgb(image, extent)?, rgb(reference, extent)?);
     let (image, reference) = (shown.apply(image), shown.apply(reference));

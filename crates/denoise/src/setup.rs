@@ -2,6 +2,7 @@
 
 use crate::camera::{self, Camera, SequenceFile};
 use crate::conventions::{self, Scales};
+use crate::display_transform::DisplayTransform;
 use crate::error::{Result, ToolError};
 use crate::exr_header::ExrHeader;
 use crate::frame_files::FrameFiles;
@@ -11,7 +12,6 @@ use crate::missing::{describe, without};
 use crate::range::Range;
 use crate::roles::Role;
 use crate::sampling::Pattern;
-use crate::shown::Shown;
 use atrous::config::{GradientSource, MotionDepth, MotionUnit, Preset, Signals};
 use atrous::{Config, Tuning};
 use std::collections::BTreeSet;
@@ -41,7 +41,7 @@ pub struct Setup {
     /// The range of light.
     pub range: Range,
     /// The way to pictures and scores.
-    pub shown: Shown,
+    pub shown: DisplayTransform,
     /// Every frame is filtered by itself: the noise of all of them is the same.
     pub stills: bool,
     /// The depth in the previous frame, where motion leads, is looked up: the motion has none.
@@ -74,7 +74,7 @@ impl Setup {
             sampling: options.sampling,
             report: Vec::new(),
             reading: header.reading,
-            shown: Shown::new(&header, 0),
+            shown: DisplayTransform::new(&header, 0),
             header,
             scales: Scales::default(),
             range: Range::default(),

@@ -1,7 +1,7 @@
 //! The pictures of a frame for people.
 
+use crate::display_transform::DisplayTransform;
 use crate::frame::FrameInputs;
-use crate::shown::Shown;
 use std::borrow::Cow;
 
 /// The pictures of a frame, as they are shown.
@@ -20,7 +20,7 @@ pub struct Views<'a> {
 
 impl<'a> Views<'a> {
     /// Those of a frame and its result.
-    pub fn new(frame: &'a FrameInputs, denoised: &'a [[f32; 3]], shown: Shown) -> Self {
+    pub fn new(frame: &'a FrameInputs, denoised: &'a [[f32; 3]], shown: DisplayTransform) -> Self {
         Self {
             number: frame.number,
             extent: frame.params.render_extent,

@@ -9,13 +9,13 @@ mod reflectance;
 mod tiles;
 
 use crate::check;
+use crate::display_transform::DisplayTransform;
 use crate::error::Result;
 use crate::frame::{self, FrameInputs};
 use crate::frame_files::FrameFiles;
 use crate::range::{self, Range};
 use crate::roles::Role;
 use crate::setup::Setup;
-use crate::shown::Shown;
 
 /// Alpha is called noisy where so many of its pixels are between 0 and 1, and differ from those beside.
 const NOISY_ALPHA: f32 = 0.05;
@@ -69,7 +69,7 @@ fn range(frames: &[FrameFiles], setup: &mut Setup) {
         pictures.push(frame.noisy);
     }
     let shown = reference.map_or_else(|| range::shown(pictures.iter().flatten()), |r| range::shown(r.iter()));
-    setup.shown = Shown::new(&setup.header, shown);
+    setup.shown = DisplayTransform::new(&setup.header, shown);
     setup.range = Range::of(pictures.iter().flatten());
     let exponent = setup.range.exponent;
     if exponent != 0 {

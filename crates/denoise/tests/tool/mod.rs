@@ -12,6 +12,7 @@ mod keep_tests;
 mod layout_tests;
 mod light_tests;
 mod look_tests;
+mod module_tests;
 mod name_tests;
 #[cfg(unix)]
 mod odd_files;
