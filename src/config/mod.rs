@@ -177,13 +177,14 @@ mod tests {
 
     #[test]
     fn levels_are_those_of_the_preset_unless_a_number_is_asked_for() {
-        let levels = |preset: Preset, levels: Option<u32>| {
-            let declaration = Config { preset, levels, ..Config::new([64, 36]) }.declare().expect("a graph");
+        let levels = |preset: Preset, levels: Option<u32>, extent| {
+            let declaration = Config { preset, levels, ..Config::new(extent) }.declare().expect("a graph");
             let is_level = |name: &str| name.strip_prefix("atrous_").is_some_and(|level| level.parse::<u32>().is_ok());
             declaration.passes().iter().filter(|pass| is_level(&pass.name)).count()
         };
-        assert_eq!([Preset::Svgf, Preset::Best, Preset::Fast].map(|preset| levels(preset, None)), [5, 4, 4]);
-        assert_eq!((levels(Preset::Svgf, Some(4)), levels(Preset::Best, Some(5))), (4, 5));
+        let hd = [1280, 720];
+        assert_eq!([Preset::Svgf, Preset::Best, Preset::Fast].map(|preset| levels(preset, None, hd)), [5, 6, 6]);
+        assert_eq!((levels(Preset::Svgf, Some(4), hd), levels(Preset::Best, Some(3), hd)), (4, 3));
         for given in [0, 11] {
             let error = Config { levels: Some(given), ..Config::new([64, 36]) }.declare().expect_err("out of range");
             assert!(matches!(error, Error::Config { name: "levels", given: g, min: 1, max: 10 } if g == given), "{error}");
