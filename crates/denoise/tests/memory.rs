@@ -95,7 +95,7 @@ fn frames_wait_where_there_is_memory_for_them() {
     let message = fitting(total(0) - 1).expect_err("does not fit").to_string();
     let fit =
         format!("{} MiB, which fit", Need::new(&setup, &Demands { score: false, ..demands }, 0).expect("a need").total() >> 20);
-    for word in ["limit of a test", "Without --score", &fit, "191x191 pixels fit", "overlap by 30 pixels"] {
+    for word in ["limit of a test", "Without --score", &fit, "191x191 pixels fit", "overlap by 62 pixels"] {
         assert!(message.contains(word), "{word}: {message}");
     }
 }

@@ -149,7 +149,7 @@ fn signals_and_tunables_reach_the_filter() {
     assert!(usual != run(&["--signals", "together"]));
     assert!(usual != run(&["--set", "alpha=0.9"]));
     assert!(usual != run(&["--levels", "1"]));
-    assert!(usual == run(&["--signals", "apart", "--levels", "4"]));
+    assert!(usual == run(&["--signals", "apart", "--levels", "5"]));
 }
 
 #[test]

@@ -24,7 +24,7 @@ pub struct Filter {
 
 /// What the presets have that are varied.
 const OWN: [(Preset, Spatial); 2] =
-    [(Preset::Best, Spatial { kernel: Kernel::Box, levels: 4 }), (Preset::Fast, Spatial { kernel: Kernel::Box, levels: 4 })];
+    [(Preset::Best, Spatial { kernel: Kernel::Box, levels: 5 }), (Preset::Fast, Spatial { kernel: Kernel::Box, levels: 5 })];
 
 const PRESETS: [Preset; 5] = [Preset::Svgf, Preset::Asvgf, Preset::Percentile, Preset::Fast, Preset::Best];
 
