@@ -57,7 +57,7 @@ step cargo test --workspace --features capture,window,hot-reload --quiet
 # A second driver, where Debian's chromium brings one: what holds by arithmetic holds there as well.
 swiftshader=/usr/lib/chromium/vk_swiftshader_icd.json
 if [ -e "$swiftshader" ]; then
-    for filter in parity::one_signal parity::specular_fast where_nothing_changed bad_values_are_forgotten; do
+    for filter in parity::one_signal parity::specular_fast where_nothing_changed bad_values_are_forgotten graphs::wild visibility:: contract::; do
         VK_ICD_FILENAMES=$swiftshader step cargo test --workspace --features capture,window,hot-reload --quiet --test suite -- "$filter"
     done
 fi
