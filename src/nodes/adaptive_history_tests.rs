@@ -121,8 +121,8 @@ fn light_without_noise_loses_the_history_of_what_changed() {
             [light * (1.0 + noise * (random.at(glam::IVec2::new(x, y))[0].min(4.0) - 1.0)); 4]
         })
     };
-    let confidence = |noise: f32| {
-        let moments = Moments { mean: 1.0, deviation: noise, history_length: 8.0, reason: 0 };
+    let confidence = |noise: f32, past_noise: f32| {
+        let moments = Moments { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0 };
         let (history, moments) = (shadow(16, 0.0), Image::new(EXTENT, pack_moments(&moments)));
         let history = SignalHistory { irradiance: &history, moments: &moments };
         let guides = HistoryGuides {
@@ -136,6 +136,7 @@ fn light_without_noise_loses_the_history_of_what_changed() {
         let all = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;
         [all.at(glam::IVec2::new(20, 20)), all.at(glam::IVec2::new(42, 20))]
     };
-    assert_eq!(confidence(0.0), [0.0, 1.0]);
-    assert_eq!(confidence(1.0), [1.0, 1.0], "noise explains it");
+    assert_eq!(confidence(0.0, 0.0), [0.0, 1.0]);
+    assert_eq!(confidence(1.0, 0.0), [1.0, 1.0], "noise explains it");
+    assert_eq!(confidence(0.0, 1.0), [1.0, 1.0], "rare light explains it, which this frame has none of");
 }
