@@ -1,6 +1,6 @@
 #version 450
-// The brightest luminance that is no outlier, in cells of 4x4 pixels: what is usual around in this frame, and what returns at its place from frame
-// to frame.
+// The brightest luminance that is no outlier, in cells of 4x4 pixels: that which is usual around in this frame, or returns at its place
+// from frame to frame.
 // Source: ours, on [PSVGF], firefly filter, which takes the limit of the own block. The largest one of the 3x3 blocks keeps a small lit corner
 // of a dark block; the wider neighbourhood tells a cluster of outliers, which lifts the percentiles of its own blocks; and light that comes
 // again at its place, as that of a caustic does, is no outlier.
@@ -15,7 +15,9 @@
 layout(push_constant) uniform Push {
     float percentile_range;
     float firefly_bias;
+#if RETURNING
     float depth_tolerance;
+#endif
 } push;
 
 #include "frame.glsl"

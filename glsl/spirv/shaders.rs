@@ -343,7 +343,6 @@ pub(crate) static FIREFLY_LIMITS_RETURNING_0: Shader = Shader {
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("percentile_range"), offset: 0, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("firefly_bias"), offset: 4, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("depth_tolerance"), offset: 8, scalar: Scalar::Float },
     ]),
     constants: Cow::Borrowed(&[
     ]),

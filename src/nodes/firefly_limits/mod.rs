@@ -1,4 +1,4 @@
-//! Finds the brightest luminance that is no outlier, block by block: by the blocks around, and by the frames before.
+//! Finds the brightest luminance that is no outlier, in cells of 4×4 pixels: by the blocks around, and by the frames before.
 //! \[PSVGF\], firefly filter.
 //!
 #![doc = include_str!("specification.md")]
