@@ -83,6 +83,16 @@ const float BLURRED_ANYWAY = 2.5;
 // Of a pixel, to which a position is rounded before 4x4 taps are looked up: which of them count is then no matter of the last bit.
 const float LOOKUP_STEPS = 256.0;
 
+// Standard errors by which the light of now may differ from a past that counts in full, and from one that does not count.
+const float AGREES = 2.0;
+const float DISAGREES = 4.0;
+// Of the light, how far half precision and taps between pixels may be off.
+const float ROUNDED = 1e-3;
+// Pixels to each side, and the fewest that tell a change.
+const int AGREEMENT_REACH = 2;
+const int AGREEMENT_SIDE = 2 * AGREEMENT_REACH + 1;
+const float FEWEST_AGREEING = 9.0;
+
 // What the past holds at one position.
 struct Past {
     bool found;
@@ -190,6 +200,31 @@ float worth(float frames, float error, float tolerance) { return min(frames, tol
 
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
+// How far the light of now is that of the past around a position, 1 to 0: by the mean difference over 5x5 pixels in standard errors, of the channel
+// that differs most. What a surface mirrors may move or turn while the surface does neither.
+float agreement(Centre c, vec2 position, History light) {
+    ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
+    vec3 sum = vec3(0.0), squares = vec3(0.0);
+    float count = 0.0;
+    [[dont_unroll]] for (int i = 0; i < AGREEMENT_SIDE * AGREEMENT_SIDE; ++i) {
+        ivec2 q = c.mirror.p + ivec2(i % AGREEMENT_SIDE, i / AGREEMENT_SIDE) - AGREEMENT_REACH, before = q + shift;
+        if (!is_inside(q) || !is_inside_previous(before)) continue;
+        vec4 value = texelFetch(noisy, q, 0);
+        GuideBits packed = GuideBits(packed_at(guide, q));
+        if (value.a < 0.0 || guide_depth(packed) == 0.0 || guide_id(packed) != guide_id(c.mirror.packed)) continue;
+        vec3 difference = value.rgb - half_range(texelFetch(history, before, 0).rgb * frame.exposure_ratio);
+        sum += difference;
+        squares += difference * difference;
+        count += 1.0;
+    }
+    if (count < FEWEST_AGREEING) return 1.0;
+    vec3 mean = sum / count, rounded = ROUNDED * light.irradiance;
+    // Samples that a rare light missed all look alike: the past knows how much they differ.
+    vec3 variance = max(squares / count - mean * mean, vec3(light.second_moment));
+    vec3 errors = abs(mean) * inversesqrt(variance / count + rounded * rounded + 1e-20);
+    return clamp((DISAGREES - max(max(errors.x, errors.y), errors.z)) / (DISAGREES - AGREES), 0.0, 1.0);
+}
+
 Past mixed(Past a, Past b, float share) {
     History light = History(mix(a.light.irradiance, b.light.irradiance, share), mix(a.light.mean, b.light.mean, share),
                             mix(a.light.second_moment, b.light.second_moment, share));
@@ -207,7 +242,7 @@ float steadiness_of(Centre c, float radius, vec2 image_position) {
     return max(1.0 - radius, (1.0 - moved / STILL) * (1.0 - 0.5 * turned));
 }
 
-// The better of two pasts, or a blend of both; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
+// The better of two pasts, or a blend of both, in the light of this frame; its frames are what it is worth. `hit_distance`: of this frame, then with its past.
 // `image_share`: of the blend, from where the image was. `steadiness`: see steadiness_of.
 Past best_past(Centre c, float roughness, inout float hit_distance, out float image_share, out float steadiness) {
     Past surface = past_at(c, c.mirror.surface_position);
@@ -241,14 +276,16 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     image_share = !surface.found ? 1.0 : !image.found ? 0.0 : b / max(a + b, 1e-20);
     // Of the past that counts more alone, the image where both count the same: it takes as long as all else.
     bool of_image = image_share > 0.49;
+    vec2 chosen = of_image ? position : c.mirror.surface_position;
     vec3 sharp;
-    if (SHARP && tolerance < BLURRED_ANYWAY && sharp_irradiance(c, of_image ? position : c.mirror.surface_position, sharp)) {
+    if (SHARP && tolerance < BLURRED_ANYWAY && sharp_irradiance(c, chosen, sharp)) {
         if (of_image) image.light.irradiance = sharp;
         else surface.light.irradiance = sharp;
     }
-    if (!surface.found) return image;
-    if (!image.found) return surface;
-    return mixed(surface, image, image_share);
+    Past past = !surface.found ? image : !image.found ? surface : mixed(surface, image, image_share);
+    past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
+    if (past.found) past.frames *= agreement(c, chosen, past.light);
+    return past;
 }
 
 // Frames of a past, with this one, which is worth `worth` of them and whose weight is at least `least`.
@@ -281,8 +318,7 @@ void main() {
                 float change = change_at(p);
                 vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));
                 float history_length = length_with(past.frames, worth, adapted(floors.x, change));
-                History light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
-                irradiance = blend(irradiance, light, history_length, worth, adapted(floors * worth, change), moments);
+                irradiance = blend(irradiance, past.light, history_length, worth, adapted(floors * worth, change), moments);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
+use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::forward_projection::previous_world_position;
 use crate::reference::moments::unpack_moments;
 use crate::reference::projection::extent_ratio;
@@ -21,6 +22,15 @@ const BLURRED_ANYWAY: f32 = 2.5;
 
 /// Of a pixel, to which a position is rounded before 4×4 taps are looked up: which of them count is then no matter of the last bit.
 const LOOKUP_STEPS: f32 = 256.0;
+
+/// Standard errors by which the light of now may differ from a past that counts in full, and from one that does not count.
+const AGREES: f32 = 2.0;
+const DISAGREES: f32 = 4.0;
+/// Of the light, how far half precision and taps between pixels may be off.
+const ROUNDED: f32 = 1e-3;
+/// Pixels to each side, and the fewest that tell a change.
+const AGREEMENT_REACH: i32 = 2;
+const FEWEST_AGREEING: f32 = 9.0;
 
 /// Mean of what the tested taps hold.
 #[derive(Clone, Copy, Default)]
@@ -125,10 +135,12 @@ impl Scene<'_> {
                 self.sharpen(c, past, position);
             }
         }
-        let past = match (surface, image) {
+        let mut past = match (surface, image) {
             (Some(surface), Some(image)) => surface.blend(&image, image_share),
             (surface, image) => surface.or(image)?,
         };
+        let chosen = if image_share > 0.49 { position } else { None };
+        past.frames *= self.agreement(c, chosen.unwrap_or(c.mirror.surface_position), &past);
         Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }
 
@@ -142,6 +154,38 @@ impl Scene<'_> {
         let turned = (sight.distance(c.mirror.sight) / TURNED).min(1.0);
         let turned = if self.inputs.is_filtered { 1.0 } else { turned };
         (1.0 - radius).max((1.0 - moved / STILL) * (1.0 - 0.5 * turned)).max(0.0)
+    }
+
+    /// How far the light of now is that of the past around a position, 1 to 0: by the mean difference over 5×5 pixels in standard errors,
+    /// of the channel that differs most.
+    fn agreement(&self, c: &Centre, position: Vec2, past: &Past) -> f32 {
+        let ratio = self.frame.exposure_ratio;
+        let in_light = |value: f32| (value * ratio).clamp(0.0, LARGEST_HALF);
+        let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
+        let shift = (position + 0.5).floor().as_ivec2() - c.mirror.p;
+        let window = self.rect.window(c.mirror.p, AGREEMENT_REACH, 1);
+        let counts = |q: IVec2| {
+            let surface = self.motion.surfaces.at(q);
+            before.contains(q + shift) && self.inputs.noisy.at(q)[3] >= 0.0 && !surface.is_background() && surface.id == id
+        };
+        let pairs: Vec<_> = window
+            .filter(|(_, q)| counts(*q))
+            .map(|(_, q)| (self.inputs.noisy.at(q), self.inputs.previous.history.at(q + shift)))
+            .collect();
+        let count = pairs.len() as f32;
+        if count < FEWEST_AGREEING {
+            return 1.0;
+        }
+        let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt() * ratio;
+        let known = deviation.min(LARGEST_HALF).powi(2);
+        let errors = [0, 1, 2].map(|i| {
+            let differences = pairs.iter().map(|(now, then)| now[i] - in_light(then[i]));
+            let mean = differences.clone().sum::<f32>() / count;
+            let variance = differences.map(|d| (d - mean).powi(2)).sum::<f32>() / count;
+            let rounded = ROUNDED * in_light(past.irradiance[i]);
+            mean.abs() / (variance.max(known) / count + rounded * rounded + 1e-20).sqrt()
+        });
+        ((DISAGREES - errors.into_iter().fold(0.0, f32::max)) / (DISAGREES - AGREES)).clamp(0.0, 1.0)
     }
 
     /// The mean of the tested 2×2 taps around a position.

@@ -34,7 +34,8 @@ impl Wall {
         let mut guides = guides(EXTENT, |_, _| surface(WALL));
         let motion = pack_surface_motion([step * FOCAL / WALL, 0.0], Some((0.0, [0.0, 0.0, 1.0])));
         guides.surface_motion = Image::new(EXTENT, motion);
-        let moments = Moments { mean: 4.0, deviation: 1.0, history_length: 1000.0, reason: 0 };
+        // So noisy that no light disagrees.
+        let moments = Moments { mean: 4.0, deviation: 1000.0, history_length: 1000.0, reason: 0 };
         Self {
             frame: frame_with(&Config::new(EXTENT), &cameras[0], &cameras[1]),
             guides,
@@ -159,6 +160,27 @@ fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
         other.guides.surface_motion = Image::new(EXTENT, pack_surface_motion([100.0, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
         assert!(length(&other) < 10.0, "{before:?}: {}", length(&other));
     }
+}
+
+/// What surfaces, distances and finish do not tell: a lamp in the mirror that was switched on.
+#[test]
+fn light_that_is_not_that_of_the_past_drops_it() {
+    let length = |deviation, noisy: &dyn Fn(i32, i32) -> f32| {
+        let mut wall = Wall::new(0.0, 4.0, 0.0);
+        let moments = Moments { mean: 0.25, deviation, history_length: 1000.0, reason: 0 };
+        (wall.history, wall.moments) = (Image::new(EXTENT, [0.25; 4]), Image::new(EXTENT, pack_moments(&moments)));
+        // One channel tells it.
+        wall.noisy = paint(EXTENT, |x, y| [0.25, 0.25, noisy(x, y), 4.0]);
+        crate::reference::unpack_moments(wall.run().moments.at(IVec2::new(15, 8))).history_length
+    };
+    let chequer = |x: i32, y: i32| 2.0 * ((x + y) % 2) as f32;
+    assert!(length(0.0, &|_, _| 0.25) > 900.0, "the same light");
+    assert!(length(0.0, &|_, _| 1.0) < 1.5, "other light without noise");
+    assert!(length(0.0, &|x, y| 4.0 * chequer(x, y)) < 1.5, "other light with noise");
+    assert!(length(0.0, &|x, y| 0.25 * chequer(x, y)) > 900.0, "noise about the same light");
+    // Twenty-five samples that a light which one in twenty hits has missed.
+    assert!(length(0.0, &|_, _| 0.0) < 1.5, "no noise is known");
+    assert!(length(1.2, &|_, _| 0.0) > 900.0, "rare light");
 }
 
 #[test]
