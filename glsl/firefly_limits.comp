@@ -121,10 +121,15 @@ float returning_before(ivec2 cell) {
 #endif
 }
 
+// Not of the background: it is not filtered, and a bright sky beside an outline would let outliers of the surface pass.
 float brightest_of(ivec2 cell) {
     float brightest = 0.0;
     [[dont_unroll]] for (int i = 0; i < CELL_SIZE * CELL_SIZE; ++i) {
-        vec4 texel = texelFetch(irradiance, nearest_inside(cell * CELL_SIZE + ivec2(i % CELL_SIZE, i / CELL_SIZE)), 0);
+        ivec2 p = nearest_inside(cell * CELL_SIZE + ivec2(i % CELL_SIZE, i / CELL_SIZE));
+#if RETURNING
+        if (guide_depth(GuideBits(texelFetch(guide, p, 0))) == 0.0) continue;
+#endif
+        vec4 texel = texelFetch(irradiance, p, 0);
         if (texel.a >= 0.0) brightest = max(brightest, luminance(texel.rgb));
     }
     return brightest;

@@ -4,6 +4,7 @@ use crate::nodes::block_percentiles::twin::unpack_percentiles;
 use crate::reference::binary16::{from_half_bits, half_bits, store};
 use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{block_of, Blocks};
+use crate::reference::guide::unpack_guide;
 use crate::reference::compare::{Reading, Rule, Unit};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::nearest_history::HistoryGuides;
@@ -78,7 +79,7 @@ pub(crate) fn firefly_limits(frame: &FrameConstants, tuning: &Tuning, inputs: &F
     Image::compute(cells(inputs.irradiance.extent()), cells(frame.render_extent), |cell| {
         let mut limit = usual.at(block_of(cell * CELL_SIZE));
         let usual = limit.limit;
-        let brightest = brightest_of(frame, inputs.irradiance, cell);
+        let brightest = brightest_of(frame, inputs, cell);
         let before = inputs.history.and_then(|history| returning_before(frame, tuning, history, cell));
         let known = before.unwrap_or(0.0);
         if usual > 0.0 {
@@ -111,11 +112,13 @@ fn usual_limit(frame: &FrameConstants, tuning: &Tuning, blocks: Blocks, block_pe
     Limit { limit: if is_cluster { usual } else { nearby }, returning: 0.0, is_cluster }
 }
 
-fn brightest_of(frame: &FrameConstants, irradiance: &Image<[f32; 4]>, cell: IVec2) -> f32 {
-    let side = 0..CELL_SIZE;
+/// Of the surfaces of a cell. The background is not filtered: beside an outline, a bright sky would let outliers of the surface pass.
+fn brightest_of(frame: &FrameConstants, inputs: &FireflyLimitsInputs, cell: IVec2) -> f32 {
+    let (side, rect) = (0..CELL_SIZE, RenderRect::new(frame.render_extent));
     let pixels = side.clone().flat_map(|y| side.clone().map(move |x| cell * CELL_SIZE + IVec2::new(x, y)));
-    let inside = pixels.filter(|p| RenderRect::new(frame.render_extent).contains(*p)).map(|p| irradiance.at(p));
-    inside.filter(|texel| texel[3] >= 0.0).map(texel_luminance).fold(0.0, f32::max)
+    let is_surface = |p: &IVec2| inputs.history.is_none_or(|(guides, _)| !unpack_guide(guides.guide.at(*p)).is_background());
+    let counted = pixels.filter(|p| rect.contains(*p)).filter(is_surface).map(|p| inputs.irradiance.at(p));
+    counted.filter(|texel| texel[3] >= 0.0).map(texel_luminance).fold(0.0, f32::max)
 }
 
 /// The luminance that returned where a cell was.
@@ -162,7 +165,11 @@ mod tests {
 
     /// Limits of a frame after those of the one before.
     fn limits(irradiance: &Image<[f32; 4]>, before: Option<&Image<u32>>) -> Image<u32> {
-        let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
+        limits_over(&guides(EXTENT, |_, _| surface(2.0)), irradiance, before)
+    }
+
+    fn limits_over(guides: &Guides, irradiance: &Image<[f32; 4]>, before: Option<&Image<u32>>) -> Image<u32> {
+        let (frame, tuning) = (frame(EXTENT), svgf_tuning());
         let inputs = BlockPercentilesInputs { guide: Some(&guides.guide), irradiance };
         let block_percentiles = &block_percentiles(&frame, &tuning, &inputs);
         let of_both = HistoryGuides {
@@ -222,6 +229,22 @@ mod tests {
         let (caustic, once, never) = (at(run(|i| i % 2 == 1)), at(run(|i| i == 3)), at(run(|_| false)));
         assert!(caustic.limit > 500.0, "{caustic:?}");
         assert!(once.limit < 3.0 * never.limit && never.limit < 4.0, "{once:?} {never:?}");
+    }
+
+    #[test]
+    fn a_bright_sky_beside_an_outline_is_no_light_that_returns() {
+        let is_sky = |x: i32| x > PLACE.x;
+        let guides = guides(EXTENT, |x, _| if is_sky(x) { surface(0.0) } else { surface(2.0) });
+        let run = |sky: f32| {
+            let nothing = Image::new(EXTENT.map(|side| side.div_ceil(CELL_SIZE as u32)), 0);
+            let limits = (0..16).fold(nothing, |before, i| {
+                let noise = noise(EXTENT, 20 + i);
+                let image = paint(EXTENT, |x, y| if is_sky(x) { [sky; 4] } else { noise.at(IVec2::new(x, y)) });
+                limits_over(&guides, &image, Some(&before))
+            });
+            limit_at(&limits, PLACE)
+        };
+        assert_eq!(run(1000.0), run(0.0));
     }
 
     #[test]
