@@ -4,8 +4,8 @@ use crate::conventions::keys;
 use crate::roles::Role;
 use crate::sampling::Pattern;
 use crate::setup::{Made, Options};
-use atrous::config::{Preset, Signals};
-use atrous::Tuning;
+use atrous::config::Preset;
+use atrous_options::{tunable, ConfigArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::Parser;
 use std::path::{Path, PathBuf};
@@ -88,21 +88,13 @@ pub struct Cli {
     #[arg(long, value_name = "DEVICE")]
     pub device: Option<String>,
 
-    /// Filter direct and indirect light apart or together; apart where the file has both
-    #[arg(long, value_parser = signals())]
-    pub signals: Option<Signals>,
-
-    /// À-trous levels, 1 to 10; default: 5 to 7 for best and fast, by the size of the image; 5 for the others
-    #[arg(long, value_name = "N")]
-    pub levels: Option<u32>,
-
-    /// Side of the strata of temporal gradients, 2 to 4 pixels
-    #[arg(long, value_name = "N")]
-    pub stratum_size: Option<u32>,
+    /// Fields of the configuration: those that choose the filter, and the signals.
+    #[command(flatten)]
+    pub config: ConfigArgs,
 
     /// Keep the samples of a share of the pixels alone, as if the renderer had traced no more: to see what that costs
     #[arg(long, value_name = "PATTERN")]
-    pub sampling: Option<Pattern>,
+    pub keep_samples: Option<Pattern>,
 
     /// Set a tunable, for example sigma_l=2; a wrong name lists them all
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = tunable)]
@@ -140,10 +132,6 @@ fn preset() -> impl TypedValueParser<Value = Preset> {
     PossibleValuesParser::new(presets.map(Preset::name)).try_map(|name| name.parse::<Preset>())
 }
 
-fn signals() -> impl TypedValueParser<Value = Signals> {
-    PossibleValuesParser::new(Signals::ALL.map(Signals::name)).try_map(|name| name.parse::<Signals>())
-}
-
 fn key_value(text: &str) -> Result<(String, String), String> {
     let (key, value) = text.split_once('=').ok_or("expected KEY=VALUE")?;
     Ok((key.trim().to_owned(), value.trim().to_owned()))
@@ -153,21 +141,6 @@ fn channel(text: &str) -> Result<(Role, String), String> {
     let (role, name) = key_value(text)?;
     let known = || Role::all().map(Role::name).collect::<Vec<_>>().join(", ");
     Role::by_name(&role).map(|role| (role, name)).ok_or_else(|| format!("no role `{role}`; there are: {}", known()))
-}
-
-fn tunable(text: &str) -> Result<(String, f32), String> {
-    let (name, value) = key_value(text)?;
-    let value = value.parse().map_err(|_| format!("`{value}` is not a number"))?;
-    // Checked here, so that a wrong name is told with the option that has it.
-    Tuning::default().set(&name, value).map_err(|e| {
-        let known: Vec<_> =
-            Tuning::FIELDS.iter().map(|f| format!("{} ({} to {}, default {})", f.name, f.min, f.max, f.default)).collect();
-        match e {
-            atrous::Error::UnknownTuning(_) => format!("no tunable `{name}`; there are: {}", known.join(", ")),
-            other => other.to_string(),
-        }
-    })?;
-    Ok((name, value))
 }
 
 impl Cli {
@@ -188,11 +161,9 @@ impl Cli {
             view_layer: self.view_layer.clone(),
             camera: self.camera.clone(),
             conventions: self.conventions.clone(),
-            signals: self.signals,
-            levels: self.levels,
+            config: self.config.clone(),
             preset: self.preset,
-            stratum_size: self.stratum_size,
-            sampling: self.sampling,
+            keep_samples: self.keep_samples,
             tunables: self.tunables.clone(),
             step: self.step,
             made: Made {

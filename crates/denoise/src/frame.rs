@@ -117,7 +117,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         negative,
         header,
     };
-    if let Some(pattern) = setup.sampling {
+    if let Some(pattern) = setup.keep_samples {
         drop_samples(pattern, &mut inputs, setup.config.allocated_extent[0] as usize);
     }
     Ok(inputs)

@@ -2,7 +2,8 @@
 
 use crate::roles::Role;
 use crate::sampling::Pattern;
-use atrous::config::{Preset, Signals};
+use atrous::config::Preset;
+use atrous_options::ConfigArgs;
 use std::path::PathBuf;
 
 /// Options of the user that the setup takes.
@@ -16,16 +17,12 @@ pub struct Options {
     pub camera: Option<PathBuf>,
     /// Conventions by key.
     pub conventions: Vec<(String, String)>,
-    /// Signals, where not by what the file has.
-    pub signals: Option<Signals>,
-    /// À-trous levels, where not the default.
-    pub levels: Option<u32>,
+    /// Fields of the configuration, on top of those of a capture.
+    pub config: ConfigArgs,
     /// Filter, where not that of a capture, or [`Preset::default`].
     pub preset: Option<Preset>,
-    /// Side of the strata, where not the default.
-    pub stratum_size: Option<u32>,
     /// Pixels whose samples are kept, where not all.
-    pub sampling: Option<Pattern>,
+    pub keep_samples: Option<Pattern>,
     /// Tunables, on top of those of the sequence.
     pub tunables: Vec<(String, f32)>,
     /// The step of the numbers of frames, where not 1.

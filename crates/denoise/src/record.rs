@@ -34,7 +34,7 @@ impl Record {
             "set": set,
             "channel": channels,
             "sequence.json, checksum": setup.sequence.as_ref().map(|s| s.checksum),
-            "sampling": options.sampling.map(Pattern::name),
+            "keep_samples": options.keep_samples.map(Pattern::name),
             "float": made.float,
             "png": made.preview.is_some(),
             "exposure": made.preview,

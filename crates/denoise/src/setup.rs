@@ -29,7 +29,7 @@ pub struct Setup {
     /// Cameras.
     pub sequence: Option<SequenceFile>,
     /// Pixels whose samples are kept, where not all.
-    pub sampling: Option<Pattern>,
+    pub keep_samples: Option<Pattern>,
     /// Lines to print.
     pub report: Vec<String>,
     /// Bytes that decoding a file of the first frame takes.
@@ -71,7 +71,7 @@ impl Setup {
         let mut setup = Self {
             config: Config::new(header.extent),
             mapping,
-            sampling: options.sampling,
+            keep_samples: options.keep_samples,
             report: Vec::new(),
             reading: header.reading,
             shown: DisplayTransform::new(&header, 0),
@@ -103,14 +103,14 @@ impl Setup {
             file.config.apply(&mut config);
         }
         let captured = self.sequence.as_ref().and_then(|file| file.config.preset);
-        config.levels = options.levels.or(config.levels);
-        config.stratum_size = options.stratum_size.unwrap_or(config.stratum_size);
         config.preset = options.preset.or(captured).unwrap_or_default();
-        config.sampling = options.sampling.map_or(config.sampling, Pattern::sampling);
+        config.sampling = options.keep_samples.map_or(config.sampling, Pattern::sampling);
+        options.config.apply(&mut config)?;
+        let signals_wished = options.config.has("signals").then_some(config.signals);
         config.forward_motion = mapping.has(Role::ForwardMotion);
         config.volume = mapping.has(Role::Volume) && config.preset != Preset::Volume;
         config.visibility = mapping.has(Role::Visibility) && mapping.has(Role::OccluderDistance);
-        config.signals = signals(mapping, config.preset, options.signals)?;
+        config.signals = signals(mapping, config.preset, signals_wished)?;
         config.conventions = conventions::of_layout(mapping);
         let mut scales = Scales::default();
         let mut report = describe(mapping, &config);

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use atrous::config::{PostProcess, Preset};
 use atrous::{Choice, Tuning};
 use atrous_engine::{DenoiserOptions, Noise, SampleEye, SceneOptions, TracerOptions, FILTERS};
-use atrous_measure::evaluate::{parse_size, EvaluateOptions};
-use atrous_measure::options::ConfigArgs;
+use atrous_measure::evaluate::EvaluateOptions;
+use atrous_options::{size, tunable, ConfigArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 
@@ -25,8 +25,8 @@ pub struct Options {
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
-    #[arg(long, value_parser = parse_size)]
-    pub size: Option<(u32, u32)>,
+    #[arg(long, value_parser = size)]
+    pub size: Option<[u32; 2]>,
     /// Frames of the animation
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: u32,
@@ -39,7 +39,7 @@ pub struct Options {
     #[command(flatten)]
     pub config: ConfigArgs,
     /// A number of the filter, for example alpha=0.1; may be given several times. Unknown names list the known ones
-    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = parse_setting)]
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = tunable)]
     pub numbers: Vec<(String, f32)>,
     /// Folder for pictures and tables
     #[arg(long, default_value = "out")]
@@ -84,8 +84,8 @@ pub struct Options {
     #[arg(long)]
     pub window: bool,
     /// Width and height of the window in pixels
-    #[arg(long, default_value = "1320x760", value_parser = parse_size, requires = "window")]
-    pub window_size: (u32, u32),
+    #[arg(long, default_value = "1320x760", value_parser = size, requires = "window")]
+    pub window_size: [u32; 2],
     /// File that the window's settings are read from, and saved into
     #[arg(long, requires = "window")]
     pub settings: Option<PathBuf>,
@@ -144,8 +144,8 @@ impl Options {
     }
 
     /// Width and height of pictures that go to files.
-    pub fn picture_size(&self) -> (u32, u32) {
-        self.size.unwrap_or((320, 180))
+    pub fn picture_size(&self) -> [u32; 2] {
+        self.size.unwrap_or([320, 180])
     }
 
     /// What clap cannot check.
@@ -211,9 +211,4 @@ impl Options {
         }
         Ok(())
     }
-}
-
-fn parse_setting(text: &str) -> std::result::Result<(String, f32), String> {
-    let parsed = text.split_once('=').and_then(|(name, value)| Some((name.to_owned(), value.parse().ok()?)));
-    parsed.ok_or_else(|| format!("\"{text}\" is not a setting: give a name and a number like alpha=0.1"))
 }

@@ -17,7 +17,7 @@ use crate::options::Options;
 /// Renders, denoises and measures one scene, and writes what came out.
 pub fn run(options: &Options, gpu: &Gpu, name: &str) -> Result<()> {
     let scene = Arc::new(Scene::load(name, &options.scene())?);
-    let (width, height) = options.picture_size();
+    let [width, height] = options.picture_size();
     let extent = ash::vk::Extent2D { width, height };
     let mut tracer = PathTracer::new(gpu, &scene, extent, options.tracer())?;
     let memory = memory(options, gpu, &tracer)?;

@@ -111,7 +111,7 @@ impl App {
     fn open(&mut self, event_loop: &ActiveEventLoop) -> Result<()> {
         let attributes = Window::default_attributes()
             .with_title("atrous")
-            .with_inner_size(winit::dpi::PhysicalSize::new(self.options.window_size.0, self.options.window_size.1));
+            .with_inner_size(winit::dpi::PhysicalSize::<u32>::from(self.options.window_size));
         let window = event_loop.create_window(attributes).map_err(|e| Error::NoDisplay { problem: e.to_string() })?;
         let window = Arc::new(window);
         let (gpu, surface) = create_surface(&window, &self.options)?;

@@ -66,9 +66,9 @@ pub struct WindowOptions {
     /// Khronos validation; its messages are errors.
     pub validation: bool,
     /// Pixels of the picture; `None`: 320x180 on software devices, 1280x720 on others.
-    pub size: Option<(u32, u32)>,
+    pub size: Option<[u32; 2]>,
     /// Pixels of the window.
-    pub window_size: (u32, u32),
+    pub window_size: [u32; 2],
     /// Settings to start with, and to save into.
     pub settings_file: Option<PathBuf>,
     /// Scene to start with, instead of that of the settings.
@@ -99,8 +99,8 @@ impl WindowOptions {
     }
 
     fn extent(&self, gpu: &Gpu) -> vk::Extent2D {
-        let default = if gpu.info().kind == "software" { (320, 180) } else { (1280, 720) };
-        let (width, height) = self.size.unwrap_or(default);
+        let default = if gpu.info().kind == "software" { [320, 180] } else { [1280, 720] };
+        let [width, height] = self.size.unwrap_or(default);
         vk::Extent2D { width, height }
     }
 }

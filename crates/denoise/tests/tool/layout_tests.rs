@@ -52,7 +52,7 @@ fn own_data_sets() {
 
 #[test]
 fn a_share_of_the_pixels_keeps_its_samples_and_all_guides() {
-    let options = Options { sampling: Some(Pattern::Checkerboard), ..Options::default() };
+    let options = Options { keep_samples: Some(Pattern::Checkerboard), ..Options::default() };
     let (folder, setup) = setup_of(&samples::frame(1), &options);
     let setup = setup.expect("a layout");
     assert_eq!(setup.config.sampling, Sampling::OneOf2x2);

@@ -46,7 +46,7 @@ fn results_of_other_options_are_not_mixed() {
         (&["--resume", "--set", "alpha=0.4"], ["`set.alpha`", "0.4"]),
         (&[&same[..], &["--preset", "eaw"]].concat(), ["`config.preset`", "eaw"]),
         (&[&same[..], &["--levels", "2"]].concat(), ["`config.levels`", "2"]),
-        (&[&same[..], &["--sampling", "checkerboard"]].concat(), ["`config.sampling`", "one_of_2x2"]),
+        (&[&same[..], &["--keep-samples", "checkerboard"]].concat(), ["`config.sampling`", "one_of_2x2"]),
         (&[&same[..], &["--signals", "together"]].concat(), ["`config.signals`", "together"]),
         (&[&same[..], &["--convention", "background_depth=7"]].concat(), ["`config.conventions.background_depth`", "7"]),
         (&[&same[..], &["--channel", "albedo=none"]].concat(), ["`channel.albedo`", "albedo.R"]),

@@ -7,7 +7,6 @@ mod error;
 pub mod evaluate;
 pub mod files;
 pub mod measure;
-pub mod options;
 pub mod progress;
 pub mod report;
 pub mod running;

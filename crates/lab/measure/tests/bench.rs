@@ -49,7 +49,7 @@ fn bad_input_is_refused() {
     let no_figures = no_figures.to_str().expect("UTF-8");
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
     let refused: [(&[&str], &str); 10] = [
-        (&["--size", "1920"], "\"1920\" is no size: give width and height like 1920x1080"),
+        (&["--size", "1920"], "\"1920\" is no size: give width and height like 320x180"),
         (&["--size", "0x4"], "\"0x4\" is no size"),
         (&["--preset", "sgvf"], "\"sgvf\" is no preset and no graph; there are: svgf, asvgf"),
         (&["--content", "walls"], "\"walls\" is no content; there are: moving, wall"),

@@ -9,6 +9,7 @@ use atrous_denoise::frame::{self, FrameInputs};
 use atrous_denoise::frame_files::{self, FrameFiles};
 use atrous_denoise::score::{Metrics, ScoreBook};
 use atrous_denoise::setup::{Options, Setup};
+use atrous_options::ConfigArgs;
 use cpu_time::ProcessTime;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::{Deserialize, Serialize};
@@ -115,8 +116,8 @@ impl Frames<'_> {
 
     /// One signal, so that all points filter the same; with whatever gradients can be made of.
     fn setup(&self, files: &[FrameFiles]) -> Result<Setup, Box<dyn Error>> {
-        let (preset, signals) = (Some(Preset::Best), Some(Signals::Together));
-        let mut setup = Setup::new(files, &Options { preset, signals, ..Options::default() })?;
+        let config = ConfigArgs::of("signals", Signals::Together.name());
+        let mut setup = Setup::new(files, &Options { preset: Some(Preset::Best), config, ..Options::default() })?;
         if setup.config.volume || setup.config.visibility {
             return Err(
                 format!("{} has a volume or a light apart, and the points filter surfaces alone", self.path.display()).into()

@@ -58,8 +58,8 @@ pub fn conditions(results: &[SceneResult]) -> String {
     let frames = settings.measured_frames();
     format!(
         "{}x{}, one path a pixel, frames {} to {} of {} against {} paths a pixel, whose noise is left out of all but FLIP; {}.",
-        settings.size.0,
-        settings.size.1,
+        settings.size[0],
+        settings.size[1],
         frames.start,
         frames.end - 1,
         settings.frames,

@@ -11,7 +11,7 @@ mod results;
 mod scene;
 mod settings;
 
-pub use settings::{parse_size, EvaluateOptions};
+pub use settings::EvaluateOptions;
 
 use std::path::Path;
 use std::sync::Arc;

@@ -71,7 +71,7 @@ fn of_scene(section: &mut Section, result: &SceneResult, folder: &Path) -> Resul
         comparison.picture(row.name.as_str(), &Picture::read_png(picture(folder, &row.name))?)?;
     }
     comparison.picture(REFERENCE, &Picture::read_png(picture(folder, REFERENCE))?)?;
-    let (width, height) = result.settings.size;
+    let [width, height] = result.settings.size;
     for row in &result.rows {
         let map = HeatMap::of_flip(width, height, &read_error(folder, &row.name)?)?;
         comparison.heat_map(format!("FLIP of {}", row.name), &map)?;

@@ -47,7 +47,7 @@ impl Lab<'_> {
     /// # Errors
     /// A scene that is too large, or no memory.
     pub fn tracer(&self, scene: &Arc<Scene>, options: TracerOptions) -> Result<PathTracer> {
-        let (width, height) = self.settings.size;
+        let [width, height] = self.settings.size;
         let options = TracerOptions { seed: self.settings.seed, noise: self.settings.noise, ..options };
         Ok(PathTracer::new(self.gpu, scene, ash::vk::Extent2D { width, height }, options)?)
     }

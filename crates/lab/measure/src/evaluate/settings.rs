@@ -35,8 +35,8 @@ pub struct EvaluateOptions {
     #[arg(long)]
     pub quick: bool,
     /// Width and height in pixels; default: 320x180, with --quick 128x72
-    #[arg(long, value_parser = parse_size)]
-    size: Option<(u32, u32)>,
+    #[arg(long, value_parser = atrous_options::size)]
+    size: Option<[u32; 2]>,
     /// Frames of the animation; default: 40, with --quick 16
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..))]
     frames: Option<u32>,
@@ -70,7 +70,7 @@ pub struct EvaluateOptions {
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Settings {
     /// Width and height in pixels.
-    pub size: (u32, u32),
+    pub size: [u32; 2],
     /// Frames of the animation.
     pub frames: u32,
     /// Frames at its end that are measured.
@@ -124,7 +124,7 @@ impl EvaluateOptions {
             return Err(Error::MeasuredFrames { given: measured, frames });
         }
         Ok(Settings {
-            size: self.size.unwrap_or(if self.quick { (128, 72) } else { (320, 180) }),
+            size: self.size.unwrap_or(if self.quick { [128, 72] } else { [320, 180] }),
             frames,
             measured,
             reference_spp: of(self.reference_spp, 128, 64),
@@ -147,12 +147,6 @@ impl Settings {
     pub fn measured_frames(&self) -> std::ops::Range<u32> {
         self.frames - self.measured..self.frames
     }
-}
-
-/// Width and height, such as 320x180.
-pub fn parse_size(text: &str) -> std::result::Result<(u32, u32), String> {
-    let parsed = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
-    parsed.ok_or_else(|| format!("\"{text}\" is not a size: give width and height like 320x180"))
 }
 
 fn program() -> Result<u64> {

@@ -2,7 +2,8 @@
 
 use super::content::Content;
 use super::subject::{Choices, Subject};
-use atrous::config::{PostProcess, Signals};
+use atrous::config::PostProcess;
+use atrous_options::ConfigArgs;
 use clap::Parser;
 use std::path::PathBuf;
 
@@ -16,17 +17,13 @@ pub struct Options {
     #[arg(long, value_delimiter = ',', value_parser = str::parse::<Subject>)]
     pub preset: Vec<Subject>,
     /// Sizes in pixels, separated by commas; 720p to 4K where none is given, on CPU devices 320x180 and 640x360
-    #[arg(long, value_delimiter = ',', value_parser = parse_size)]
+    #[arg(long, value_delimiter = ',', value_parser = atrous_options::size)]
     pub size: Vec<[u32; 2]>,
     /// Content of the inputs: moving (a moving camera, holes, disocclusions) or wall (every pixel takes every tap)
     #[arg(long, default_value = "moving", value_parser = str::parse::<Content>)]
     pub content: Content,
-    /// Signals: together or apart
-    #[arg(long, default_value_t)]
-    pub signals: Signals,
-    /// À-trous levels; default: the preset's
-    #[arg(long)]
-    pub levels: Option<u32>,
+    #[command(flatten)]
+    pub config: ConfigArgs,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     pub post_process: bool,
@@ -75,7 +72,7 @@ impl Options {
     /// The settings of presets.
     pub fn choices(&self) -> Choices {
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
-        Choices { signals: self.signals, levels: self.levels, post_process }
+        Choices { config: self.config.clone(), post_process }
     }
 
     /// Sizes from small to large.
@@ -98,12 +95,4 @@ impl Options {
             vec![self.content]
         }
     }
-}
-
-fn parse_size(text: &str) -> Result<[u32; 2], String> {
-    let parsed = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
-    let parsed = parsed.filter(|sides: &[u32; 2]| sides.iter().all(|s| (1..=atrous::Config::MAX_SIDE).contains(s)));
-    parsed.ok_or_else(|| {
-        format!("\"{text}\" is no size: give width and height like 1920x1080, each from 1 to {}", atrous::Config::MAX_SIDE)
-    })
 }

@@ -1,8 +1,9 @@
 //! The graphs that can be measured, by name: every preset, and those of `graphs`.
 
 use super::graphs::{OwnGraph, GRAPHS};
-use atrous::config::{PostProcess, Preset, Signals};
+use atrous::config::{PostProcess, Preset};
 use atrous::{Config, Declaration, Error, Tuning};
+use atrous_options::ConfigArgs;
 use std::str::FromStr;
 
 /// A preset, or a graph of one's own.
@@ -13,10 +14,9 @@ pub enum Subject {
 }
 
 /// The settings of presets; a graph of one's own has its own.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Choices {
-    pub signals: Signals,
-    pub levels: Option<u32>,
+    pub config: ConfigArgs,
     pub post_process: PostProcess,
 }
 
@@ -33,11 +33,8 @@ impl Subject {
             Self::Own(graph) => return graph.name.to_owned(),
         };
         let mut label = preset.name().to_owned();
-        if choices.signals != Signals::default() {
-            label += &format!(" {}", choices.signals);
-        }
-        if let Some(levels) = choices.levels {
-            label += &format!(" {levels} levels");
+        for (field, value) in choices.config.iter() {
+            label += &format!(" {field}={value}");
         }
         if choices.post_process != PostProcess::None {
             label += " post-process";
@@ -46,9 +43,12 @@ impl Subject {
     }
 
     pub fn declare(self, size: [u32; 2], choices: &Choices) -> Result<Declaration, Error> {
-        let &Choices { signals, levels, post_process } = choices;
         match self {
-            Self::Preset(preset) => Config { preset, signals, levels, post_process, ..Config::new(size) }.declare(),
+            Self::Preset(preset) => {
+                let mut config = Config { preset, post_process: choices.post_process, ..Config::new(size) };
+                choices.config.apply(&mut config)?;
+                config.declare()
+            }
             Self::Own(graph) => (graph.declare)(size),
         }
     }

@@ -66,8 +66,8 @@ fn contenders() -> Result<Vec<Contender>> {
 }
 
 pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
-    let (width, height) = lab.settings.size;
-    let (size, frames) = ((width.div_ceil(2), height.div_ceil(2)), lab.settings.frames.min(FRAMES));
+    let [width, height] = lab.settings.size;
+    let (size, frames) = ([width.div_ceil(2), height.div_ceil(2)], lab.settings.frames.min(FRAMES));
     let settings = Settings { size, frames, measured: lab.settings.measured.min(MEASURED), ..lab.settings.clone() };
     let lab = Lab { settings: &settings, ..*lab };
     let contenders = contenders()?;
@@ -126,7 +126,7 @@ fn report(scenes: &[Vec<Row>], settings: &Settings) -> Findings {
         text: format!(
             "`best` with one part left out or as A-SVGF has it; {}x{}, the last {} of {} frames. Ratios to `best` itself: above 1 the part is a \
              gain. SSIM: what is added. `least` and `most`: the scenes where the part is worth least and most.",
-            settings.size.0, settings.size.1, settings.measured, settings.frames
+            settings.size[0], settings.size[1], settings.measured, settings.frames
         ),
         tables: vec![means, of_scenes],
         claims,

@@ -111,7 +111,7 @@ fn share(excess: &[f32]) -> f64 {
 }
 
 /// Red where a place is too bright, blue where it is too dark; full at its own light too much or too little.
-fn write_map(path: &Path, (width, height): (u32, u32), excess: &[f32]) -> Result<()> {
+fn write_map(path: &Path, [width, height]: [u32; 2], excess: &[f32]) -> Result<()> {
     let colour = |excess: &f32| [*excess, 0.0, -*excess].map(|value| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8);
     Ok(Picture::from_pixels(width, height, excess.iter().map(colour).collect())?.write_png(path)?)
 }
@@ -142,8 +142,8 @@ fn report(shares: Vec<Vec<f64>>, floors: &[Vec<f64>], settings: &Settings) -> Fi
             "`{SCENE}`, {}x{}: the camera moves up to frame {STOP} and stays. Against {} runs in which it always stood there, with other random \
              numbers before the stop, and one in which all history was dropped at the stop: where the light of {side}x{side} pixels is more \
              than {:.0} % brighter than in all of them.",
-            settings.size.0,
-            settings.size.1,
+            settings.size[0],
+            settings.size[1],
             STANDING,
             100.0 * SHOWS,
             side = 2 * WINDOW + 1

@@ -15,8 +15,8 @@ const SCENES: [&str; 2] = ["pillars", "leaves"];
 const MEASURED: u32 = 2;
 
 pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
-    let (width, height) = lab.settings.size;
-    let size = (2 * width, 2 * height);
+    let [width, height] = lab.settings.size;
+    let size = [2 * width, 2 * height];
     let settings = Settings { size, measured: lab.settings.measured.min(MEASURED), ..lab.settings.clone() };
     let lab = Lab { settings: &settings, ..*lab };
     let contenders = contenders::named(&[SVGF, ASVGF, "percentile", "fast", BEST]);
@@ -31,7 +31,7 @@ pub fn run(lab: &Lab, folder: &Path) -> Result<Findings> {
         tables.push(table);
     }
     Ok(Findings {
-        title: format!("At {}x{}", size.0, size.1),
+        title: format!("At {}x{}", size[0], size[1]),
         text: format!("Twice as wide and high, the same defaults. Means of the last {} frames.", settings.measured),
         tables,
         ..Findings::default()
