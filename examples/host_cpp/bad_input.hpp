@@ -74,8 +74,13 @@ inline void refuse_bad_creation(const Engine& engine, Refusals& refusals) {
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "get_instance_proc_addr", atrous_create(&info, &denoiser));
     info = good, info.config = nullptr;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "config", atrous_create(&info, &denoiser));
-    config.struct_size = sizeof config + 4;
+    config.struct_size = sizeof config - 4;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size", atrous_create(&good, &denoiser));
+    struct { AtrousConfig known; uint32_t unknown; } newer{config, 1};
+    newer.known.struct_size = sizeof newer;
+    good.config = &newer.known;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "is not 0, and atrous", atrous_create(&good, &denoiser));
+    good.config = &config;
     config.struct_size = sizeof config, config.levels = 99;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "levels is 99", atrous_create(&good, &denoiser));
     config.levels = 5, config.width = 0;

@@ -13,7 +13,11 @@ cargo rustc --quiet -p atrous-capi --lib --no-default-features --crate-type stat
 built=$target/debug
 case $kind in
     staticlib) library=("$built/libatrous_capi.a") ;;
-    cdylib) library=("$built/libatrous_capi.so" "-Wl,-rpath,$built") ;;
+    cdylib)
+        # The loader looks for the name that stands in the library.
+        ln -sf libatrous_capi.so "$built/libatrous.so.0"
+        library=("$built/libatrous_capi.so" "-Wl,-rpath,$built")
+        ;;
     *) echo "build.sh: CRATE_TYPE is $kind; it is staticlib or cdylib" >&2; exit 2 ;;
 esac
 mkdir -p "$(dirname "$output")"

@@ -67,7 +67,7 @@ public:
         memory_ = std::make_unique<Fenced>(is_short ? sizeof(uint32_t) : sizeof(T));
         std::memcpy(memory_->bytes(), &value, memory_->size());
         uint32_t size = sizeof(T);
-        if (is_short) do size = dice.odd(); while (size == sizeof(T));
+        if (is_short) do size = dice.odd(); while (size >= 8 && size < 65536);  // a size that a header may have is believed
         std::memcpy(memory_->bytes(), &size, sizeof size);
         before_.assign(memory_->bytes(), memory_->bytes() + memory_->size());
     }

@@ -38,6 +38,13 @@ pub fn cpp_gives_the_bits_of_the_executor() {
     assert_eq!(checksums("host_cpp", &run(plain(), &[])), of_executor());
 }
 
+/// The host knows no struct and no function but those of the first header, and runs with the library of today.
+pub fn a_host_of_the_first_header_gives_the_bits_of_the_executor() {
+    let first = format!("-I{}", root().join("crates/capi/tests/first").display());
+    let old = build("host_cpp_first", "cdylib", &[&first]);
+    assert_eq!(checksums("host_cpp_first", &run(old, &[])), of_executor());
+}
+
 pub fn cpp_is_told_of_wrong_conventions() {
     let output = run(plain(), &["--check"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -37,6 +37,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("an_instance_of_vulkan_1_0_is_told_what_to_ask_for", fewer_features::an_instance_of_vulkan_1_0_is_told_what_to_ask_for),
     ("a_device_with_everything_is_told_nothing", fewer_features::a_device_with_everything_is_told_nothing),
     ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
+    ("a_host_of_the_first_header_gives_the_bits_of_the_executor", cpp::a_host_of_the_first_header_gives_the_bits_of_the_executor),
 ];
 
 /// One configuration of every preset.

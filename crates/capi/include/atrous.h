@@ -1,7 +1,8 @@
 /* atrous: the passes of a real-time path-tracing denoiser, for the frame graph of a Vulkan engine.
  *
  * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
- * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike.
+ * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike. Structs only grow, at their
+ * end: an older header's struct takes defaults, a newer one's must be zero where this library does not know it.
  * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */
 
 #ifndef ATROUS_H
@@ -9,6 +10,12 @@
 
 #include <stdint.h>
 #include "vulkan/vulkan_core.h"
+
+#define ATROUS_VERSION_MAJOR 0
+#define ATROUS_VERSION_MINOR 1
+#define ATROUS_VERSION_PATCH 0
+// The version of this header, packed as Vulkan packs versions; atrous_version() has that of the library.
+#define ATROUS_VERSION ((ATROUS_VERSION_MAJOR << 22) | (ATROUS_VERSION_MINOR << 12) | ATROUS_VERSION_PATCH)
 
 // Inputs, by the names of their resources.
 
@@ -147,6 +154,28 @@ typedef struct AtrousConfig {
   uint32_t width;
   // Height of your images, pixels.
   uint32_t height;
+  // Encoding of depth. 0 (linear), 1 (device), 2 (ray_length). Default: 0.
+  uint32_t depth;
+  // Linear depth from which on a pixel is background, above 0. 1e15 and beyond always are. Default: inf.
+  float background_depth;
+  // Encoding of normals. 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Default: 0.
+  uint32_t normal;
+  // Space of the normals. 0 (world), 1 (view). Default: 0.
+  uint32_t normal_space;
+  // Unit of the motion. 0 (pixels), 1 (uv), 2 (ndc). Default: 1.
+  uint32_t motion_unit;
+  // Sign of the motion. 0 (previous_minus_current), 1 (current_minus_previous). Default: 0.
+  uint32_t motion_direction;
+  // Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. 0 (false), 1 (true). Default: 0.
+  uint32_t motion_y_up;
+  // Whether the motion includes the change of jitter. 0 (false), 1 (true). Default: 0.
+  uint32_t motion_jittered;
+  // Meaning of z of the motion. 0 (none), 1 (difference), 2 (absolute). Default: 0.
+  uint32_t motion_depth;
+  // Direction in which the camera looks. 0 (negative_z), 1 (positive_z). Default: 0.
+  uint32_t view_forward;
+  // Encoding of roughness. 0 (linear), 1 (alpha). Default: 0.
+  uint32_t roughness;
   // Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
   uint32_t frames_in_flight;
   // Filter. 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best). Default: 7.
@@ -202,28 +231,6 @@ typedef struct AtrousConfig {
   // images alive to the end, so you cannot alias these transients. You may leave the pass out of a frame. 0 (false), 1
   // (true). Default: 0.
   uint32_t debug_view;
-  // Encoding of depth. 0 (linear), 1 (device), 2 (ray_length). Default: 0.
-  uint32_t depth;
-  // Linear depth from which on a pixel is background, above 0. 1e15 and beyond always are. Default: inf.
-  float background_depth;
-  // Encoding of normals. 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Default: 0.
-  uint32_t normal;
-  // Space of the normals. 0 (world), 1 (view). Default: 0.
-  uint32_t normal_space;
-  // Unit of the motion. 0 (pixels), 1 (uv), 2 (ndc). Default: 1.
-  uint32_t motion_unit;
-  // Sign of the motion. 0 (previous_minus_current), 1 (current_minus_previous). Default: 0.
-  uint32_t motion_direction;
-  // Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. 0 (false), 1 (true). Default: 0.
-  uint32_t motion_y_up;
-  // Whether the motion includes the change of jitter. 0 (false), 1 (true). Default: 0.
-  uint32_t motion_jittered;
-  // Meaning of z of the motion. 0 (none), 1 (difference), 2 (absolute). Default: 0.
-  uint32_t motion_depth;
-  // Direction in which the camera looks. 0 (negative_z), 1 (positive_z). Default: 0.
-  uint32_t view_forward;
-  // Encoding of roughness. 0 (linear), 1 (alpha). Default: 0.
-  uint32_t roughness;
 } AtrousConfig;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.
@@ -576,6 +583,9 @@ AtrousStatus atrous_check_conventions(const struct AtrousConfig *config,
                                       const struct AtrousGuides *previous,
                                       const struct AtrousGuides *current,
                                       struct AtrousConventionReport *report);
+
+// The version of the library that runs, packed as ATROUS_VERSION is. A different major version has a different ABI.
+uint32_t atrous_version(void);
 
 #ifdef __cplusplus
 }  // extern "C"

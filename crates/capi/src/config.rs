@@ -1,4 +1,5 @@
 //! The configuration as a struct of C: every field of `atrous::Config` and its conventions as a number, from their one table.
+//! The conventions stand first, since the table of choices is the one that grows: a new choice goes to its end.
 //! `tests/header.rs` gives it to cbindgen, which does not see through macros.
 
 use crate::convert::{choice, eaw_weights, flag};
@@ -67,8 +68,8 @@ macro_rules! c_struct {
             pub width: u32,
             /// Height of your images, pixels.
             pub height: u32,
-            $(#[doc = concat!("`", stringify!($name), "` of [`Config`].")] pub $name: c_type!($kind),)+
             $(#[doc = concat!("`", stringify!($name2), "` of [`Conventions`].")] pub $name2: c_type!($kind2),)+
+            $(#[doc = concat!("`", stringify!($name), "` of [`Config`].")] pub $name: c_type!($kind),)+
         }
 
         impl AtrousConfig {

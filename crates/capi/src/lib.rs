@@ -18,6 +18,7 @@ mod pointers;
 mod record;
 mod status;
 mod structs;
+mod version;
 
 pub use config::AtrousConfig;
 pub use conventions::*;
@@ -26,6 +27,7 @@ pub use handle::AtrousDenoiser;
 pub use record::*;
 pub use status::*;
 pub use structs::*;
+pub use version::*;
 
 /// `vkGetInstanceProcAddr`, which may be null.
 pub type GetInstanceProcAddr = Option<ash::vk::PFN_vkGetInstanceProcAddr>;

@@ -9,7 +9,8 @@ use std::path::Path;
 const HEADER: &str = "/* atrous: the passes of a real-time path-tracing denoiser, for the frame graph of a Vulkan engine.
  *
  * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
- * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike.
+ * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike. Structs only grow, at their
+ * end: an older header's struct takes defaults, a newer one's must be zero where this library does not know it.
  * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */";
 
 /// The configuration as cbindgen reads it: what the macro of the table makes of it, with documentation.
@@ -39,7 +40,7 @@ fn config() -> String {
     field("struct_size", "sizeof(AtrousConfig).");
     field("width", "Width of your images, pixels.");
     field("height", "Height of your images, pixels.");
-    for config_field in Config::FIELDS.iter().chain(Conventions::FIELDS) {
+    for config_field in Conventions::FIELDS.iter().chain(Config::FIELDS) {
         let ConfigField { name, values, .. } = config_field;
         let list: Vec<_> = values().iter().map(|(value, number)| format!("{number} ({value})")).collect();
         let bits: Vec<_> = EawWeights::NAMES.iter().enumerate().map(|(bit, name)| format!("{} ({name})", 1 << bit)).collect();
@@ -52,6 +53,15 @@ fn config() -> String {
         field(name, &format!("{} {allowed}", config_field.text()));
     }
     text + "}\n"
+}
+
+/// The version as the preprocessor sees it.
+fn version() -> String {
+    let parts = env!("CARGO_PKG_VERSION").split('.').zip(["MAJOR", "MINOR", "PATCH"]);
+    let defines = parts.map(|(number, part)| format!("#define ATROUS_VERSION_{part} {number}\n"));
+    let packed = "((ATROUS_VERSION_MAJOR << 22) | (ATROUS_VERSION_MINOR << 12) | ATROUS_VERSION_PATCH)";
+    let what = "// The version of this header, packed as Vulkan packs versions; atrous_version() has that of the library.";
+    format!("\n{}{what}\n#define ATROUS_VERSION {packed}\n", defines.collect::<String>())
 }
 
 /// Names of the inputs, which are those of resources.
@@ -90,7 +100,7 @@ fn header() -> String {
         cpp_compat: true,
         include_guard: Some("ATROUS_H".into()),
         header: Some(HEADER.into()),
-        after_includes: Some(inputs()),
+        after_includes: Some(version() + &inputs()),
         includes: vec!["vulkan/vulkan_core.h".into()],
         sys_includes: vec!["stdint.h".into()],
         no_includes: true,
@@ -107,7 +117,7 @@ fn header() -> String {
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("config.rs");
     std::fs::write(&made, self::config()).expect("a file");
     let mut builder = cbindgen::Builder::new().with_config(config).with_src(made);
-    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "conventions.rs"] {
+    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "conventions.rs", "version.rs"] {
         builder = builder.with_src(root.join(file));
     }
     let mut text = Vec::new();

@@ -1,0 +1,594 @@
+/* atrous: the passes of a real-time path-tracing denoiser, for the frame graph of a Vulkan engine.
+ *
+ * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
+ * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike. Structs only grow, at their
+ * end: an older header's struct takes defaults, a newer one's must be zero where this library does not know it.
+ * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */
+
+#ifndef ATROUS_H
+#define ATROUS_H
+
+#include <stdint.h>
+#include "vulkan/vulkan_core.h"
+
+#define ATROUS_VERSION_MAJOR 0
+#define ATROUS_VERSION_MINOR 1
+#define ATROUS_VERSION_PATCH 0
+// The version of this header, packed as Vulkan packs versions; atrous_version() has that of the library.
+#define ATROUS_VERSION ((ATROUS_VERSION_MAJOR << 22) | (ATROUS_VERSION_MINOR << 12) | ATROUS_VERSION_PATCH)
+
+// Inputs, by the names of their resources.
+
+// guide, number: linear, device (reversed, infinite, orthographic) or length of the ray
+#define ATROUS_INPUT_DEPTH "depth"
+
+// guide, vector: xyz or octahedral; world or view space
+#define ATROUS_INPUT_NORMAL "normal"
+
+// guide, vector, optional: in pixels, UV or NDC, of either sign; z may hold depth
+#define ATROUS_INPUT_MOTION "motion"
+
+// guide, id: unless Config::surface_id is false: stable per instance; 0 is the background
+#define ATROUS_INPUT_SURFACE_ID "surface_id"
+
+// guide, buffer of 3×4 matrices, optional: previous from current world space by surface_id, three rows of four floats each
+#define ATROUS_INPUT_INSTANCE_TRANSFORMS "instance_transforms"
+
+// guide, vector: with Config::object_normal: lets a turning object keep its history
+#define ATROUS_INPUT_OBJECT_NORMAL "object_normal"
+
+// guide, number, optional: 0 to 1, perceptual or GGX's α; without it all surfaces are rough. Signals::Specular reads it
+#define ATROUS_INPUT_ROUGHNESS "roughness"
+
+// composition, colour, optional: radiance is divided by it and multiplied again, so textures stay sharp
+#define ATROUS_INPUT_ALBEDO "albedo"
+
+// composition, colour, optional: added after the filter
+#define ATROUS_INPUT_EMISSION "emission"
+
+// signal, colour: all light in one signal, linear (Signals::Together)
+#define ATROUS_INPUT_NOISY_RADIANCE "noisy_radiance"
+
+// signal, colour: direct light, linear (Signals::Apart)
+#define ATROUS_INPUT_NOISY_DIRECT "noisy_direct"
+
+// signal, colour: indirect light, linear (Signals::Apart)
+#define ATROUS_INPUT_NOISY_INDIRECT "noisy_indirect"
+
+// signal, colour: light scattered by the base of surfaces, linear (Signals::Specular); albedo is then that of the base
+#define ATROUS_INPUT_NOISY_DIFFUSE "noisy_diffuse"
+
+// signal, colour: light reflected by coat or metal, linear (Signals::Specular)
+#define ATROUS_INPUT_NOISY_SPECULAR "noisy_specular"
+
+// composition, colour, optional: the share of light from everywhere that coat or metal reflects
+#define ATROUS_INPUT_SPECULAR_ALBEDO "specular_albedo"
+
+// composition, colour, optional: instead of specular_albedo: reflectance at normal incidence
+#define ATROUS_INPUT_SPECULAR_F0 "specular_f0"
+
+// guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it reflections move as their surfaces do
+#define ATROUS_INPUT_SPECULAR_HIT_DISTANCE "specular_hit_distance"
+
+// change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
+#define ATROUS_INPUT_FORWARD_MOTION "forward_motion"
+
+// change, colour, optional: with GradientSource::Reshaded: the paths of the previous frame, traced again in this scene
+#define ATROUS_INPUT_RESHADED_RADIANCE "reshaded_radiance"
+
+// change, vector, optional: with GradientSource::Sparse: differences that you took yourself
+#define ATROUS_INPUT_SPARSE_GRADIENT "sparse_gradient"
+
+// change, number: with GradientSource::Confidence: 1 keeps history, 0 drops it
+#define ATROUS_INPUT_CONFIDENCE "confidence"
+
+// signal, colour: for Stabilize: the output of the other denoiser
+#define ATROUS_INPUT_OTHER_DENOISED_RADIANCE "other_denoised_radiance"
+
+// signal, colour: with Config::volume: light that fog or smoke scatters towards the camera
+#define ATROUS_INPUT_NOISY_VOLUME "noisy_volume"
+
+// guide, number, optional: with Config::volume: linear depth of one point that contributes much, such as a distance chosen by transmittance; gives the volume its own motion
+#define ATROUS_INPUT_SCATTERING_DEPTH "scattering_depth"
+
+// signal, number: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray. Leave this light out of the noisy radiance
+#define ATROUS_INPUT_NOISY_VISIBILITY "noisy_visibility"
+
+// guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
+#define ATROUS_INPUT_OCCLUDER_DISTANCE "occluder_distance"
+
+// composition, colour, optional: with Config::visibility: the reflected light if nothing occluded it, albedo included; denoised_radiance then contains the product
+#define ATROUS_INPUT_UNSHADOWED_DIRECT "unshadowed_direct"
+
+
+// Bytes of a name, with its null.
+#define ATROUS_NAME_SIZE 64
+
+// Most uses of a pass.
+#define ATROUS_MAX_USES 32
+
+// Bytes of the text of a report, with its null.
+#define ATROUS_REPORT_SIZE 4096
+
+// The result of a function of the C ABI.
+enum AtrousStatus
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // Success.
+  ATROUS_STATUS_OK = 0,
+  // A pointer is null, a struct_size is wrong, or a value is out of range.
+  ATROUS_STATUS_INVALID_ARGUMENT = 1,
+  // The handle is null, was destroyed, or never was one.
+  ATROUS_STATUS_INVALID_HANDLE = 2,
+  // The frame was not begun, or was begun before the last resize.
+  ATROUS_STATUS_STALE_FRAME = 3,
+  // The bindings do not fit the pass in number or kind.
+  ATROUS_STATUS_BAD_BINDINGS = 4,
+  // The device lacks a feature or a format.
+  ATROUS_STATUS_UNSUPPORTED_DEVICE = 5,
+  // Memory ran out.
+  ATROUS_STATUS_OUT_OF_MEMORY = 6,
+  // A different Vulkan call failed.
+  ATROUS_STATUS_VULKAN_ERROR = 7,
+  // A bug in atrous: it panicked. Destroy your denoiser.
+  ATROUS_STATUS_PANICKED = 8,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum AtrousStatus AtrousStatus;
+#else
+typedef uint32_t AtrousStatus;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
+typedef struct AtrousDenoiser AtrousDenoiser;
+
+// Your choices; `atrous_config_default` fills them in.
+typedef struct AtrousConfig {
+  // sizeof(AtrousConfig).
+  uint32_t struct_size;
+  // Width of your images, pixels.
+  uint32_t width;
+  // Height of your images, pixels.
+  uint32_t height;
+  // Encoding of depth. 0 (linear), 1 (device), 2 (ray_length). Default: 0.
+  uint32_t depth;
+  // Linear depth from which on a pixel is background, above 0. 1e15 and beyond always are. Default: inf.
+  float background_depth;
+  // Encoding of normals. 0 (xyz), 1 (xyz_unorm), 2 (octahedral), 3 (octahedral_unorm). Default: 0.
+  uint32_t normal;
+  // Space of the normals. 0 (world), 1 (view). Default: 0.
+  uint32_t normal_space;
+  // Unit of the motion. 0 (pixels), 1 (uv), 2 (ndc). Default: 1.
+  uint32_t motion_unit;
+  // Sign of the motion. 0 (previous_minus_current), 1 (current_minus_previous). Default: 0.
+  uint32_t motion_direction;
+  // Whether y of the motion points up. A file has it as `motion_y`, `"up"` or `"down"`. 0 (false), 1 (true). Default: 0.
+  uint32_t motion_y_up;
+  // Whether the motion includes the change of jitter. 0 (false), 1 (true). Default: 0.
+  uint32_t motion_jittered;
+  // Meaning of z of the motion. 0 (none), 1 (difference), 2 (absolute). Default: 0.
+  uint32_t motion_depth;
+  // Direction in which the camera looks. 0 (negative_z), 1 (positive_z). Default: 0.
+  uint32_t view_forward;
+  // Encoding of roughness. 0 (linear), 1 (alpha). Default: 0.
+  uint32_t roughness;
+  // Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
+  uint32_t frames_in_flight;
+  // Filter. 0 (svgf), 1 (asvgf), 2 (stabilize), 3 (percentile), 4 (eaw), 5 (volume), 6 (fast), 7 (best). Default: 7.
+  uint32_t preset;
+  // Signals. Together: one image, `noisy_radiance`. Apart: `noisy_direct` and `noisy_indirect`. Specular: `noisy_diffuse`
+  // and `noisy_specular`. 0 (together), 1 (apart), 2 (specular). Default: 0.
+  uint32_t signals;
+  // À-trous levels, 1 to 10; none: those of the preset, `Preset::levels`. 0 is none. Default: 0.
+  uint32_t levels;
+  // Whether you give a volume (fog, smoke) apart, as the input `noisy_volume`. The filter gives it motion of its own
+  // [PSVGF] and writes `denoised_volume`. The volume is the light that the medium itself scatters towards the camera.
+  // The radiance of surfaces is the light that reaches the camera through the medium. Their sum is the picture, which
+  // the post-process shows. Costs 40 bytes per pixel, and 8 of the output. 0 (false), 1 (true). Default: 0.
+  uint32_t volume;
+  // Whether you give the visibility of one light, such as the sun, apart. The input `noisy_visibility` goes from 0
+  // (occluded) to 1 (lit), usually one of the two. The input `occluder_distance` is the distance from the surface to the
+  // occluder along the shadow ray (scene units; 0 or infinite: none, or not known). The output is `denoised_visibility`.
+  // Set the size of the light with `Tuning::light_radius`. Costs 12 bytes per pixel, the output included. 0 (false), 1
+  // (true). Default: 0.
+  uint32_t visibility;
+  // Whether outliers of the input are scaled down to the usual brightness around them, before they reach the history
+  // [PSVGF]. `Preset::Percentile` always does so. 0 (false), 1 (true). Default: 0.
+  uint32_t firefly_filter;
+  // How the preset `Percentile` detects changes of light. 0 (change_test), 1 (percentiles). Default: 0.
+  uint32_t adaptive_rule;
+  // Side of the strata of temporal gradients, 2 to 4 pixels. Only for presets with gradients. Default: 3.
+  uint32_t stratum_size;
+  // Source of the temporal gradients. Only for presets with gradients. 0 (forward_projected), 1 (reshaded), 2 (sparse), 3
+  // (confidence). Default: 0.
+  uint32_t gradient_source;
+  // Whether you have an image `forward_motion`, for deforming surfaces. It has the motion of every pixel of the previous
+  // frame to this frame. Only for forward-projected gradients. 0 (false), 1 (true). Default: 0.
+  uint32_t forward_motion;
+  // Edge-stopping functions of the preset `Eaw`. The sum of any of 1 (radiance), 2 (normal), 4 (position). Default: 7.
+  uint32_t eaw_weights;
+  // Share of the pixels with a sample in each frame, for checkerboards and tracing at half the rate. Make the other
+  // pixels NaN in your noisy images. Costs 8 bytes per pixel and signal until history is read, and one pass per signal.
+  // Not for `Preset::Stabilize` and volumes, which need a sample in every pixel. 0 (full), 1 (one_of_2x2), 2
+  // (one_of_4x4). Default: 0.
+  uint32_t sampling;
+  // Whether you have an image of surface ids. 0 (false), 1 (true). Default: 1.
+  uint32_t surface_id;
+  // Whether you have object-space normals. With them a turning object keeps its history. Costs 8 bytes per pixel. 0
+  // (false), 1 (true). Default: 0.
+  uint32_t object_normal;
+  // Post-process. 0 (none), 1 (tone_map), 2 (tone_map_taa). Default: 0.
+  uint32_t post_process;
+  // Whether `denoised_radiance` and `denoised_volume` have 32-bit floats (R32G32B32A32_SFLOAT) instead of halves. Your
+  // light may have any unit, and halves hold only 1e-4 to 65504 of it. Costs 8 bytes per pixel of each, and one pass for
+  // a volume. 0 (false), 1 (true). Default: 0.
+  uint32_t float_output;
+  // Whether you want a last pass `debug_view`, which shows the state of each pixel: see `DebugView`. It keeps the shown
+  // images alive to the end, so you cannot alias these transients. You may leave the pass out of a frame. 0 (false), 1
+  // (true). Default: 0.
+  uint32_t debug_view;
+} AtrousConfig;
+
+// Parameters of a frame; `atrous_frame_params_default` fills it.
+typedef struct AtrousFrameParams {
+  // sizeof(AtrousFrameParams).
+  uint32_t struct_size;
+  // Frame slot, below frames_in_flight; GPU work recorded earlier with the same slot is complete.
+  uint32_t frame_slot;
+  // Your reason to drop the history: 0 (none), 1 (created), 2 (camera_cut), 3 (resize), 4
+  // (scene_load), 5 (origin_shift), 6 (exposure_jump). You need not report 1.
+  uint32_t reset;
+  // Width rendered this frame, anchored top left.
+  uint32_t render_width;
+  // Height rendered this frame.
+  uint32_t render_height;
+  // World to view, column-major.
+  float view_from_world[16];
+  // View to Vulkan clip space, unjittered, column-major.
+  float clip_from_view[16];
+  // Offset of the samples from the pixel centres, pixels.
+  float jitter[2];
+  // Exposure of this frame divided by that of the previous one.
+  float exposure_ratio;
+  // 1: you re-shade this frame's `gradient_samples`.
+  uint32_t reshaded;
+  // The view of the pass `debug_view`; without one you leave the pass out.
+  //
+  // 0 (none), 1 (history_length), 2 (deviation), 3 (mean_and_deviation), 4 (gradient), 5 (lambda), 6 (alpha), 7 (percentiles), 8
+  // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
+  // 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
+  uint32_t debug_view;
+} AtrousFrameParams;
+
+// The device of the passes. Handles stay yours.
+typedef struct AtrousCreateInfo {
+  // sizeof(AtrousCreateInfo).
+  uint32_t struct_size;
+  // Instance of the device.
+  VkInstance instance;
+  // Physical device of the device.
+  VkPhysicalDevice physical_device;
+  // Device.
+  VkDevice device;
+  // `vkGetInstanceProcAddr` of the loader that made the instance.
+  PFN_vkGetInstanceProcAddr get_instance_proc_addr;
+  // Configuration; read during the call alone.
+  const struct AtrousConfig *config;
+  // Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
+  // be externally synchronised.
+  VkPipelineCache pipeline_cache;
+} AtrousCreateInfo;
+
+// A buffer for a name.
+typedef char AtrousName[ATROUS_NAME_SIZE];
+
+// A resource that you allocate or give.
+typedef struct AtrousResource {
+  // sizeof(AtrousResource), set by you.
+  uint32_t struct_size;
+  // 0: image; 1: buffer.
+  uint32_t kind;
+  // 0: input; 1: output; 2: transient; 3: history of two copies; 4: history in place.
+  uint32_t lifetime;
+  // Number of copies that you allocate: 2 of a history, 0 of an input.
+  uint32_t copies;
+  // 1: an input that you may leave out.
+  uint32_t optional;
+  // 0: exactly `format`; 1: any floating-point or normalised format; 2: any unsigned integer format.
+  uint32_t format_class;
+  // Format for your image.
+  VkFormat format;
+  // Width of the image.
+  uint32_t width;
+  // Height of the image.
+  uint32_t height;
+  // Usage of the image by the passes; OR in your own.
+  VkImageUsageFlags image_usage;
+  // Usage of the buffer by the passes; OR in your own.
+  VkBufferUsageFlags buffer_usage;
+  // Index of the first pass that uses it.
+  uint32_t first_pass;
+  // Index of the last pass that uses it. Transients may share memory if these ranges do not
+  // overlap.
+  uint32_t last_pass;
+  // Bytes of one copy, texels alone.
+  uint64_t bytes;
+  // Stable key.
+  AtrousName name;
+} AtrousResource;
+
+// The use of a resource by a pass.
+typedef struct AtrousUse {
+  // Index of the resource.
+  uint32_t resource;
+  // 1: the copy of the previous frame.
+  uint32_t previous;
+  // 0: sampled; 1: storage read; 2: storage write of every texel; 3: storage read and write; 4: uniform; 5: transfer write.
+  uint32_t access;
+  // 1: old content matters; 0: you may discard it.
+  uint32_t reads;
+  // 1: content changes.
+  uint32_t writes;
+  // Layout of an image; VK_IMAGE_LAYOUT_GENERAL is always legal instead.
+  VkImageLayout layout;
+  // Stage of synchronization2.
+  VkPipelineStageFlags2 stage;
+  // Access mask of synchronization2.
+  VkAccessFlags2 access_mask;
+  // Stage for vkCmdPipelineBarrier.
+  VkPipelineStageFlags legacy_stage;
+  // Access mask for vkCmdPipelineBarrier.
+  VkAccessFlags legacy_access_mask;
+} AtrousUse;
+
+// A pass: the smallest thing to schedule. Every barrier belongs between passes.
+typedef struct AtrousPass {
+  // sizeof(AtrousPass), set by you.
+  uint32_t struct_size;
+  // 0: before lighting; 1: after lighting; 2: post-process.
+  uint32_t phase;
+  // Uses, and thereby bindings.
+  uint32_t use_count;
+  // The first `use_count` are set.
+  struct AtrousUse uses[ATROUS_MAX_USES];
+  // Name for labels and profiles.
+  AtrousName name;
+} AtrousPass;
+
+// Bytes of the declared resources, before you allocate any. Your device may add alignment.
+typedef struct AtrousMemory {
+  // sizeof(AtrousMemory), set by you.
+  uint32_t struct_size;
+  // Histories, which survive the frame.
+  uint64_t history;
+  // Transients, if you alias them by lifetime.
+  uint64_t transient;
+  // Transients, if you alias none.
+  uint64_t transient_unaliased;
+  // Outputs.
+  uint64_t output;
+} AtrousMemory;
+
+// A number of the tuning, for user interfaces.
+typedef struct AtrousTuningField {
+  // sizeof(AtrousTuningField), set by you.
+  uint32_t struct_size;
+  // Smallest legal value.
+  float min;
+  // Largest legal value.
+  float max;
+  // Default in the default preset. Other presets may differ.
+  float default_value;
+  // Name for atrous_set_tuning.
+  AtrousName name;
+} AtrousTuningField;
+
+// A frame that was begun. Plain data: copy it as you like.
+typedef struct AtrousFrame {
+  // sizeof(AtrousFrame), set by you before `atrous_begin_frame`.
+  uint32_t struct_size;
+  // The frame slot of AtrousFrameParams.
+  uint32_t frame_slot;
+  // Number of the frame, from 0.
+  uint64_t index;
+  // Counts resizes.
+  uint64_t generation;
+  // The current copy of a resource with two copies: 0 or 1. The other one is the previous.
+  uint32_t current_copy;
+  // Whether and why history is dropped this frame: as in AtrousFrameParams, and 1 for the first frame.
+  uint32_t reset;
+} AtrousFrame;
+
+// The binding for a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
+// input that is absent.
+typedef struct AtrousBinding {
+  // The image of the view: a transfer write has no use for a view.
+  VkImage image;
+  // 2D view of mip 0, layer 0.
+  VkImageView view;
+  // Layout of the image when the pass runs.
+  VkImageLayout layout;
+  // Buffer.
+  VkBuffer buffer;
+  // Offset in bytes.
+  uint64_t offset;
+  // Bytes, or VK_WHOLE_SIZE.
+  uint64_t range;
+} AtrousBinding;
+
+// Your guides for one frame, read back: tightly packed rows of width texels, each four floats.
+typedef struct AtrousGuides {
+  // sizeof(AtrousGuides).
+  uint32_t struct_size;
+  // Width of the images; at least the render width.
+  uint32_t width;
+  // Height of the images.
+  uint32_t height;
+  // Matrices, jitter and render extent of the frame.
+  const struct AtrousFrameParams *params;
+  // x: depth. width * height * 4 floats.
+  const float *depth;
+  // xyz, or octahedral xy. NULL: none.
+  const float *normal;
+  // xy. NULL: none.
+  const float *motion;
+  // One number a texel, 0 is the background. NULL: none.
+  const uint32_t *surface_id;
+} AtrousGuides;
+
+// Whether your guides and conventions agree. Verdicts: 0 as declared; 1 a mistake; 2 not as declared, and nothing known fits; 3 the
+// frames cannot tell; 4 not given.
+typedef struct AtrousConventionReport {
+  // sizeof(AtrousConventionReport), set by you.
+  uint32_t struct_size;
+  // Verdict on depth, matrices and jitter.
+  uint32_t geometry;
+  // Verdict on motion, x and y.
+  uint32_t motion;
+  // Verdict on z of the motion.
+  uint32_t motion_depth;
+  // Verdict on normals.
+  uint32_t normals;
+  // The mistakes, the evidence in pixels and degrees, and the remedies.
+  char text[ATROUS_REPORT_SIZE];
+} AtrousConventionReport;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// The message of the last failed call on your thread, empty before the first. It is valid until the next failure on that thread.
+const char *atrous_last_error(void);
+
+// The name of a status, for logs; never null.
+const char *atrous_status_name(uint32_t status);
+
+// Fills a configuration with defaults for an extent.
+//
+// # Safety
+// `config` is null or points to an AtrousConfig with its struct_size set.
+AtrousStatus atrous_config_default(struct AtrousConfig *config, uint32_t width, uint32_t height);
+
+// Fills the parameters of a frame with defaults: identity matrices, no jitter, no reset.
+//
+// # Safety
+// `params` is null or points to an AtrousFrameParams with its struct_size set.
+AtrousStatus atrous_frame_params_default(struct AtrousFrameParams *params,
+                                         uint32_t width,
+                                         uint32_t height);
+
+// Creates a denoiser: pipelines and descriptor pools, no memory.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; handles are live, belong together and outlive the denoiser.
+AtrousStatus atrous_create(const struct AtrousCreateInfo *info,
+                           struct AtrousDenoiser **denoiser);
+
+// Destroys a denoiser. Your handle is invalid from then on, and stays so.
+//
+// # Safety
+// GPU work that was recorded with it is complete; the device is live.
+AtrousStatus atrous_destroy(struct AtrousDenoiser *denoiser);
+
+// Declares everything for a new extent, and keeps the pipelines. Your history starts over. Begin
+// your frames again: those begun before are refused. Nothing changes on the device, so your
+// recorded work may still be in flight, as long as its images live. A refused extent changes
+// nothing.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_resize(struct AtrousDenoiser *denoiser, uint32_t width, uint32_t height);
+
+// Counts resources and passes. You may leave either pointer null.
+//
+// # Safety
+// Pointers are null or valid.
+AtrousStatus atrous_counts(const struct AtrousDenoiser *denoiser,
+                           uint32_t *resources,
+                           uint32_t *passes);
+
+// Declares a resource.
+//
+// # Safety
+// `resource` is null or points to an AtrousResource with its struct_size set.
+AtrousStatus atrous_resource(const struct AtrousDenoiser *denoiser,
+                             uint32_t index,
+                             struct AtrousResource *resource);
+
+// Declares a pass. Passes run in the order of their indices.
+//
+// # Safety
+// `pass` is null or points to an AtrousPass with its struct_size set.
+AtrousStatus atrous_pass(const struct AtrousDenoiser *denoiser,
+                         uint32_t index,
+                         struct AtrousPass *pass);
+
+// Counts the bytes of the declared resources.
+//
+// # Safety
+// `memory` is null or points to an AtrousMemory with its struct_size set.
+AtrousStatus atrous_memory(const struct AtrousDenoiser *denoiser, struct AtrousMemory *memory);
+
+// Describes a number of the tuning by its index. You get an invalid argument beyond the last.
+//
+// # Safety
+// `field` is null or points to an AtrousTuningField with its struct_size set.
+AtrousStatus atrous_tuning_field(uint32_t index, struct AtrousTuningField *field);
+
+// Sets a number of the tuning from the next frame on. You keep the history.
+//
+// # Safety
+// `name` is null or a null-terminated string.
+AtrousStatus atrous_set_tuning(struct AtrousDenoiser *denoiser, const char *name, float value);
+
+// Makes the next frame drop all history. Call it after you re-created images.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_invalidate(struct AtrousDenoiser *denoiser);
+
+// Starts a frame. Pass `frame` to every atrous_record of that frame.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set.
+AtrousStatus atrous_begin_frame(struct AtrousDenoiser *denoiser,
+                                const struct AtrousFrameParams *params,
+                                struct AtrousFrame *frame);
+
+// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
+//
+// Clobbers the compute pipeline, compute descriptor set 0 and push constants of the command buffer.
+//
+// # Safety
+// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Every
+// binding has its declared format, extent and layout, earlier writes to it are visible, and it outlives the execution. GPU work
+// that was recorded earlier with the same frame_slot is complete.
+AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
+                           const struct AtrousFrame *frame,
+                           VkCommandBuffer command_buffer,
+                           uint32_t pass,
+                           const struct AtrousBinding *bindings,
+                           uint32_t binding_count);
+
+// Tests whether depth, matrices, motion and normals of two consecutive frames agree with the
+// conventions in `config`, and names the likely mistake. Needs no denoiser and no device.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; images have as many texels as their extent says.
+AtrousStatus atrous_check_conventions(const struct AtrousConfig *config,
+                                      const struct AtrousGuides *previous,
+                                      const struct AtrousGuides *current,
+                                      struct AtrousConventionReport *report);
+
+// The version of the library that runs, packed as ATROUS_VERSION is. A different major version has a different ABI.
+uint32_t atrous_version(void);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* ATROUS_H */
