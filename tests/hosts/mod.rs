@@ -5,6 +5,7 @@
 
 mod cpp;
 mod fewer_features;
+mod package;
 mod submissions;
 
 use super::support::{assert_valid, examples, session};
@@ -38,6 +39,9 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_device_with_everything_is_told_nothing", fewer_features::a_device_with_everything_is_told_nothing),
     ("the_c_abi_refuses_bad_input_under_address_sanitizer", cpp::the_c_abi_refuses_bad_input_under_address_sanitizer),
     ("a_host_of_the_first_header_gives_the_bits_of_the_executor", cpp::a_host_of_the_first_header_gives_the_bits_of_the_executor),
+    ("cmake_finds_the_installed_library", package::cmake_finds_the_installed_library),
+    ("pkg_config_finds_the_installed_library", package::pkg_config_finds_the_installed_library),
+    ("the_installed_libraries_show_nothing_of_rust", package::the_installed_libraries_show_nothing_of_rust),
 ];
 
 /// One configuration of every preset.
