@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Builds the C++ host with g++ alone: build.sh [OUTPUT [FLAG...]], for example build.sh target/host_cpp -fsanitize=address
-# CRATE_TYPE=cdylib links the shared library; default is the static one.
+# SOURCE=one_call.cpp builds the host with the executor instead of main.cpp, and CRATE_TYPE=cdylib links the shared library; default is the static one.
 set -euo pipefail
 output=$(realpath -m "${1:-target/host_cpp}")
 shift || true
 cd "$(dirname "$0")/../.."
 kind=${CRATE_TYPE:-staticlib}
 
-# Without the executor: no allocator, and no C++ toolchain is needed for it. Both kinds at once, so that one compilation serves either.
+# From the checked-in SPIR-V, so that no compiler of shaders is needed. Both kinds at once, so that one compilation serves either.
 target=$(realpath -m "${CARGO_TARGET_DIR:-target}")
 cargo rustc --quiet -p atrous-capi --lib --no-default-features --crate-type staticlib,cdylib --target-dir "$target"
 built=$target/debug
@@ -23,5 +23,5 @@ esac
 mkdir -p "$(dirname "$output")"
 # Without -ffp-contract=off some targets fuse multiplications and additions, and the input would differ in its last bits.
 g++ -std=c++17 -O1 -g -Wall -Wextra -Wno-missing-field-initializers -ffp-contract=off "$@" -I crates/capi/include \
-    examples/host_cpp/main.cpp "${library[@]}" -lvulkan -lpthread -ldl -lm -o "$output"
+    "examples/host_cpp/${SOURCE:-main.cpp}" "${library[@]}" -lvulkan -lpthread -ldl -lm -o "$output"
 echo "$output"

@@ -104,6 +104,8 @@ fn create(choices: &mut Choices<'_>) -> AtrousStatus {
         get_instance_proc_addr: None,
         config: inner.pointer(),
         pipeline_cache: Default::default(),
+        legacy_barriers: choices.odd(),
+        debug_labels: 0,
     };
     let mut outer = Given::new(info, choices);
     let mut denoiser = null_mut();

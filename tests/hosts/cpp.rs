@@ -10,11 +10,11 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn build(name: &str, crate_type: &str, flags: &[&str]) -> PathBuf {
+fn build(name: &str, source: &str, crate_type: &str, flags: &[&str]) -> PathBuf {
     let program = root().join("target").join(name);
     let mut script = Command::new(root().join("examples/host_cpp/build.sh"));
-    // The library is built once more for it, without the executor: that takes half as long if it is not optimised.
-    script.env("CRATE_TYPE", crate_type).env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
+    // The library is built once more for it: that takes half as long if it is not optimised.
+    script.env("SOURCE", source).env("CRATE_TYPE", crate_type).env("CARGO_PROFILE_DEV_OPT_LEVEL", "0");
     let output = script.arg(&program).args(flags).output().expect("build.sh");
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
@@ -26,7 +26,7 @@ fn build(name: &str, crate_type: &str, flags: &[&str]) -> PathBuf {
 
 fn plain() -> PathBuf {
     static PLAIN: OnceLock<PathBuf> = OnceLock::new();
-    PLAIN.get_or_init(|| build("host_cpp", "staticlib", &[])).clone()
+    PLAIN.get_or_init(|| build("host_cpp", "main.cpp", "staticlib", &[])).clone()
 }
 
 fn run(program: PathBuf, arguments: &[&str]) -> Output {
@@ -41,8 +41,25 @@ pub fn cpp_gives_the_bits_of_the_executor() {
 /// The host knows no struct and no function but those of the first header, and runs with the library of today.
 pub fn a_host_of_the_first_header_gives_the_bits_of_the_executor() {
     let first = format!("-I{}", root().join("crates/capi/tests/first").display());
-    let old = build("host_cpp_first", "cdylib", &[&first]);
+    let old = build("host_cpp_first", "main.cpp", "cdylib", &[&first]);
     assert_eq!(checksums("host_cpp_first", &run(old, &[])), of_executor());
+}
+
+pub fn an_executor_refuses_bad_input_under_address_sanitizer() {
+    let output = run(build("host_cpp_bad_executor", "bad_executor.cpp", "cdylib", &["-fsanitize=address"]), &[]);
+    assert!(checksums("bad_executor", &output).is_empty());
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains(" 0 wrong answers"), "{text}");
+}
+
+/// One call a frame, under AddressSanitizer and UndefinedBehaviorSanitizer.
+pub fn cpp_with_an_executor_gives_the_bits_of_the_executor() {
+    let flags = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    let output = run(build("host_cpp_one_call", "one_call.cpp", "cdylib", &flags), &[]);
+    assert_eq!(checksums("host_cpp_one_call", &output), of_executor());
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let kept = text.split("history kept by ").nth(1).and_then(|rest| rest.split(' ').next()).and_then(|n| n.parse::<u32>().ok());
+    assert!(kept.is_some_and(|kept| kept > 1000), "most surfaces keep their history: {text}");
 }
 
 pub fn cpp_is_told_of_wrong_conventions() {
@@ -52,7 +69,7 @@ pub fn cpp_is_told_of_wrong_conventions() {
 }
 
 pub fn the_c_abi_refuses_bad_input_under_address_sanitizer() {
-    let sanitized = build("host_cpp_asan", "cdylib", &["-fsanitize=address"]);
+    let sanitized = build("host_cpp_asan", "main.cpp", "cdylib", &["-fsanitize=address"]);
     let output = run(sanitized.clone(), &["--bad-input"]);
     assert!(checksums("host_cpp --bad-input", &output).is_empty());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

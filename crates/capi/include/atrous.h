@@ -3,6 +3,9 @@
  * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
  * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike. Structs only grow, at their
  * end: an older header's struct takes defaults, a newer one's must be zero where this library does not know it.
+ * Threads: any may call. Calls that only read a denoiser, atrous_record among them, run side by side: record different passes, or
+ * one pass in different frame slots, from as many threads as you like. Calls that change it wait until those are done, and calls
+ * of one executor wait for each other.
  * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */
 
 #ifndef ATROUS_H
@@ -100,6 +103,159 @@
 // composition, colour, optional: with Config::visibility: the reflected light if nothing occluded it, albedo included; denoised_radiance then contains the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT "unshadowed_direct"
 
+// Choices, by the names of the fields that take them.
+
+typedef enum AtrousDepth {
+  ATROUS_DEPTH_LINEAR = 0,
+  ATROUS_DEPTH_DEVICE = 1,
+  ATROUS_DEPTH_RAY_LENGTH = 2,
+} AtrousDepth;
+
+typedef enum AtrousNormal {
+  ATROUS_NORMAL_XYZ = 0,
+  ATROUS_NORMAL_XYZ_UNORM = 1,
+  ATROUS_NORMAL_OCTAHEDRAL = 2,
+  ATROUS_NORMAL_OCTAHEDRAL_UNORM = 3,
+} AtrousNormal;
+
+typedef enum AtrousNormalSpace {
+  ATROUS_NORMAL_SPACE_WORLD = 0,
+  ATROUS_NORMAL_SPACE_VIEW = 1,
+} AtrousNormalSpace;
+
+typedef enum AtrousMotionUnit {
+  ATROUS_MOTION_UNIT_PIXELS = 0,
+  ATROUS_MOTION_UNIT_UV = 1,
+  ATROUS_MOTION_UNIT_NDC = 2,
+} AtrousMotionUnit;
+
+typedef enum AtrousMotionDirection {
+  ATROUS_MOTION_DIRECTION_PREVIOUS_MINUS_CURRENT = 0,
+  ATROUS_MOTION_DIRECTION_CURRENT_MINUS_PREVIOUS = 1,
+} AtrousMotionDirection;
+
+typedef enum AtrousMotionDepth {
+  ATROUS_MOTION_DEPTH_NONE = 0,
+  ATROUS_MOTION_DEPTH_DIFFERENCE = 1,
+  ATROUS_MOTION_DEPTH_ABSOLUTE = 2,
+} AtrousMotionDepth;
+
+typedef enum AtrousViewForward {
+  ATROUS_VIEW_FORWARD_NEGATIVE_Z = 0,
+  ATROUS_VIEW_FORWARD_POSITIVE_Z = 1,
+} AtrousViewForward;
+
+typedef enum AtrousRoughness {
+  ATROUS_ROUGHNESS_LINEAR = 0,
+  ATROUS_ROUGHNESS_ALPHA = 1,
+} AtrousRoughness;
+
+typedef enum AtrousPreset {
+  ATROUS_PRESET_SVGF = 0,
+  ATROUS_PRESET_ASVGF = 1,
+  ATROUS_PRESET_STABILIZE = 2,
+  ATROUS_PRESET_PERCENTILE = 3,
+  ATROUS_PRESET_EAW = 4,
+  ATROUS_PRESET_VOLUME = 5,
+  ATROUS_PRESET_FAST = 6,
+  ATROUS_PRESET_BEST = 7,
+} AtrousPreset;
+
+typedef enum AtrousSignals {
+  ATROUS_SIGNALS_TOGETHER = 0,
+  ATROUS_SIGNALS_APART = 1,
+  ATROUS_SIGNALS_SPECULAR = 2,
+} AtrousSignals;
+
+typedef enum AtrousAdaptiveRule {
+  ATROUS_ADAPTIVE_RULE_CHANGE_TEST = 0,
+  ATROUS_ADAPTIVE_RULE_PERCENTILES = 1,
+} AtrousAdaptiveRule;
+
+typedef enum AtrousGradientSource {
+  ATROUS_GRADIENT_SOURCE_FORWARD_PROJECTED = 0,
+  ATROUS_GRADIENT_SOURCE_RESHADED = 1,
+  ATROUS_GRADIENT_SOURCE_SPARSE = 2,
+  ATROUS_GRADIENT_SOURCE_CONFIDENCE = 3,
+} AtrousGradientSource;
+
+typedef enum AtrousSampling {
+  ATROUS_SAMPLING_FULL = 0,
+  ATROUS_SAMPLING_ONE_OF_2X2 = 1,
+  ATROUS_SAMPLING_ONE_OF_4X4 = 2,
+} AtrousSampling;
+
+typedef enum AtrousPostProcess {
+  ATROUS_POST_PROCESS_NONE = 0,
+  ATROUS_POST_PROCESS_TONE_MAP = 1,
+  ATROUS_POST_PROCESS_TONE_MAP_TAA = 2,
+} AtrousPostProcess;
+
+typedef enum AtrousEawWeights {
+  ATROUS_EAW_WEIGHTS_RADIANCE = 1,
+  ATROUS_EAW_WEIGHTS_NORMAL = 2,
+  ATROUS_EAW_WEIGHTS_POSITION = 4,
+} AtrousEawWeights;
+
+typedef enum AtrousReset {
+  ATROUS_RESET_NONE = 0,
+  ATROUS_RESET_CREATED = 1,
+  ATROUS_RESET_CAMERA_CUT = 2,
+  ATROUS_RESET_RESIZE = 3,
+  ATROUS_RESET_SCENE_LOAD = 4,
+  ATROUS_RESET_ORIGIN_SHIFT = 5,
+  ATROUS_RESET_EXPOSURE_JUMP = 6,
+} AtrousReset;
+
+typedef enum AtrousView {
+  ATROUS_VIEW_NONE = 0,
+  ATROUS_VIEW_HISTORY_LENGTH = 1,
+  ATROUS_VIEW_DEVIATION = 2,
+  ATROUS_VIEW_MEAN_AND_DEVIATION = 3,
+  ATROUS_VIEW_GRADIENT = 4,
+  ATROUS_VIEW_LAMBDA = 5,
+  ATROUS_VIEW_ALPHA = 6,
+  ATROUS_VIEW_PERCENTILES = 7,
+  ATROUS_VIEW_FIREFLIES = 8,
+  ATROUS_VIEW_DISOCCLUSION = 9,
+  ATROUS_VIEW_MOTION = 10,
+  ATROUS_VIEW_NORMAL = 11,
+  ATROUS_VIEW_DEPTH = 12,
+  ATROUS_VIEW_SURFACE_ID = 13,
+  ATROUS_VIEW_BAD_VALUES = 14,
+  ATROUS_VIEW_HIT_DISTANCE = 15,
+  ATROUS_VIEW_LOBE_ANGLE = 16,
+  ATROUS_VIEW_VIRTUAL_MOTION = 17,
+  ATROUS_VIEW_REFLECTION_HISTORY = 18,
+  ATROUS_VIEW_VISIBILITY = 19,
+  ATROUS_VIEW_PENUMBRA = 20,
+} AtrousView;
+
+// Indices of atrous_executor_statistics, and of the words in the buffer `statistics`.
+
+typedef enum AtrousCounter {
+  ATROUS_COUNTER_DEPTH = 0,
+  ATROUS_COUNTER_NORMAL = 1,
+  ATROUS_COUNTER_MOTION = 2,
+  ATROUS_COUNTER_RADIANCE = 3,
+  ATROUS_COUNTER_ALBEDO = 4,
+  ATROUS_COUNTER_EMISSION = 5,
+  ATROUS_COUNTER_FORWARD_MOTION = 6,
+  ATROUS_COUNTER_SCATTERING_DEPTH = 7,
+  ATROUS_COUNTER_ROUGHNESS = 8,
+  ATROUS_COUNTER_HIT_DISTANCE = 9,
+  ATROUS_COUNTER_VISIBILITY = 10,
+  ATROUS_COUNTER_OCCLUDER_DISTANCE = 11,
+  ATROUS_COUNTER_HISTORY_KEPT = 12,
+  ATROUS_COUNTER_LOST_OFF_SCREEN = 13,
+  ATROUS_COUNTER_LOST_SURFACE_ID = 14,
+  ATROUS_COUNTER_LOST_DEPTH = 15,
+  ATROUS_COUNTER_LOST_NORMAL = 16,
+  ATROUS_COUNTER_SATURATED = 17,
+} AtrousCounter;
+
+#define ATROUS_COUNTER_COUNT 18
+
 
 // Bytes of a name, with its null.
 #define ATROUS_NAME_SIZE 64
@@ -145,6 +301,9 @@ typedef uint32_t AtrousStatus;
 
 // A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 typedef struct AtrousDenoiser AtrousDenoiser;
+
+// A denoiser with its images, barriers and memory. Opaque, as AtrousDenoiser is.
+typedef struct AtrousExecutor AtrousExecutor;
 
 // Your choices; `atrous_config_default` fills them in.
 typedef struct AtrousConfig {
@@ -281,6 +440,10 @@ typedef struct AtrousCreateInfo {
   // Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
   // be externally synchronised.
   VkPipelineCache pipeline_cache;
+  // Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
+  uint32_t legacy_barriers;
+  // Of an executor: 1: labels every pass. VK_EXT_debug_utils is enabled on the instance.
+  uint32_t debug_labels;
 } AtrousCreateInfo;
 
 // A buffer for a name.
@@ -419,6 +582,36 @@ typedef struct AtrousBinding {
   // Bytes, or VK_WHOLE_SIZE.
   uint64_t range;
 } AtrousBinding;
+
+// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
+typedef struct AtrousLentImage {
+  // sizeof(AtrousLentImage), the same in the whole array.
+  uint32_t struct_size;
+  // Format of the view.
+  VkFormat format;
+  // Name of the resource, for example ATROUS_INPUT_DEPTH or "denoised_radiance".
+  const char *name;
+  // Image.
+  VkImage image;
+  // 2D view of mip 0, layer 0.
+  VkImageView view;
+  // Width of the image.
+  uint32_t width;
+  // Height of the image.
+  uint32_t height;
+  // Its layout as the call finds it.
+  VkImageLayout layout;
+  // The layout that the call leaves it in. VK_IMAGE_LAYOUT_UNDEFINED: all as it was found.
+  VkImageLayout after_layout;
+  // Your stages that used it before.
+  VkPipelineStageFlags2 stage;
+  // Accesses of those stages.
+  VkAccessFlags2 access;
+  // Your next stages, unless after_layout is VK_IMAGE_LAYOUT_UNDEFINED.
+  VkPipelineStageFlags2 after_stage;
+  // Accesses of those stages.
+  VkAccessFlags2 after_access;
+} AtrousLentImage;
 
 // Your guides for one frame, read back: tightly packed rows of width texels, each four floats.
 typedef struct AtrousGuides {
@@ -573,6 +766,73 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            uint32_t pass,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
+
+// Creates a denoiser with all images but your inputs. The device has synchronization2 enabled, or `legacy_barriers` is 1.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; handles are live, belong together and outlive the executor.
+AtrousStatus atrous_executor_create(const struct AtrousCreateInfo *info,
+                                    struct AtrousExecutor **executor);
+
+// Destroys an executor and its memory. Your handle is invalid from then on, and stays so.
+//
+// # Safety
+// GPU work that was recorded with it is complete; the device is live.
+AtrousStatus atrous_executor_destroy(struct AtrousExecutor *executor);
+
+// Allocates everything for a new extent, and keeps the pipelines. Your history starts over. A refused extent changes nothing.
+//
+// # Safety
+// All GPU work recorded with this executor is complete, and none is left to submit.
+AtrousStatus atrous_executor_resize(struct AtrousExecutor *executor,
+                                    uint32_t width,
+                                    uint32_t height);
+
+// Sets a number of the tuning from the next frame on, as atrous_set_tuning does.
+//
+// # Safety
+// `name` is null or a null-terminated string.
+AtrousStatus atrous_executor_set_tuning(struct AtrousExecutor *executor,
+                                        const char *name,
+                                        float value);
+
+// Forgets recorded work that will never run, for example because a submission failed. The next frame drops all history.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_executor_forget_recorded(struct AtrousExecutor *executor);
+
+// Denoises a frame on your command buffer, with all barriers. Lend every image anew in each frame: an optional input that you do
+// not lend is left out, and an output that you do not lend belongs to the executor.
+//
+// # Safety
+// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Images are
+// live and in their states. GPU work that was recorded earlier with the same frame_slot is complete.
+AtrousStatus atrous_executor_denoise(struct AtrousExecutor *executor,
+                                     VkCommandBuffer command_buffer,
+                                     const struct AtrousFrameParams *params,
+                                     const struct AtrousLentImage *images,
+                                     uint32_t image_count);
+
+// Copies a resource of the newest frame into your buffer, visible to the CPU once the command buffer has run.
+//
+// # Safety
+// `name` is null or a string. The command buffer is recording, outside a render pass; the buffer has usage TRANSFER_DST and as many
+// bytes as `buffer_size` says.
+AtrousStatus atrous_executor_record_copy(struct AtrousExecutor *executor,
+                                         VkCommandBuffer command_buffer,
+                                         const char *name,
+                                         VkBuffer buffer,
+                                         uint64_t buffer_size);
+
+// Counters of the newest frame that was read back, by AtrousCounter: the one before the last with the newest frame's slot. All are
+// 0 until then. `count` says how many your array holds.
+//
+// # Safety
+// `counters` is null or points to `count` numbers.
+AtrousStatus atrous_executor_statistics(const struct AtrousExecutor *executor,
+                                        uint32_t *counters,
+                                        uint32_t count);
 
 // Tests whether depth, matrices, motion and normals of two consecutive frames agree with the
 // conventions in `config`, and names the likely mistake. Needs no denoiser and no device.

@@ -8,7 +8,7 @@ use crate::AtrousConfig;
 use crate::{convert, GetInstanceProcAddr};
 use ash::vk::Handle;
 use atrous::contract::ResourceId;
-use atrous::{Config, Denoiser, Device, Tuning, UseFrame};
+use atrous::{Config, Denoiser, Device, LoadedDevice, Tuning, UseFrame};
 use std::collections::BTreeMap;
 use std::ffi::{c_char, c_void, CStr};
 
@@ -57,6 +57,20 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
 /// # Safety
 /// Obligations of [`atrous_create`].
 unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Failure> {
+    // SAFETY: the handles are live and belong together, and the host keeps them alive until `atrous_destroy`.
+    let denoiser = unsafe {
+        let loaded = load(info)?;
+        let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
+        Denoiser::new(host, config.declare()?)?
+    };
+    Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames: BTreeMap::new() })
+}
+
+/// The functions of the host's device.
+///
+/// # Safety
+/// Obligations of [`atrous_create`].
+pub(super) unsafe fn load(info: &AtrousCreateInfo) -> Result<LoadedDevice, Failure> {
     let nulls = [
         ("instance", info.instance.is_null()),
         ("physical_device", info.physical_device.is_null()),
@@ -68,14 +82,10 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
         return Err(Failure::argument(format!("info->{name} is NULL; give the host's own")));
     };
     // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
-    // `atrous_destroy`.
+    // the object is destroyed.
     unsafe {
         let handles = [info.instance.as_raw(), info.physical_device.as_raw(), info.device.as_raw()];
-        let loaded = Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?;
-        let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-        let denoiser = Denoiser::new(host, config.declare()?)?;
-        let frames = BTreeMap::new();
-        Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames })
+        Ok(Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?)
     }
 }
 
@@ -98,7 +108,7 @@ pub unsafe extern "C" fn atrous_destroy(denoiser: *mut AtrousDenoiser) -> Atrous
 #[no_mangle]
 pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32, height: u32) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::change(denoiser, |state| {
             state.denoiser.resize([width, height])?;
             state.generation += 1;
             state.frames.clear();
@@ -114,7 +124,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
 #[no_mangle]
 pub unsafe extern "C" fn atrous_counts(denoiser: *const AtrousDenoiser, resources: *mut u32, passes: *mut u32) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::read(denoiser, |state| {
             let declaration = state.denoiser.declaration();
             for (to, count) in [(resources, declaration.resources().len()), (passes, declaration.passes().len())] {
                 if !to.is_null() {
@@ -138,7 +148,7 @@ pub unsafe extern "C" fn atrous_resource(
     resource: *mut AtrousResource,
 ) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::read(denoiser, |state| {
             let declaration = state.denoiser.declaration();
             let count = declaration.resources().len();
             let value = || match (index as usize) < count {
@@ -158,7 +168,7 @@ pub unsafe extern "C" fn atrous_resource(
 #[no_mangle]
 pub unsafe extern "C" fn atrous_pass(denoiser: *const AtrousDenoiser, index: u32, pass: *mut AtrousPass) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::read(denoiser, |state| {
             let declaration = state.denoiser.declaration();
             let missing = || Failure::argument(format!("pass {index} does not exist; there are {}", declaration.passes().len()));
             // SAFETY: `pass` is null or points to a struct that begins with its size, writable for that many bytes.
@@ -174,7 +184,7 @@ pub unsafe extern "C" fn atrous_pass(denoiser: *const AtrousDenoiser, index: u32
 #[no_mangle]
 pub unsafe extern "C" fn atrous_memory(denoiser: *const AtrousDenoiser, memory: *mut AtrousMemory) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::read(denoiser, |state| {
             let m = state.denoiser.declaration().memory();
             let value = AtrousMemory {
                 struct_size: size_of::<AtrousMemory>() as u32,
@@ -214,13 +224,22 @@ pub unsafe extern "C" fn atrous_tuning_field(index: u32, field: *mut AtrousTunin
 #[no_mangle]
 pub unsafe extern "C" fn atrous_set_tuning(denoiser: *mut AtrousDenoiser, name: *const c_char, value: f32) -> AtrousStatus {
     guard(|| {
-        if name.is_null() {
-            return Err(Failure::argument("name is NULL; atrous_tuning_field lists the names"));
-        }
-        // SAFETY: not null, so it points to a string with a null at its end, which lives through this call.
-        let name = unsafe { CStr::from_ptr(name) }.to_string_lossy();
-        handle::with(denoiser, |state| Ok(state.tuning.set(&name, value)?))
+        // SAFETY: `name` is null or a string with a null at its end, which lives through this call.
+        let name = unsafe { string("name", name)? };
+        handle::change(denoiser, |state| Ok(state.tuning.set(&name, value)?))
     })
+}
+
+/// A string of the host.
+///
+/// # Safety
+/// `text` is null or a string with a null at its end, which lives through this call.
+pub(super) unsafe fn string(what: &str, text: *const c_char) -> Result<String, Failure> {
+    if text.is_null() {
+        return Err(Failure::argument(format!("{what} is NULL; give a string")));
+    }
+    // SAFETY: not null, so it is a string that lives through this call.
+    Ok(unsafe { CStr::from_ptr(text) }.to_string_lossy().into_owned())
 }
 
 /// Makes the next frame drop all history. Call it after you re-created images.
@@ -230,7 +249,7 @@ pub unsafe extern "C" fn atrous_set_tuning(denoiser: *mut AtrousDenoiser, name: 
 #[no_mangle]
 pub unsafe extern "C" fn atrous_invalidate(denoiser: *mut AtrousDenoiser) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::change(denoiser, |state| {
             state.denoiser.invalidate();
             Ok(())
         })
@@ -248,7 +267,7 @@ pub unsafe extern "C" fn atrous_begin_frame(
     frame: *mut AtrousFrame,
 ) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::change(denoiser, |state| {
             // SAFETY: `frame` and `params` are null or point to structs that begin with their size, readable for as long as it
             // says.
             let params = unsafe {

@@ -1,16 +1,25 @@
-//! The table behind the opaque handles.
+//! The tables behind the opaque handles.
+//!
+//! Recordings share a denoiser: they take the reader's side of its lock, so that none waits for another. Calls that change it
+//! take the writer's side.
 
 use crate::status::{AtrousStatus, Failure};
+use atrous::executor::Executor;
 use atrous::{Denoiser, FrameContext, Tuning};
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, PoisonError, RwLock};
 
 /// A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 pub struct AtrousDenoiser {
     _private: (),
 }
 
-/// The object behind a handle.
+/// A denoiser with its images, barriers and memory. Opaque, as AtrousDenoiser is.
+pub struct AtrousExecutor {
+    _private: (),
+}
+
+/// The object behind a handle of a denoiser.
 pub(super) struct State {
     pub denoiser: Denoiser,
     pub tuning: Tuning,
@@ -20,15 +29,49 @@ pub(super) struct State {
     pub frames: BTreeMap<u32, FrameContext>,
 }
 
-struct Table {
-    next: usize,
-    live: BTreeMap<usize, Arc<Mutex<State>>>,
+/// The object behind a handle of an executor.
+pub(super) struct ExecutorState {
+    pub executor: Executor,
+    pub tuning: Tuning,
+    /// The frame that was denoised last.
+    pub newest: Option<FrameContext>,
 }
 
-static TABLE: Mutex<Table> = Mutex::new(Table { next: 0, live: BTreeMap::new() });
+/// An opaque type of the header, and the objects that its handles stand for.
+pub(super) trait Opaque: Sized + 'static {
+    type Object;
+    /// The word for it in errors, and the function that makes one.
+    const NAME: (&'static str, &'static str);
+    fn table() -> &'static RwLock<Table<Self::Object>>;
+}
 
-fn table() -> MutexGuard<'static, Table> {
-    TABLE.lock().unwrap_or_else(PoisonError::into_inner)
+pub(super) struct Table<T> {
+    next: usize,
+    live: BTreeMap<usize, Arc<RwLock<T>>>,
+}
+
+impl<T> Table<T> {
+    const fn empty() -> RwLock<Self> {
+        RwLock::new(Self { next: 0, live: BTreeMap::new() })
+    }
+}
+
+impl Opaque for AtrousDenoiser {
+    type Object = State;
+    const NAME: (&'static str, &'static str) = ("denoiser", "atrous_create");
+    fn table() -> &'static RwLock<Table<State>> {
+        static TABLE: RwLock<Table<State>> = Table::empty();
+        &TABLE
+    }
+}
+
+impl Opaque for AtrousExecutor {
+    type Object = ExecutorState;
+    const NAME: (&'static str, &'static str) = ("executor", "atrous_executor_create");
+    fn table() -> &'static RwLock<Table<ExecutorState>> {
+        static TABLE: RwLock<Table<ExecutorState>> = Table::empty();
+        &TABLE
+    }
 }
 
 /// Numbers are not used twice, and are not what an allocator returns.
@@ -36,34 +79,101 @@ fn key(index: usize) -> usize {
     index * 2 + 1
 }
 
-pub(super) fn insert(state: State) -> *mut AtrousDenoiser {
-    let mut table = table();
+pub(super) fn insert<H: Opaque>(object: H::Object) -> *mut H {
+    let mut table = H::table().write().unwrap_or_else(PoisonError::into_inner);
     table.next += 1;
     let key = key(table.next);
-    table.live.insert(key, Arc::new(Mutex::new(state)));
-    key as *mut AtrousDenoiser
+    table.live.insert(key, Arc::new(RwLock::new(object)));
+    key as *mut H
 }
 
-fn invalid(handle: *const AtrousDenoiser) -> Failure {
+fn invalid<H: Opaque>(handle: *const H) -> Failure {
+    let (name, maker) = H::NAME;
     let message = if handle.is_null() {
-        "the denoiser is NULL; give what atrous_create returned".to_owned()
+        format!("the {name} is NULL; give what {maker} returned")
     } else {
-        "this is no live denoiser: it was destroyed, or the pointer is not one that atrous_create returned".to_owned()
+        format!("this is no live {name}: it was destroyed, or the pointer is not one that {maker} returned")
     };
     Failure { status: AtrousStatus::InvalidHandle, message }
 }
 
-pub(super) fn remove(handle: *const AtrousDenoiser) -> Result<(), Failure> {
-    let removed = table().live.remove(&(handle as usize));
+pub(super) fn remove<H: Opaque>(handle: *const H) -> Result<(), Failure> {
+    let removed = H::table().write().unwrap_or_else(PoisonError::into_inner).live.remove(&(handle as usize));
     removed.map(drop).ok_or_else(|| invalid(handle))
 }
 
-/// Runs `body` on the state of a handle.
-pub(super) fn with<T>(handle: *const AtrousDenoiser, body: impl FnOnce(&mut State) -> Result<T, Failure>) -> Result<T, Failure> {
-    let state = table().live.get(&(handle as usize)).cloned().ok_or_else(|| invalid(handle))?;
-    let mut state = state.lock().map_err(|_| Failure {
+fn find<H: Opaque>(handle: *const H) -> Result<Arc<RwLock<H::Object>>, Failure> {
+    let table = H::table().read().unwrap_or_else(PoisonError::into_inner);
+    table.live.get(&(handle as usize)).cloned().ok_or_else(|| invalid(handle))
+}
+
+fn panicked<T>(_: PoisonError<T>) -> Failure {
+    Failure {
         status: AtrousStatus::Panicked,
-        message: "an earlier call panicked, and its state is not to be trusted; destroy the denoiser".to_owned(),
-    })?;
-    body(&mut state)
+        message: "an earlier call panicked, and its state is not to be trusted; destroy it".to_owned(),
+    }
+}
+
+/// Runs `body` on the object of a handle, beside others that read it.
+pub(super) fn read<H: Opaque, T>(handle: *const H, body: impl FnOnce(&H::Object) -> Result<T, Failure>) -> Result<T, Failure> {
+    let object = find(handle)?;
+    let object = object.read().map_err(panicked)?;
+    body(&object)
+}
+
+/// Runs `body` on the object of a handle, alone.
+pub(super) fn change<H: Opaque, T>(
+    handle: *const H,
+    body: impl FnOnce(&mut H::Object) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let object = find(handle)?;
+    let mut object = object.write().map_err(panicked)?;
+    body(&mut object)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::{Condvar, Mutex};
+    use std::time::Duration;
+
+    /// A type of handle without a device.
+    struct Probe;
+
+    impl Opaque for Probe {
+        type Object = u32;
+        const NAME: (&'static str, &'static str) = ("probe", "insert");
+        fn table() -> &'static RwLock<Table<u32>> {
+            static TABLE: RwLock<Table<u32>> = Table::empty();
+            &TABLE
+        }
+    }
+
+    #[test]
+    fn four_readers_of_one_object_meet() {
+        let (arrived, all) = (Mutex::new(0), Condvar::new());
+        let handle = insert::<Probe>(7) as usize;
+        let meet = || {
+            read(handle as *const Probe, |object| {
+                let mut count = arrived.lock().expect("no panic");
+                *count += 1;
+                all.notify_all();
+                // Far longer than any thread needs: where one waits for another, this ends it.
+                let (count, waited) = all.wait_timeout_while(count, Duration::from_secs(20), |count| *count < 4).expect("no panic");
+                drop(count);
+                Ok((*object, waited.timed_out()))
+            })
+        };
+        std::thread::scope(|scope| {
+            let threads: Vec<_> = (0..4).map(|_| scope.spawn(meet)).collect();
+            for thread in threads {
+                assert_eq!(thread.join().expect("no panic").expect("a live handle"), (7, false));
+            }
+        });
+        let before = change(handle as *const Probe, |object| Ok(std::mem::replace(object, 8))).expect("a live handle");
+        assert_eq!((before, read(handle as *const Probe, |object| Ok(*object)).expect("a live handle")), (7, 8));
+        remove(handle as *const Probe).expect("a live handle");
+        let gone = read(handle as *const Probe, |object| Ok(*object)).expect_err("destroyed");
+        assert!(gone.message.contains("this is no live probe"), "{}", gone.message);
+    }
 }

@@ -1,4 +1,4 @@
-//! The C ABI: plain data in, plain data out, one opaque handle, no callback into your code.
+//! The C ABI: plain data in, plain data out, opaque handles, no callback into your code.
 //!
 //! `include/atrous.h` is made from this package by cbindgen, and a test compares the two. Every
 //! function returns an [`AtrousStatus`]; [`atrous_last_error`] has the message. A panic never
@@ -12,6 +12,7 @@
 mod config;
 mod conventions;
 mod convert;
+mod executor;
 mod functions;
 mod handle;
 mod pointers;
@@ -22,8 +23,9 @@ mod version;
 
 pub use config::AtrousConfig;
 pub use conventions::*;
+pub use executor::*;
 pub use functions::*;
-pub use handle::AtrousDenoiser;
+pub use handle::{AtrousDenoiser, AtrousExecutor};
 pub use record::*;
 pub use status::*;
 pub use structs::*;

@@ -55,6 +55,7 @@ versioned! {
     AtrousTuningField: name;
     AtrousGuides: surface_id;
     AtrousConventionReport: text;
+    AtrousLentImage: after_access;
 }
 
 /// A struct of the host, with defaults for fields that its header lacks.

@@ -25,7 +25,7 @@ pub unsafe extern "C" fn atrous_record(
     binding_count: u32,
 ) -> AtrousStatus {
     guard(|| {
-        handle::with(denoiser, |state| {
+        handle::read(denoiser, |state| {
             // SAFETY: `frame` is null or points to a struct that begins with its size, readable for that many bytes.
             let context = frame_of(state, &unsafe { read("frame", frame)? })?;
             if command_buffer.is_null() {

@@ -34,6 +34,42 @@ pub struct AtrousCreateInfo {
     /// Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
     /// be externally synchronised.
     pub pipeline_cache: PipelineCache,
+    /// Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
+    pub legacy_barriers: u32,
+    /// Of an executor: 1: labels every pass. VK_EXT_debug_utils is enabled on the instance.
+    pub debug_labels: u32,
+}
+
+/// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousLentImage {
+    /// sizeof(AtrousLentImage), the same in the whole array.
+    pub struct_size: u32,
+    /// Format of the view.
+    pub format: Format,
+    /// Name of the resource, for example ATROUS_INPUT_DEPTH or "denoised_radiance".
+    pub name: *const c_char,
+    /// Image.
+    pub image: Image,
+    /// 2D view of mip 0, layer 0.
+    pub view: ImageView,
+    /// Width of the image.
+    pub width: u32,
+    /// Height of the image.
+    pub height: u32,
+    /// Its layout as the call finds it.
+    pub layout: ImageLayout,
+    /// The layout that the call leaves it in. VK_IMAGE_LAYOUT_UNDEFINED: all as it was found.
+    pub after_layout: ImageLayout,
+    /// Your stages that used it before.
+    pub stage: PipelineStageFlags2,
+    /// Accesses of those stages.
+    pub access: AccessFlags2,
+    /// Your next stages, unless after_layout is VK_IMAGE_LAYOUT_UNDEFINED.
+    pub after_stage: PipelineStageFlags2,
+    /// Accesses of those stages.
+    pub after_access: AccessFlags2,
 }
 
 /// Parameters of a frame; `atrous_frame_params_default` fills it.

@@ -1,7 +1,7 @@
 //! The header is what cbindgen makes of the sources.
 
 use atrous::config::{ConfigField, Conventions, EawWeights};
-use atrous::{Config, Input};
+use atrous::{Choice, Config, Counter, DebugView, Input, ResetReason};
 use atrous_capi::{atrous_config_default, AtrousConfig, AtrousStatus};
 use std::path::Path;
 
@@ -11,6 +11,9 @@ const HEADER: &str = "/* atrous: the passes of a real-time path-tracing denoiser
  * Made from crates/capi by cbindgen: `ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header` renews it, and a test compares.
  * Set struct_size to sizeof(struct) in every struct before it is passed, to read and to fill alike. Structs only grow, at their
  * end: an older header's struct takes defaults, a newer one's must be zero where this library does not know it.
+ * Threads: any may call. Calls that only read a denoiser, atrous_record among them, run side by side: record different passes, or
+ * one pass in different frame slots, from as many threads as you like. Calls that change it wait until those are done, and calls
+ * of one executor wait for each other.
  * docs/contract.md has the contract, docs/hosts/cpp.md an engine that uses it. */";
 
 /// The configuration as cbindgen reads it: what the macro of the table makes of it, with documentation.
@@ -64,6 +67,39 @@ fn version() -> String {
     format!("\n{}{what}\n#define ATROUS_VERSION {packed}\n", defines.collect::<String>())
 }
 
+/// An enumeration of C. Fields stay numbers of 32 bits, so that their size does not depend on the compiler.
+fn enumeration(name: &str, values: impl Iterator<Item = (String, u32)>) -> String {
+    let camel: String = name.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+    let prefix = format!("ATROUS_{}", name.to_uppercase());
+    let lines = values.map(|(value, number)| format!("  {prefix}_{} = {number},\n", value.to_uppercase()));
+    format!("\ntypedef enum Atrous{camel} {{\n{}}} Atrous{camel};\n", lines.collect::<String>())
+}
+
+/// Choices of a frame, where 0 is none.
+fn or_none<T: Choice>() -> impl Iterator<Item = (String, u32)> {
+    let shift: u32 = T::ALL.iter().any(|value| value.number() == 0).into();
+    let values = T::ALL.iter().map(move |value| (value.name().to_owned(), value.number() + shift));
+    std::iter::once(("none".to_owned(), 0)).chain(values)
+}
+
+/// Every choice and counter, from the tables that have their names.
+fn choices() -> String {
+    let mut text = "\n// Choices, by the names of the fields that take them.\n".to_owned();
+    for field in Conventions::FIELDS.iter().chain(Config::FIELDS) {
+        let values = (field.values)();
+        if values.iter().any(|(value, _)| *value != "false" && *value != "true") {
+            text += &enumeration(field.name, values.iter().map(|(value, number)| (value.to_string(), *number)));
+        }
+    }
+    text += &enumeration("eaw_weights", (0..).zip(EawWeights::NAMES).map(|(bit, name)| (name.to_string(), 1 << bit)));
+    text += &enumeration("reset", or_none::<ResetReason>());
+    text += &enumeration("view", or_none::<DebugView>());
+    text += "\n// Indices of atrous_executor_statistics, and of the words in the buffer `statistics`.\n";
+    let count = Counter::ALL.len() as u32;
+    let counters = Counter::ALL.iter().map(|counter| (counter.name().to_owned(), counter.number()));
+    text + &enumeration("counter", counters) + &format!("\n#define ATROUS_COUNTER_COUNT {count}\n")
+}
+
 /// Names of the inputs, which are those of resources.
 fn inputs() -> String {
     let define = |input: &Input| {
@@ -100,7 +136,7 @@ fn header() -> String {
         cpp_compat: true,
         include_guard: Some("ATROUS_H".into()),
         header: Some(HEADER.into()),
-        after_includes: Some(version() + &inputs()),
+        after_includes: Some(version() + &inputs() + &choices()),
         includes: vec!["vulkan/vulkan_core.h".into()],
         sys_includes: vec!["stdint.h".into()],
         no_includes: true,
@@ -117,7 +153,8 @@ fn header() -> String {
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("config.rs");
     std::fs::write(&made, self::config()).expect("a file");
     let mut builder = cbindgen::Builder::new().with_config(config).with_src(made);
-    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "conventions.rs", "version.rs"] {
+    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "executor.rs", "conventions.rs", "version.rs"]
+    {
         builder = builder.with_src(root.join(file));
     }
     let mut text = Vec::new();

@@ -1,0 +1,248 @@
+//! A denoiser with images, barriers and memory of its own: one call for each frame.
+
+use crate::functions::{load, string};
+use crate::handle::{self, AtrousExecutor, ExecutorState};
+use crate::pointers::{check_size, read};
+use crate::status::{guard, AtrousStatus, Failure};
+use crate::structs::{AtrousCreateInfo, AtrousFrameParams, AtrousLentImage};
+use ash::vk::{Buffer, CommandBuffer, Handle, ImageLayout};
+use atrous::executor::{Executor, ExecutorOptions, HostImage, LentImage};
+use atrous::{Counter, Error, ResourceState, Tuning, UseFrame};
+use std::ffi::{c_char, CStr};
+
+/// Creates a denoiser with all images but your inputs. The device has synchronization2 enabled, or `legacy_barriers` is 1.
+///
+/// # Safety
+/// Pointers are null or valid with their struct_size set; handles are live, belong together and outlive the executor.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, executor: *mut *mut AtrousExecutor) -> AtrousStatus {
+    guard(|| {
+        if executor.is_null() {
+            return Err(Failure::argument("executor is NULL; give a pointer to where the handle goes"));
+        }
+        // SAFETY: `executor` is not null and writable for a pointer; `info` and its `config` are null or point to structs that
+        // begin with their size; the host keeps the handles in them alive.
+        unsafe {
+            executor.write_unaligned(std::ptr::null_mut());
+            let info = read("info", info)?;
+            let config = read("info->config", info.config)?.to_config()?;
+            let options = ExecutorOptions {
+                // An output that the host does not lend can be copied: atrous_executor_record_copy.
+                extra_image_usage: ash::vk::ImageUsageFlags::TRANSFER_SRC,
+                legacy_barriers: crate::convert::flag("legacy_barriers", info.legacy_barriers)?,
+                debug_labels: crate::convert::flag("debug_labels", info.debug_labels)?,
+                ..Default::default()
+            };
+            let loaded = load(&info)?;
+            let host = atrous::Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
+            let made = Executor::new(host, config.declare()?, options)?;
+            let state = ExecutorState { executor: made, tuning: Tuning::for_preset(config.preset), newest: None };
+            executor.write_unaligned(handle::insert(state));
+        }
+        Ok(())
+    })
+}
+
+/// Destroys an executor and its memory. Your handle is invalid from then on, and stays so.
+///
+/// # Safety
+/// GPU work that was recorded with it is complete; the device is live.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_destroy(executor: *mut AtrousExecutor) -> AtrousStatus {
+    guard(|| handle::remove(executor))
+}
+
+/// Allocates everything for a new extent, and keeps the pipelines. Your history starts over. A refused extent changes nothing.
+///
+/// # Safety
+/// All GPU work recorded with this executor is complete, and none is left to submit.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_resize(executor: *mut AtrousExecutor, width: u32, height: u32) -> AtrousStatus {
+    guard(|| {
+        handle::change(executor, |state| {
+            // SAFETY: all GPU work recorded with the executor is complete, and none is left to submit.
+            unsafe { state.executor.resize([width, height])? };
+            state.newest = None;
+            Ok(())
+        })
+    })
+}
+
+/// Sets a number of the tuning from the next frame on, as atrous_set_tuning does.
+///
+/// # Safety
+/// `name` is null or a null-terminated string.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_set_tuning(
+    executor: *mut AtrousExecutor,
+    name: *const c_char,
+    value: f32,
+) -> AtrousStatus {
+    guard(|| {
+        // SAFETY: `name` is null or a string with a null at its end, which lives through this call.
+        let name = unsafe { string("name", name)? };
+        handle::change(executor, |state| Ok(state.tuning.set(&name, value)?))
+    })
+}
+
+/// Forgets recorded work that will never run, for example because a submission failed. The next frame drops all history.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_forget_recorded(executor: *mut AtrousExecutor) -> AtrousStatus {
+    guard(|| {
+        handle::change(executor, |state| {
+            state.executor.forget_recorded();
+            Ok(())
+        })
+    })
+}
+
+/// Denoises a frame on your command buffer, with all barriers. Lend every image anew in each frame: an optional input that you do
+/// not lend is left out, and an output that you do not lend belongs to the executor.
+///
+/// # Safety
+/// Pointers are null or valid. The command buffer is recording, outside a render pass, for a queue family with compute. Images are
+/// live and in their states. GPU work that was recorded earlier with the same frame_slot is complete.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_denoise(
+    executor: *mut AtrousExecutor,
+    command_buffer: CommandBuffer,
+    params: *const AtrousFrameParams,
+    images: *const AtrousLentImage,
+    image_count: u32,
+) -> AtrousStatus {
+    guard(|| {
+        handle::change(executor, |state| {
+            let most = state.executor.denoiser().declaration().resources().len();
+            if image_count as usize > most {
+                return Err(Failure::argument(format!("image_count is {image_count}; there are {most} resources")));
+            }
+            if command_buffer.is_null() {
+                return Err(Failure::argument("command_buffer is NULL; give one that is recording"));
+            }
+            // SAFETY: `params` is null or points to a struct that begins with its size; `images` is null or points to
+            // `image_count` structs that begin with their size, with names that are null or strings.
+            let (params, lent) = unsafe { (read("params", params)?.to_params()?, lent_images(images, image_count)?) };
+            // SAFETY: the command buffer is recording outside a render pass on a compute queue; lent images are live and in the
+            // states that were given, and work recorded earlier with this slot is complete.
+            let frame = unsafe { state.executor.denoise(command_buffer, &params, &state.tuning, &lent)? };
+            state.newest = Some(frame);
+            Ok(())
+        })
+    })
+}
+
+/// # Safety
+/// `images` is null or points to `count` structs, each as large as the size in it, with names that are null or strings.
+unsafe fn lent_images<'a>(images: *const AtrousLentImage, count: u32) -> Result<Vec<LentImage<'a>>, Failure> {
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    // SAFETY: `images` is null or points to at least one.
+    let stride = unsafe { check_size("images[0]", images)? };
+    (0..count as usize)
+        .map(|i| {
+            let what = format!("images[{i}]");
+            // SAFETY: there are `count` of them, all of one size, and each name is null or a string that lives through the call.
+            unsafe {
+                let at = images.byte_add(i * stride);
+                let given = check_size(&what, at)?;
+                if given != stride {
+                    return Err(Failure::argument(format!(
+                        "{what}: struct_size is {given}, and that of images[0] is {stride}; give one size"
+                    )));
+                }
+                let image = read(&what, at)?;
+                if image.name.is_null() {
+                    return Err(Failure::argument(format!(
+                        "{what}.name is NULL; give one of ATROUS_INPUT_* or the name of an output"
+                    )));
+                }
+                let name = CStr::from_ptr(image.name).to_str();
+                let name = name.map_err(|error| Failure::argument(format!("{what}.name is not UTF-8: {error}")))?;
+                lent(&what, name, &image)
+            }
+        })
+        .collect()
+}
+
+fn lent<'a>(what: &str, name: &'a str, given: &AtrousLentImage) -> Result<LentImage<'a>, Failure> {
+    if given.image.is_null() || given.view.is_null() {
+        return Err(Failure::argument(format!("{what}, {name}, has no image or no view; leave an optional image out of the list")));
+    }
+    let image = HostImage {
+        image: given.image,
+        view: given.view,
+        format: given.format,
+        extent: [given.width, given.height],
+        layout: given.layout,
+        stage: given.stage,
+        access: given.access,
+    };
+    let is_moved = given.after_layout != ImageLayout::UNDEFINED;
+    let after = is_moved.then(|| ResourceState::new(given.after_stage, given.after_access, given.after_layout));
+    Ok(LentImage { name, image, after })
+}
+
+/// Copies a resource of the newest frame into your buffer, visible to the CPU once the command buffer has run.
+///
+/// # Safety
+/// `name` is null or a string. The command buffer is recording, outside a render pass; the buffer has usage TRANSFER_DST and as many
+/// bytes as `buffer_size` says.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_record_copy(
+    executor: *mut AtrousExecutor,
+    command_buffer: CommandBuffer,
+    name: *const c_char,
+    buffer: Buffer,
+    buffer_size: u64,
+) -> AtrousStatus {
+    guard(|| {
+        // SAFETY: `name` is null or a string with a null at its end, which lives through this call.
+        let name = unsafe { string("name", name)? };
+        if command_buffer.is_null() || buffer.is_null() {
+            return Err(Failure::argument("command_buffer or buffer is NULL; give one that is recording, and one to copy to"));
+        }
+        handle::change(executor, |state| {
+            let none =
+                || Failure { status: AtrousStatus::StaleFrame, message: "no frame yet; call atrous_executor_denoise".into() };
+            let frame = state.newest.ok_or_else(none)?;
+            let needed = state.executor.readback(&name, &frame, UseFrame::Current)?.bytes;
+            if buffer_size < needed {
+                let (given, needed) = (format!("{buffer_size} bytes"), format!("at least {needed} bytes"));
+                return Err(Error::Size { resource: name.clone(), given, needed }.into());
+            }
+            // SAFETY: the command buffer is recording outside a render pass, and the buffer has room.
+            unsafe { state.executor.record_copy(command_buffer, &frame, &name, UseFrame::Current, buffer)? };
+            Ok(())
+        })
+    })
+}
+
+/// Counters of the newest frame that was read back, by AtrousCounter: the one before the last with the newest frame's slot. All are
+/// 0 until then. `count` says how many your array holds.
+///
+/// # Safety
+/// `counters` is null or points to `count` numbers.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_statistics(
+    executor: *const AtrousExecutor,
+    counters: *mut u32,
+    count: u32,
+) -> AtrousStatus {
+    guard(|| {
+        if counters.is_null() {
+            return Err(Failure::argument("counters is NULL; give an array of ATROUS_COUNTER_COUNT numbers"));
+        }
+        handle::read(executor, |state| {
+            let statistics = state.executor.statistics().unwrap_or_default();
+            for (counter, i) in Counter::ALL.iter().zip(0..count as usize) {
+                // SAFETY: there are `count` numbers, and i is below that.
+                unsafe { counters.add(i).write_unaligned(statistics[*counter]) };
+            }
+            Ok(())
+        })
+    })
+}

@@ -1,0 +1,54 @@
+// Gives the functions of an executor everything that they must refuse. They are not in the first header, as those of bad_input.hpp are.
+#include "atrous.h"
+#include "bad_input.hpp"
+#include "engine.hpp"
+
+int main() {
+    Engine engine;
+    Refusals refusals;
+    AtrousConfig config{sizeof config};
+    EXPECT(ATROUS_STATUS_OK, "", atrous_config_default(&config, 8, 8));
+    AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
+    AtrousExecutor* executor = nullptr;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "executor is NULL", atrous_executor_create(&info, nullptr));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "info is NULL", atrous_executor_create(nullptr, &executor));
+    info.legacy_barriers = 7;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "legacy_barriers is 7", atrous_executor_create(&info, &executor));
+    info.legacy_barriers = 0;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_create(&info, &executor));
+    AtrousFrameParams params{sizeof params};
+    EXPECT(ATROUS_STATUS_OK, "", atrous_frame_params_default(&params, 8, 8));
+    AtrousLentImage image{sizeof image};
+    const auto denoise = [&](uint32_t count) { return atrous_executor_denoise(executor, engine.cmd, &params, &image, count); };
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "name is NULL", denoise(1));
+    image.name = "depth";
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "no image or no view", denoise(1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "image_count is 4000000000", denoise(4000000000u));
+    EXPECT(ATROUS_STATUS_BAD_BINDINGS, "depth", denoise(0));
+    image.struct_size = 8;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size is 8", denoise(1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "images[0] is NULL", atrous_executor_denoise(executor, engine.cmd, &params, nullptr, 1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "command_buffer", atrous_executor_denoise(executor, nullptr, &params, nullptr, 0));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "params is NULL", atrous_executor_denoise(executor, engine.cmd, nullptr, nullptr, 0));
+    const auto buffer = reinterpret_cast<VkBuffer>(uintptr_t(1));  // looked at by nothing, since no frame was denoised
+    EXPECT(ATROUS_STATUS_STALE_FRAME, "no frame yet", atrous_executor_record_copy(executor, engine.cmd, "depth", buffer, 8));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "name is NULL", atrous_executor_record_copy(executor, engine.cmd, nullptr, buffer, 8));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "buffer is NULL", atrous_executor_record_copy(executor, engine.cmd, "depth", nullptr, 8));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "counters is NULL", atrous_executor_statistics(executor, nullptr, 1));
+    uint32_t counters[2] = {7, 7};
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_statistics(executor, counters, 1));
+    EXPECT_EQUAL(0, counters[0]);
+    EXPECT_EQUAL(7, counters[1]);
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "name is NULL", atrous_executor_set_tuning(executor, nullptr, 1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "no_such", atrous_executor_set_tuning(executor, "no_such", 1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "0", atrous_executor_resize(executor, 0, 8));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_resize(executor, 16, 16));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_forget_recorded(executor));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_destroy(executor));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_destroy(executor));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_resize(executor, 8, 8));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_forget_recorded(executor));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "executor is NULL", atrous_executor_statistics(nullptr, counters, 2));
+    std::printf("bad executor: %d calls, %d wrong answers\n", refusals.count, refusals.wrong);
+    return refusals.wrong == 0 ? 0 : 1;
+}
