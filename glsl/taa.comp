@@ -65,16 +65,21 @@ vec3 history_at(vec2 position) {
 
 struct Neighbourhood {
     vec3 resolved;   // current colour at the pixel centre, jitter removed
-    vec3 mean;       // YCoCg
-    vec3 deviation;  // YCoCg
+    vec3 mean;       // YCoCg, of the box
+    vec3 deviation;  // YCoCg, of the box
 };
+
+// Sharpness of the Gaussians, by squared pixels: that of the colour, and the wider one of the box.
+const float COLOUR_SHARPNESS = 2.29;
+const float BOX_SHARPNESS = 1.39;
 
 Neighbourhood neighbourhood(ivec2 p) {
     vec3 sum = vec3(0.0), first = vec3(0.0), second = vec3(0.0);
-    float weight_sum = 0.0, count = 0.0;
-    // The Gaussian of a sample's distance, by column and by row.
+    float weight_sum = 0.0, box_sum = 0.0;
+    // Distances of the samples, by column and by row.
     vec3 dx = vec3(-1.0, 0.0, 1.0) + frame.jitter.x, dy = vec3(-1.0, 0.0, 1.0) + frame.jitter.y;
-    vec3 wx = exp(-2.29 * dx * dx), wy = exp(-2.29 * dy * dy);
+    vec3 wx = exp(-COLOUR_SHARPNESS * dx * dx), wy = exp(-COLOUR_SHARPNESS * dy * dy);
+    vec3 bx = exp(-BOX_SHARPNESS * dx * dx), by = exp(-BOX_SHARPNESS * dy * dy);
     // Moments around the centre's colour: the difference of squares would cancel otherwise.
     vec3 centre = ycocg(texelFetch(tone_mapped, p, 0).rgb);
     [[unroll]] for (int y = -1; y <= 1; ++y)
@@ -85,13 +90,14 @@ Neighbourhood neighbourhood(ivec2 p) {
             float weight = exists * wx[x + 1] * wy[y + 1];
             sum += weight * c;
             weight_sum += weight;
-            c = exists * (ycocg(c) - centre);
-            first += c;
-            second += c * c;
-            count += exists;
+            c = ycocg(c) - centre;
+            weight = exists * bx[x + 1] * by[y + 1];
+            first += weight * c;
+            second += weight * c * c;
+            box_sum += weight;
         }
-    first /= count;
-    return Neighbourhood(sum / weight_sum, centre + first, sqrt(max(second / count - first * first, 0.0)));
+    first /= box_sum;
+    return Neighbourhood(sum / weight_sum, centre + first, sqrt(max(second / box_sum - first * first, 0.0)));
 }
 
 // Half a step of an 8-bit display in the middle. Less is the rounding of halves, by which a grey neighbourhood, a box without any width

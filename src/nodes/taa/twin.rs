@@ -17,7 +17,10 @@ use glam::{IVec2, Vec2, Vec3};
 mod tests;
 
 /// Sharpness of the reconstruction filter, from \[Karis 2014\]'s fit of a Blackman-Harris window of 3.3 pixels.
-const GAUSSIAN: f32 = 2.29;
+const COLOUR_SHARPNESS: f32 = 2.29;
+/// Sharpness of the box's weights: a Gaussian of 0.6 pixels. A box of nine equal pixels is as wide as a texture's contrast, and lets
+/// the blur of a resampled history pass.
+const BOX_SHARPNESS: f32 = 1.39;
 
 /// Inputs of [`taa`]; images have the allocated extent.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +48,7 @@ pub(crate) fn taa(frame: &FrameConstants, tuning: &Tuning, inputs: &TaaInputs) -
         let [r, g, b] = match previous {
             Some(previous) if before.contains_position(s) => {
                 let history = catmull_rom(before, previous, s);
-                let clipped = clip(tuning.taa_gamma, rect, inputs.tone_mapped, p, history);
+                let clipped = clip(frame, tuning.taa_gamma, rect, inputs.tone_mapped, p, history);
                 blend(tuning.taa_alpha, current, clipped)
             }
             _ => current,
@@ -76,11 +79,16 @@ fn rgb(image: &Image<[f32; 4]>, p: IVec2) -> Vec3 {
     Vec3::new(r, g, b)
 }
 
+/// The weight of a sample by its distance from the pixel's centre.
+fn gaussian(frame: &FrameConstants, sharpness: f32, offset: IVec2) -> f32 {
+    (-sharpness * (offset.as_vec2() + sample_offset(frame)).length_squared()).exp()
+}
+
 /// The colour at the pixel's centre, from samples that lie `sample_offset` beside theirs.
 fn unjittered(frame: &FrameConstants, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2) -> Vec3 {
     let (mut sum, mut colour) = (0.0, Vec3::ZERO);
     for (offset, q) in rect.window(p, 1, 1) {
-        let weight = (-GAUSSIAN * (offset.as_vec2() + sample_offset(frame)).length_squared()).exp();
+        let weight = gaussian(frame, COLOUR_SHARPNESS, offset);
         sum += weight;
         colour += weight * rgb(image, q);
     }
@@ -119,11 +127,11 @@ fn from_ycocg(c: Vec3) -> Vec3 {
 const SMALLEST_BOX: f32 = 1.0 / 512.0;
 
 /// The history moved towards the mean of the neighbourhood until it is within `gamma` deviations, in YCoCg.
-fn clip(gamma: f32, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, history: Vec3) -> Vec3 {
-    let neighbours = || rect.window(p, 1, 1).map(|(_, q)| to_ycocg(rgb(image, q)));
-    let number = neighbours().count() as f32;
-    let mean = neighbours().sum::<Vec3>() / number;
-    let variance = neighbours().map(|c| (c - mean) * (c - mean)).sum::<Vec3>() / number;
+fn clip(frame: &FrameConstants, gamma: f32, rect: RenderRect, image: &Image<[f32; 4]>, p: IVec2, history: Vec3) -> Vec3 {
+    let neighbours = || rect.window(p, 1, 1).map(|(offset, q)| (gaussian(frame, BOX_SHARPNESS, offset), to_ycocg(rgb(image, q))));
+    let total = neighbours().map(|(weight, _)| weight).sum::<f32>();
+    let mean = neighbours().map(|(weight, c)| weight * c).sum::<Vec3>() / total;
+    let variance = neighbours().map(|(weight, c)| weight * (c - mean) * (c - mean)).sum::<Vec3>() / total;
     let half_size = gamma * Vec3::new(variance.x.sqrt(), variance.y.sqrt(), variance.z.sqrt());
     let distance = to_ycocg(history) - mean;
     let smallest = (SMALLEST_BOX * mean.x).max(1e-6);

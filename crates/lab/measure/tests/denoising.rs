@@ -2,6 +2,7 @@
 
 use ash::vk::Extent2D;
 use atrous::config::{EawWeights, PostProcess, Preset, Signals};
+use atrous::ToneCurve;
 use atrous_engine::testing::{built_in, Validated, SMALL};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
 use atrous_measure::measure::{Frame, Scores};
@@ -80,6 +81,49 @@ fn each_weight_of_eaw_improves_a_single_frame() {
     assert!(errors.windows(2).all(|pair| pair[1][1] < pair[0][1]), "{errors:?}");
     let [noisy, filtered] = errors[3];
     assert!(filtered * filtered <= noisy * noisy / 10.0, "{errors:?}");
+}
+
+/// Root mean square errors of a jittered display, linear and clipped at 1, against means over the pixel: without and with anti-aliasing.
+fn display_errors(gpu: &Validated, motion: SceneOptions) -> [f64; 2] {
+    const JITTERS: u32 = 8;
+    let scene = built_in("pillars", SceneOptions { static_light: true, ..motion });
+    let mut tracer =
+        PathTracer::new(&gpu.0, &scene, EXTENT, TracerOptions { jitter: true, ..TracerOptions::default() }).expect("a path tracer");
+    let mut denoisers = [PostProcess::ToneMap, PostProcess::ToneMapTaa].map(|post_process| {
+        let mut options = DenoiserOptions::new(Preset::Best).with(|config| config.post_process = post_process);
+        options.tuning.tone_curve = ToneCurve::Linear;
+        FrameDenoiser::new(&gpu.0, &tracer, &options).expect("a denoiser")
+    });
+    let last = 15;
+    for index in 0..=last {
+        tracer.begin_frame(index).expect("a frame");
+        denoisers.iter_mut().for_each(|denoiser| denoiser.render(&mut tracer).expect("a submit"));
+    }
+    let displays = denoisers.each_mut().map(|denoiser| denoiser.read("display").expect("a display"));
+    let moment = scene.moment(last);
+    let mut reference = vec![[0.0; 3]; displays[0].len()];
+    for jitter in 0..JITTERS {
+        tracer.begin_moment(jitter, &moment, &moment).expect("a frame");
+        let radiance = tracer.render_reference(8, |_, _| {}).expect("a reference").radiance();
+        for (sum, texel) in reference.iter_mut().zip(radiance) {
+            (0..3).for_each(|c| sum[c] += texel[c].min(1.0) / JITTERS as f32);
+        }
+    }
+    displays.map(|display| {
+        let squares = display.iter().zip(&reference).flat_map(|(a, b)| (0..3).map(move |c| f64::from(a[c] - b[c]).powi(2)));
+        (squares.sum::<f64>() / (3 * reference.len()) as f64).sqrt()
+    })
+}
+
+#[test]
+fn anti_aliasing_is_nearer_to_the_mean_over_the_pixel_still_and_moving() {
+    let Some(gpu) = Validated::new() else { return };
+    let still = SceneOptions { static_camera: true, static_objects: true, ..SceneOptions::default() };
+    for (name, motion) in [("still", still), ("moving", SceneOptions::default())] {
+        let [without, with] = display_errors(&gpu, motion);
+        println!("pillars, {name}: {without:.4} without anti-aliasing, {with:.4} with, {:.2} of it", with / without);
+        assert!(with < 0.8 * without, "{name}: {with} of {without}");
+    }
 }
 
 #[test]

@@ -101,9 +101,12 @@ fn history_is_clipped_to_the_neighbourhood() {
     let ghost = Image::new(EXTENT, [0.9; 4]);
     let display = tuned(&frame(EXTENT), &wide, &flat(EXTENT), &speckled, Some(&ghost));
     assert!(display.at(IVec2::new(5, 5))[0] > 0.7, "a wide box lets it pass");
-    // The box by hand: five pixels of 0.1 and four of 0.3 around (5, 5).
-    let (frame, tuning, alpha) = (frame(EXTENT), Tuning { taa_gamma: 1.25, ..svgf_tuning() }, 0.1);
-    let (mean, deviation) = (1.7 / 9.0, 0.2 * (20.0_f32 / 81.0).sqrt());
+    // The box by hand: 0.1 at (5, 5) and in the corners around it, 0.3 at its sides.
+    let alpha = 0.1;
+    let (frame, tuning) = (frame(EXTENT), Tuning { taa_gamma: 1.25, taa_alpha: alpha, ..svgf_tuning() });
+    let side = (-1.39_f32).exp();
+    let share = 4.0 * side / (1.0 + 4.0 * side + 4.0 * side * side);
+    let (mean, deviation) = (0.1 + 0.2 * share, 0.2 * (share * (1.0 - share)).sqrt());
     let (now, before) = (run(&reset(frame), &flat(EXTENT), &speckled, None).at(IVec2::new(5, 5))[0], mean + 1.25 * deviation);
     let (w, v) = (alpha / (1.0 + now), (1.0 - alpha) / (1.0 + before));
     let expected = (w * now + v * before) / (w + v);
@@ -118,7 +121,8 @@ fn history_is_clipped_to_the_neighbourhood() {
 fn a_grey_neighbourhood_keeps_a_history_that_rounding_tinted() {
     let grey = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.4 } else { 0.6 }; 4].map(round_to_half));
     let history = |red| Image::new(EXTENT, [red, 0.55, 0.55, 1.0].map(round_to_half));
-    let at = |red| run(&frame(EXTENT), &flat(EXTENT), &grey, Some(&history(red))).at(IVec2::new(5, 5))[1];
+    let tuning = Tuning { taa_alpha: 0.1, ..svgf_tuning() };
+    let at = |red| tuned(&frame(EXTENT), &tuning, &flat(EXTENT), &grey, Some(&history(red))).at(IVec2::new(5, 5))[1];
     let grey = at(0.55);
     assert!(grey > 0.53, "{grey}");
     // The next half above: it must not decide whether the history is kept.
