@@ -213,7 +213,10 @@ vec4 virtual_motion_at(ivec2 p, GuideBits packed) {
     Reflection r = unpack_reflection(texelFetch(reflection, p, 0).x);
     vec2 motion = is_present(SURFACE_MOTION) ? motion_at(p) : vec2(0.0), position;
     Mirror mirror = mirror_at(p, packed, motion);
-    bool known = r.hit_distance > 0.0 && virtual_position(mirror, curvature_at(mirror), r, position);
+    Curvature curvature = curvature_at(mirror);
+    MirrorBefore before = mirror_at_rest(mirror, curvature);
+    bool known = r.hit_distance > 0.0
+        && virtual_position(mirror, curvature, before, image_at_rest(r.hit_distance), r.roughness, position);
     return coloured_motion(known ? position - mirror.surface_position + motion : motion);
 }
 

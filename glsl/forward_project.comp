@@ -17,7 +17,6 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
-#include "instance_transform.glsl"
 #include "conventions.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
@@ -47,6 +46,8 @@ layout(set = 0, binding = 7, r32ui) uniform uimage2D claims;
 #if FORWARD_MOTION
 layout(set = 0, binding = 11) uniform texture2D forward_motion;
 #endif
+
+#include "instance_transform.glsl"
 
 const uint MOTION_PIXELS = 0u;
 const uint MOTION_UV = 1u;
@@ -91,24 +92,13 @@ uint host_position(ivec2 j, out ForwardPosition position) {
 // From the matrices, and the transform of the pixel's instance where there is one.
 bool carried_position(ivec2 j, float z, uint id, out ForwardPosition position) {
     vec4 world = previous_world_position(j, z);
-    uint count = is_present(INSTANCE_TRANSFORMS) ? uint(instance_transforms.rows.length()) / 3u : 0u;
-    if (id < count) {
-        vec4 rows[3];
-        bool finite = true;
-        for (uint i = 0u; i < 3u; ++i) {
-            rows[i] = instance_transforms.rows[id * 3u + i];
-            finite = finite && is_finite(rows[i]);
+    vec4 rows[3], current;
+    if (instance_rows(id, rows)) {
+        if (!invert_transform(rows, world, current)) {
+            position = ForwardPosition(vec2(0.0), vec2(0.0), 0.0, 0.0);
+            return false;
         }
-        vec4 current;
-        for (uint i = 0u; i < 3u; ++i) rows[i] = row_about_eye(rows[i], i);
-        // As in import, an instance whose transform is not finite did not move.
-        if (finite) {
-            if (!invert_transform(rows, world, current)) {
-                position = ForwardPosition(vec2(0.0), vec2(0.0), 0.0, 0.0);
-                return false;
-            }
-            world = current;
-        }
+        world = current;
     }
     position = project_world(world);
     return true;

@@ -16,7 +16,6 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
-#include "instance_transform.glsl"
 #include "conventions.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
@@ -45,6 +44,8 @@ layout(set = 0, binding = OBJECT_NORMAL_GUIDE, r32ui) uniform writeonly uimage2D
 #if SURFACE_ID
 layout(set = 0, binding = 12) uniform utexture2D surface_id;
 #endif
+
+#include "instance_transform.glsl"
 
 const uint DEPTH_DEVICE = 1u;
 const uint DEPTH_RAY_LENGTH = 2u;
@@ -106,20 +107,14 @@ vec4 world_point(ivec2 p, float z) {
     return frame.world_from_view * vec4(view_position(p, z == 0.0 ? 1.0 : z), at_infinity ? 0.0 : 1.0);
 }
 
-// A coordinate that is carried farther is of a transform that is none. NaN is not below it either.
-const float FARTHEST = 1e15;
-
 vec4 carry(vec4 world, uint id, inout vec3 n) {
 #if SURFACE_ID
-    uint count = uint(instance_transforms.rows.length()) / 3u;
-    if (!is_present(INSTANCE_TRANSFORMS) || world.w == 0.0 || id >= count) return world;
-    vec4 x = instance_transforms.rows[id * 3u], y = instance_transforms.rows[id * 3u + 1u], z = instance_transforms.rows[id * 3u + 2u];
-    if (!is_finite(x) || !is_finite(y) || !is_finite(z)) return world;
-    vec3 turned = vec3(dot(x.xyz, n), dot(y.xyz, n), dot(z.xyz, n));
-    float squared = dot(turned, turned);
-    if (is_finite(squared) && squared >= 1e-8) n = turned * inversesqrt(squared);
-    vec4 carried = vec4(dot(row_about_eye(x, 0u), world), dot(row_about_eye(y, 1u), world), dot(row_about_eye(z, 2u), world), 1.0);
-    return all(lessThan(abs(carried.xyz), vec3(FARTHEST))) ? carried : world;
+    vec4 rows[3], to;
+    if (world.w == 0.0 || !instance_rows(id, rows)) return world;
+    vec3 previous = turned(rows, n);
+    float squared = dot(previous, previous);
+    if (is_finite(squared) && squared >= 1e-8) n = previous * inversesqrt(squared);
+    return carried(rows, world, to) ? to : world;
 #else
     return world;
 #endif

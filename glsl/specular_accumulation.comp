@@ -3,11 +3,12 @@
 // Source: virtual motion of reflections [Zimmer et al. 2015]; two reprojections of which the better one counts [Stachowiak 2015]; the blend is
 // that of [SVGF] 4.1. How much each past is worth is ours: as many frames as it takes until its error in pixels passes the width of the lobe.
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
-//      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp.
-// Out: accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
+//      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
+//      and the thing in it move: specular_hit_id, surface_id, instance_transforms.
+// Out: statistics; accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
-// optional: roughness, history_confidence
+// optional: roughness, history_confidence, specular_hit_id, surface_id, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -30,6 +31,7 @@ layout(push_constant) uniform Push {
 
 #include "frame.glsl"
 #include "optional.glsl"
+#include "statistics.glsl"
 #include "packed_image.glsl"
 #include "surface_motion.glsl"
 #include "moments.glsl"
@@ -44,8 +46,10 @@ layout(push_constant) uniform Push {
 
 const uint ROUGHNESS = 6u;
 const uint HISTORY_CONFIDENCE = 7u;
+const uint SPECULAR_HIT_ID = 14u;
+const uint SURFACE_ID = 15u;
+const uint INSTANCE_TRANSFORMS = 16u;
 
-PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D previous_guide;
 layout(set = 0, binding = 3) uniform utexture2D surface_motion;
 layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
@@ -58,8 +62,13 @@ layout(set = 0, binding = 10) uniform utexture2D previous_reflection;
 layout(set = 0, binding = 11, rgba16f) uniform writeonly image2D accumulated;
 layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_moments;
 layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
+PACKED_IMAGE(17, guide);
+layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
+layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
+layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
 #include "virtual_motion.glsl"
+#include "instance_transform.glsl"
 
 // The surface of a pixel, with what is expected of it in the previous frame.
 struct Centre {
@@ -179,8 +188,46 @@ bool sharp_irradiance(Centre c, vec2 position, out vec3 irradiance) {
     return whole;
 }
 
+// A mirror and the thing in it, in the previous frame.
+struct Scenery {
+    MirrorBefore mirror;
+    vec3 thing;
+    vec3 image;  // of the thing, as in virtual_position
+};
+
+Scenery at_rest(Mirror c, Curvature curvature, float hit_distance) {
+    // A direction tells no more of what is farther away.
+    vec3 thing = c.position + reflect(c.sight, c.normal) * min(hit_distance, 1e4 * guide_depth(c.packed));
+    return Scenery(mirror_at_rest(c, curvature), thing, image_at_rest(hit_distance));
+}
+
+// Both as their instances carry them. The surface of the thing is that of the pixel's own path.
+Scenery scenery_before(Mirror c, Curvature curvature, float hit_distance) {
+    Scenery rest = at_rest(c, curvature, hit_distance);
+    if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(hit_distance > 0.0)) return rest;
+    uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, c.p, 0).x : 0u;
+    vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * hit_distance, 1.0), to;
+    Scenery before = rest;
+    bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);
+    if (thing_moves) thing = to;
+    else if (thing_id != 0u) count_bad(BAD_HIT_ID);
+    vec3 normal = c.normal;
+    bool mirror_moves = mirror_id != 0u && instance_rows(mirror_id, rows) && carried(rows, vec4(c.position, 1.0), to);
+    if (mirror_moves) {
+        vec3 sight = normalize(turned(rows, c.sight)), across = turned(rows, curvature.across);
+        across = normalize(across - dot(across, sight) * sight);
+        before.mirror = MirrorBefore(to.xyz, sight, cross(sight, across), across);
+        normal = normalize(turned(rows, c.normal));
+    }
+    vec3 way = reflect(thing.xyz - before.mirror.position, normal);
+    before.image = vec3(dot(way, before.mirror.along), dot(way, before.mirror.across), dot(way, before.mirror.sight));
+    before.thing = thing.xyz;
+    // Behind the mirror there was nothing to be seen in it; a transform that makes no turn of axes has no such place either.
+    return (thing_moves || mirror_moves) && before.image.z > 0.0 && is_finite(before.image) ? before : rest;
+}
+
 // Whether the surface at a pixel of the previous frame mirrored the same thing: the lobe there holds the direction to it.
-bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
+bool is_in_lobe(vec2 position, vec3 thing, float roughness) {
     ivec2 q = ivec2(floor(position + 0.5));
     if (!is_inside_previous(q)) return false;
     GuideBits packed = GuideBits(texelFetch(previous_guide, q, 0));
@@ -188,7 +235,6 @@ bool is_in_lobe(Centre c, vec2 position, float distance, float roughness) {
     if (z == 0.0) return false;
     vec3 at = previous_world_position(q, z).xyz, beyond = previous_world_position(q, 2.0 * z).xyz;
     vec3 mirrored = reflect(normalize(beyond - at), guide_normal(packed));
-    vec3 thing = c.mirror.position + reflect(c.mirror.sight, c.mirror.normal) * min(distance, 1e4 * c.depth);
     vec3 difference = mirrored - normalize(thing - at);
     // Normals of the guide are rounded to half a degree, and a mirror doubles that.
     float tolerance = 0.06 + 2.0 * lobe_width(roughness);
@@ -256,19 +302,19 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     float share = mirror_share(roughness);
     float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature.mean), roughness));
     vec2 position = c.mirror.surface_position;
-    Reflection r = Reflection(hit_distance, roughness);
     Past image = nothing();
-    bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, r, position);
+    Scenery before = scenery_before(c.mirror, curvature, hit_distance);
+    bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, before.mirror, before.image, roughness, position);
     steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
-    if (found && is_in_lobe(c, position, hit_distance, roughness)) image = past_at(c, position);
+    if (found && is_in_lobe(position, before.thing, roughness)) image = past_at(c, position);
     if (found) surface.frames = worth(surface.frames, distance(position, c.mirror.surface_position), tolerance);
     if (image.found) {
         vec2 remembered = position;
-        Reflection before = Reflection(hit_distance_of(c.depth, image.nearness), roughness);
-        bool known = virtual_position(c.mirror, curvature, before, remembered);
+        vec3 image_there = vec3(before.image.xy, hit_distance_of(c.depth, image.nearness));
+        bool known = virtual_position(c.mirror, curvature, before.mirror, image_there, roughness, remembered);
         image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
         // Another thing is seen there now, or another finish of the surface.
-        float change = abs(nearness_of(c.depth, hit_distance) - image.nearness) * share / (0.05 + lobe_width(roughness));
+        float change = abs(nearness_of(c.depth, before.image.z) - image.nearness) * share / (0.05 + lobe_width(roughness));
         change += abs(roughness - image.roughness) * 8.0;
         image.frames = worth(image.frames, change, 2.0);
     }

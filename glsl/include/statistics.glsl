@@ -22,7 +22,9 @@ const uint HISTORY_KEPT = 12u;
 // Light that a half float cannot hold, where it comes into the filter or goes out of it.
 const uint SATURATED = 17u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[18]; } statistics;
+const uint BAD_HIT_ID = 18u;
+
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[19]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

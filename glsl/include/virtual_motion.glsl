@@ -66,19 +66,33 @@ vec3 previous_eye_from(vec3 world) {
     return (frame.world_from_previous_sample * eye).xyz - world * eye.w;
 }
 
-// Where the image behind the surface was: where a line of sight of the previous frame met the wave front of what is mirrored. A surface that
-// moves by itself takes along what is not mirrored alone.
-bool virtual_position(Mirror c, Curvature curvature, Reflection r, out vec2 position) {
-    float share = mirror_share(r.roughness), distance = share * r.hit_distance;
+// Where the surface of a mirror was in the previous frame, with the axes of its curvature.
+struct MirrorBefore {
+    vec3 position;
+    vec3 sight;
+    vec3 along;
+    vec3 across;
+};
+
+MirrorBefore mirror_at_rest(Mirror c, Curvature curvature) { return MirrorBefore(c.position, c.sight, curvature.along, curvature.across); }
+
+// Of a thing at rest before a mirror at rest, from its surface in the axes of MirrorBefore: along, across, sight.
+vec3 image_at_rest(float hit_distance) { return vec3(0.0, 0.0, hit_distance); }
+
+// Where the image behind the surface was: where a line of sight of the previous frame met the wave front of what is mirrored. `image`: of the
+// thing as a flat mirror showed it, in the axes of `before`. Motion of the surface that `before` lacks takes along what is not mirrored alone.
+bool virtual_position(Mirror c, Curvature curvature, MirrorBefore before, vec3 image, float roughness, out vec2 position) {
+    float share = mirror_share(roughness), distance = share * image.z;
     vec2 still;
-    if (!previous_pixel_position(c.position, still)) return false;
-    vec3 eye = previous_eye_from(c.position);
-    float before = -dot(eye, c.sight), behind = distance * frame.previous_clip_w_scale, both = before + behind;
-    if (!(before > 0.0)) return false;
-    vec3 nearer = bounded(UNIT_MATRIX + clamp(r.hit_distance * curvature.power, -1e6, 1e6), 0.1);
-    vec2 eye_aside = vec2(dot(eye, curvature.along), dot(eye, curvature.across)) / both;
-    vec2 aside = distance * solved((before * nearer + behind * UNIT_MATRIX) / both, eye_aside);
-    if (!previous_pixel_position(c.position + aside.x * curvature.along + aside.y * curvature.across, position)) return false;
+    if (!previous_pixel_position(before.position, still)) return false;
+    vec3 eye = previous_eye_from(before.position);
+    float ahead = -dot(eye, before.sight), behind = distance * frame.previous_clip_w_scale, both = ahead + behind;
+    if (!(ahead > 0.0)) return false;
+    vec3 nearer = bounded(UNIT_MATRIX + clamp(image.z * curvature.power, -1e6, 1e6), 0.1);
+    vec2 eye_aside = vec2(dot(eye, before.along), dot(eye, before.across)) / both;
+    vec2 thing_aside = image.xy * (share * ahead / both);
+    vec2 aside = solved((ahead * nearer + behind * UNIT_MATRIX) / both, distance * eye_aside + thing_aside);
+    if (!previous_pixel_position(before.position + aside.x * before.along + aside.y * before.across, position)) return false;
     position += (c.surface_position - still) * (1.0 - share);
     return true;
 }

@@ -753,7 +753,7 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
     stage: Cow::Borrowed("specular_accumulation"), name: Cow::Borrowed("specular_accumulation"), spirv: Cow::Borrowed(include_bytes!("specular_accumulation.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
         ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
         ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
@@ -766,6 +766,10 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         ShaderBinding { number: 11, name: Cow::Borrowed("accumulated"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 12, name: Cow::Borrowed("new_moments"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 13, name: Cow::Borrowed("reflection"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 14, name: Cow::Borrowed("specular_hit_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 15, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 16, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 17, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

@@ -50,6 +50,9 @@ choices! {
         /// Light above 65504, which a half float cannot hold: a signal as it comes into the filter, in the exposure of the filter, or the
         /// picture as it goes out, unless that is of 32-bit floats.
         Saturated = 17 => "saturated",
+        /// A `specular_hit_id` without a transform: beyond the end of `instance_transforms`, or one that is not finite. Of surfaces whose
+        /// hit distance is known, and not in a frame with a reset.
+        HitId = 18 => "hit_id",
     }
 }
 

@@ -120,6 +120,12 @@ impl Graph {
         }
     }
 
+    /// An input that a node before asked for.
+    pub(crate) fn given(&self, input: Input) -> Option<Image> {
+        let index = self.resources.iter().position(|r| r.name == input.name)?;
+        Some(self.current(ResourceId(index as u32)))
+    }
+
     /// A colour image of a name that the host chose.
     pub(crate) fn host_colour(&mut self, name: &str) -> Image {
         self.input_image(name, HOST_COLOUR, 1, false)

@@ -59,11 +59,6 @@ impl Curvature {
         Self { along: sight.cross(across), across, power, mean: 0.5 * (surface.x_axis.x + surface.y_axis.y) }
     }
 
-    /// A vector in the axes.
-    pub(crate) fn axes(&self, v: Vec3) -> Vec2 {
-        Vec2::new(v.dot(self.along), v.dot(self.across))
-    }
-
     /// By how much nearer than in a flat mirror the image of what is `hit_distance` away is: of a flat one the identity.
     pub(crate) fn nearer(&self, hit_distance: f32) -> Mat2 {
         let added = self.power * hit_distance;

@@ -5,7 +5,7 @@ use super::projection::{extent, extent_ratio, previous_sample_offset, sample_off
 use super::surface_motion::LARGEST_MOTION;
 use crate::config::{MotionDepth, MotionUnit};
 use crate::FrameConstants;
-use glam::{IVec2, Mat3, Vec2, Vec3, Vec4, Vec4Swizzles};
+use glam::{IVec2, Vec2, Vec3, Vec4, Vec4Swizzles};
 
 /// World space of the previous frame from world space of this one: three rows of four, so that `previous = rows · (x, y, z, 1)`.
 pub type InstanceTransform = [[f32; 4]; 3];
@@ -94,17 +94,25 @@ pub(crate) fn about_eye(frame: &FrameConstants, transform: &InstanceTransform) -
 
 fn carry(world: [f32; 4], transform: Option<&InstanceTransform>) -> [f32; 4] {
     let point = Vec4::from(world);
-    match transform.map(|rows| rows.map(|row| Vec4::from(row).dot(point))) {
-        Some([x, y, z]) if point.w != 0.0 && [x, y, z].iter().all(|c| c.abs() < FARTHEST) => [x, y, z, point.w],
-        _ => world,
-    }
+    let to = transform.filter(|_| point.w != 0.0).and_then(|transform| carried(transform, point));
+    to.map_or(world, |to| to.extend(point.w).into())
+}
+
+/// A point where a transform carries it; `None`: too far for a transform that is one.
+pub(crate) fn carried(transform: &InstanceTransform, point: Vec4) -> Option<Vec3> {
+    let to = Vec3::from(transform.map(|row| Vec4::from(row).dot(point)));
+    to.abs().cmplt(Vec3::splat(FARTHEST)).all().then_some(to)
+}
+
+/// A direction as a transform turns it.
+pub(crate) fn turned(transform: &InstanceTransform, direction: Vec3) -> Vec3 {
+    Vec3::from(transform.map(|row| Vec4::from(row).xyz().dot(direction)))
 }
 
 /// The world normal that is expected in the previous frame.
 pub(crate) fn previous_normal(normal: Vec3, transform: Option<&InstanceTransform>) -> Vec3 {
     let Some(rows) = transform else { return normal };
-    let rotation = Mat3::from_cols_array_2d(&rows.map(|row| Vec4::from(row).xyz().to_array())).transpose();
-    let turned = rotation * normal;
+    let turned = turned(rows, normal);
     let length_squared = turned.length_squared();
     if length_squared.is_finite() && length_squared >= 1e-8 {
         turned / length_squared.sqrt()

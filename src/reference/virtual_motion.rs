@@ -4,10 +4,10 @@
 use super::curvature::{Curvature, Step};
 use super::guide::{unpack_guide, Surface};
 use super::projection::{extent_ratio, sample_offset, Projections};
-use super::reflection::{mirror_share, SeenReflection};
+use super::reflection::mirror_share;
 use super::{render_rect::RenderRect, Image};
 use crate::FrameConstants;
-use glam::{IVec2, Mat2, Mat4, Vec2, Vec3, Vec4, Vec4Swizzles};
+use glam::{IVec2, Mat2, Mat4, Vec2, Vec3, Vec3Swizzles, Vec4, Vec4Swizzles};
 
 /// Pixels between normals: those of the guide are rounded to half a degree.
 const REACH: i32 = 3;
@@ -23,6 +23,32 @@ pub(crate) struct Mirror {
     pub sight: Vec3,
     /// Where the surface was in the previous frame, pixels; centres are whole numbers.
     pub surface_position: Vec2,
+}
+
+/// Where the surface of a mirror was in the previous frame, with the axes of its curvature.
+#[derive(Clone, Copy)]
+pub(crate) struct MirrorBefore {
+    pub position: Vec3,
+    pub sight: Vec3,
+    pub along: Vec3,
+    pub across: Vec3,
+}
+
+impl MirrorBefore {
+    /// Of a mirror at rest.
+    pub(crate) fn at_rest(mirror: &Mirror, curvature: &Curvature) -> Self {
+        Self { position: mirror.position, sight: mirror.sight, along: curvature.along, across: curvature.across }
+    }
+
+    /// A vector in the axes: along, across, sight.
+    pub(crate) fn axes(&self, v: Vec3) -> Vec3 {
+        Vec3::new(v.dot(self.along), v.dot(self.across), v.dot(self.sight))
+    }
+}
+
+/// The image of a thing at rest before a mirror at rest, from its surface in the axes of [`MirrorBefore`].
+pub(crate) const fn image_at_rest(hit_distance: f32) -> Vec3 {
+    Vec3::new(0.0, 0.0, hit_distance)
 }
 
 /// The surfaces of a frame, with its projections.
@@ -90,20 +116,30 @@ impl<'a> VirtualMotion<'a> {
     }
 
     /// Where the image of what is seen was, pixels: where a line of sight of the previous frame met the wave front of what is mirrored.
-    /// `None`: behind the camera. A surface that moves by itself takes along what is not mirrored alone.
-    pub(crate) fn image_position(&self, mirror: &Mirror, curvature: &Curvature, seen: SeenReflection) -> Option<Vec2> {
-        let still = self.previous_pixel_position(mirror.position)?;
-        let share = mirror_share(seen.roughness);
-        let (eye, scale) = self.previous_eye_from(mirror.position);
-        let (before, distance) = (-eye.dot(mirror.sight), share * seen.hit_distance);
-        if before.is_nan() || before <= 0.0 {
+    /// `image`: of the thing as a flat mirror showed it, in the axes of `before`. `None`: behind the camera. Motion of the surface that
+    /// `before` lacks takes along what is not mirrored alone.
+    pub(crate) fn image_position(
+        &self,
+        mirror: &Mirror,
+        curvature: &Curvature,
+        before: &MirrorBefore,
+        image: Vec3,
+        roughness: f32,
+    ) -> Option<Vec2> {
+        let still = self.previous_pixel_position(before.position)?;
+        let share = mirror_share(roughness);
+        let (eye, scale) = self.previous_eye_from(before.position);
+        let (eye, distance) = (before.axes(eye), share * image.z);
+        let ahead = -eye.z;
+        if ahead.is_nan() || ahead <= 0.0 {
             return None;
         }
         let behind = distance * scale;
-        let total = Mat2::IDENTITY * behind + curvature.nearer(seen.hit_distance) * before;
-        let both = before + behind;
-        let aside = (total * both.recip()).inverse() * (curvature.axes(eye) / both) * distance;
-        let position = self.previous_pixel_position(mirror.position + aside.x * curvature.along + aside.y * curvature.across)?;
+        let total = Mat2::IDENTITY * behind + curvature.nearer(image.z) * ahead;
+        let both = ahead + behind;
+        let pulled = eye.xy() / both * distance + image.xy() * (share * ahead / both);
+        let aside = (total * both.recip()).inverse() * pulled;
+        let position = self.previous_pixel_position(before.position + aside.x * before.along + aside.y * before.across)?;
         Some(position + (mirror.surface_position - still) * (1.0 - share))
     }
 
@@ -192,8 +228,9 @@ mod tests {
                 let at = round.mirroring_point(round.on_surface(mirror.position), eye, thing);
                 let [expected, surface] =
                     [at, mirror.position].map(|point| motion.previous_pixel_position(point).expect("before the eye"));
-                let seen = SeenReflection { hit_distance: 4.0, roughness: 0.0 };
-                let given = motion.image_position(&mirror, &motion.curvature(&mirror), seen).expect("before the eye");
+                let curvature = motion.curvature(&mirror);
+                let before = MirrorBefore::at_rest(&mirror, &curvature);
+                let given = motion.image_position(&mirror, &curvature, &before, image_at_rest(4.0), 0.0).expect("before the eye");
                 let error = given.distance(expected);
                 assert!(error < 0.06, "{p}, {axes}, {eye}: {given} for {expected}, {} of the surface", surface.distance(expected));
             }

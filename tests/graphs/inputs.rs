@@ -9,6 +9,7 @@ use atrous::{Declaration, Error, Lifetime, ResourceDecl, Shape};
 pub struct Inputs {
     pub(super) images: Vec<(String, Option<Vec<[f32; 4]>>)>,
     pub(super) surface_id: Option<Vec<u32>>,
+    pub(super) specular_hit_id: Option<Vec<u32>>,
     pub(super) transforms: Option<Vec<InstanceTransform>>,
 }
 
@@ -22,7 +23,7 @@ impl Inputs {
         let is_input = |r: &&ResourceDecl| matches!(r.lifetime, Lifetime::Input { .. });
         for (k, resource) in (0..).zip(declaration.resources().iter().filter(is_input)) {
             let Shape::Image { .. } = resource.shape else { continue };
-            if resource.name == "surface_id" {
+            if ["surface_id", "specular_hit_id"].contains(&resource.name.as_str()) {
                 continue;
             }
             let extent = resource.extent(declaration.allocated_extent()).expect("an image");
@@ -35,14 +36,18 @@ impl Inputs {
         let transforms = (hash(seed, 0, 200).is_multiple_of(2)).then(|| vec![identity, identity, moved]);
         let transforms = transforms.filter(|_| declaration.find("instance_transforms").is_some());
         let surface_id = declaration.find("surface_id").is_some().then_some(guides.surface_id);
-        Self { images, surface_id, transforms }
+        // One of them has no transform.
+        let hit_ids = (0..scene.allocated[0] * scene.allocated[1]).map(|i| hash(seed, i / 7, 201) % 4).collect();
+        let specular_hit_id = declaration.find("specular_hit_id").map(|_| hit_ids);
+        Self { images, surface_id, specular_hit_id, transforms }
     }
 
     /// What a host binds: texels of the images by name, `None` for one that is left out.
     pub fn images(&self) -> impl Iterator<Item = (&str, Option<Vec<u8>>)> {
         let bytes = |texels: &Option<Vec<[f32; 4]>>| texels.as_ref().map(|t| bytemuck::cast_slice(t).to_vec());
         let ids = self.surface_id.as_ref().map(|ids| ("surface_id", Some(bytemuck::cast_slice(ids).to_vec())));
-        self.images.iter().map(move |(name, texels)| (name.as_str(), bytes(texels))).chain(ids)
+        let hit_ids = self.specular_hit_id.as_ref().map(|ids| ("specular_hit_id", Some(bytemuck::cast_slice(ids).to_vec())));
+        self.images.iter().map(move |(name, texels)| (name.as_str(), bytes(texels))).chain(ids).chain(hit_ids)
     }
 
     /// The buffer `instance_transforms`, where it is bound.
@@ -58,6 +63,7 @@ impl Inputs {
             }
         }
         self.surface_id.as_ref().map_or(Ok(()), |ids| s.upload_ids("surface_id", ids))?;
+        self.specular_hit_id.as_ref().map_or(Ok(()), |ids| s.upload_ids("specular_hit_id", ids))?;
         self.transforms.as_ref().map_or(Ok(()), |t| s.upload_buffer("instance_transforms", bytemuck::cast_slice(t)))
     }
 
@@ -69,6 +75,7 @@ impl Inputs {
             }
         }
         self.surface_id.as_ref().map_or(Ok(()), |ids| engine.upload_ids("surface_id", ids))?;
+        self.specular_hit_id.as_ref().map_or(Ok(()), |ids| engine.upload_ids("specular_hit_id", ids))?;
         self.transforms.as_ref().map_or(Ok(()), |t| engine.upload_buffer("instance_transforms", bytemuck::cast_slice(t)))
     }
 }

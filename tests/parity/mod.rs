@@ -29,6 +29,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("specular_fast", || sequence(&Config { preset: Preset::Fast, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_eaw", || sequence(&Config { preset: Preset::Eaw, signals: Signals::Specular, ..Config::new([40, 23]) })),
     ("specular_by_f0", specular::by_f0),
+    ("moving_reflections", specular::moving_reflections),
     ("specular_at_other_resolutions", specular::other_resolutions),
     ("object_normals", || sequence(&Config { object_normal: true, ..svgf([40, 23]) })),
     ("without_ids", || sequence(&Config { surface_id: false, ..svgf([40, 23]) })),

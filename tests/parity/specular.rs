@@ -4,7 +4,8 @@ use super::super::support::{assert_valid, scene::Scene, session_with, svgf, svgf
 use super::run;
 use atrous::config::{Conventions, Preset, RoughnessEncoding, Signals};
 use atrous::executor::SessionOptions;
-use atrous::{Config, Tuning};
+use atrous::reference::InstanceTransform;
+use atrous::{Config, Counter, Tuning};
 
 /// A reflectance at normal incidence in the place of an albedo, GGX's α in the place of the roughness, and no hit distance at first.
 pub fn by_f0() {
@@ -33,5 +34,27 @@ pub fn other_resolutions() {
         upload(&mut s, &scene.frame(i, i));
         run(&mut s, &scene.params(i), &svgf_tuning());
     }
+    assert_valid();
+}
+
+/// A thing that moves in mirrors that turn, transforms that none has, and ids that have none.
+pub fn moving_reflections() {
+    let config = Config { signals: Signals::Specular, preset: Preset::Best, ..Config::new([40, 23]) };
+    let scene = Scene { speed: 0.12, ..Scene::new([40, 23]) };
+    let identity: InstanceTransform = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let moved = [[0.9998, -0.02, 0.0, 0.1], [0.02, 0.9998, 0.0, -0.05], [0.0, 0.0, 1.0, 0.02]];
+    let bad = [[f32::NAN; 4]; 3];
+    let tables: [&[InstanceTransform]; 4] =
+        [&[identity, identity, moved], &[identity, moved, moved], &[identity, moved, bad], &[bad, identity]];
+    let mut s = session_with(&config, SessionOptions { poison: true, keep_transients: true, ..Default::default() });
+    for (i, table) in (0..).zip(tables.into_iter().cycle().take(6)) {
+        let guides = scene.frame(i, i);
+        upload(&mut s, &guides);
+        let ids: Vec<u32> = (0..guides.depth.len() as u32).map(|k| (k / 5) % 4).collect();
+        s.upload_ids("specular_hit_id", &ids).expect("specular_hit_id");
+        s.upload_buffer("instance_transforms", bytemuck::cast_slice(table)).expect("instance_transforms");
+        run(&mut s, &scene.params(i), &Tuning::for_preset(config.preset));
+    }
+    assert!(s.statistics().expect("counters")[Counter::HitId] > 0);
     assert_valid();
 }

@@ -73,6 +73,9 @@
 // guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it reflections move as their surfaces do
 #define ATROUS_INPUT_SPECULAR_HIT_DISTANCE "specular_hit_distance"
 
+// guide, id, optional: the surface_id of what the specular path hit: with instance_transforms, what moves in a mirror is followed, and so is a mirror that moves
+#define ATROUS_INPUT_SPECULAR_HIT_ID "specular_hit_id"
+
 // change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
 #define ATROUS_INPUT_FORWARD_MOTION "forward_motion"
 
@@ -252,9 +255,10 @@ typedef enum AtrousCounter {
   ATROUS_COUNTER_LOST_DEPTH = 15,
   ATROUS_COUNTER_LOST_NORMAL = 16,
   ATROUS_COUNTER_SATURATED = 17,
+  ATROUS_COUNTER_HIT_ID = 18,
 } AtrousCounter;
 
-#define ATROUS_COUNTER_COUNT 18
+#define ATROUS_COUNTER_COUNT 19
 
 
 // Bytes of a name, with its null.

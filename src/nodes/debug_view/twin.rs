@@ -17,7 +17,7 @@ use crate::reference::moments::unpack_moments;
 use crate::reference::projection::pixel_size;
 use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unpack_reflection, SeenReflection};
 use crate::reference::surface_motion::unpack_surface_motion;
-use crate::reference::virtual_motion::VirtualMotion;
+use crate::reference::virtual_motion::{image_at_rest, MirrorBefore, VirtualMotion};
 use crate::reference::visibility::{unpack_visibility, VisibilityHistory};
 use crate::reference::{Image, Moments};
 use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
@@ -181,7 +181,9 @@ impl DebugViewInputs<'_> {
         let surface = self.surface_motion_at(p);
         let seen = self.reflection.map(|reflection| unpack_reflection(reflection.at(p))).filter(|seen| seen.hit_distance > 0.0);
         let mirror = of.mirror(p, surface);
-        let position = seen.and_then(|seen| of.image_position(&mirror, &of.curvature(&mirror), seen));
+        let curvature = of.curvature(&mirror);
+        let (before, image) = (MirrorBefore::at_rest(&mirror, &curvature), |seen: SeenReflection| image_at_rest(seen.hit_distance));
+        let position = seen.and_then(|seen| of.image_position(&mirror, &curvature, &before, image(seen), seen.roughness));
         position.map_or(surface, |position| (position - mirror.surface_position + Vec2::from(surface)).into())
     }
 

@@ -55,7 +55,8 @@ impl Graph {
 
     /// Accumulates specular light, demodulated by [`Self::demodulate`] with
     /// [`crate::nodes::Albedo::Specular`]; one signal. The optional input `roughness` gives the
-    /// width of lobes; without it all surfaces are rough.
+    /// width of lobes; without it all surfaces are rough. The optional inputs `specular_hit_id` and
+    /// `instance_transforms`, with the `surface_id` of [`Self::import`], follow what moves.
     pub fn specular_accumulation(
         &mut self,
         guides: &Guides,
@@ -82,6 +83,9 @@ impl Graph {
             .bind("noisy", irradiance.image())
             .bind("roughness", self.input(Input::ROUGHNESS))
             .bind_some("history_confidence", parameters.confidence.map(|confidence| confidence.image()))
+            .bind("specular_hit_id", self.input(Input::SPECULAR_HIT_ID))
+            .bind_some("surface_id", self.given(Input::SURFACE_ID))
+            .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
             .previous("history", history.colour()[0])
             .previous("previous_moments", history.moments()[0])
             .previous("previous_reflection", reflection)

@@ -9,14 +9,17 @@ use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
-use crate::reference::rules::{pixels, rule, HALF};
+use crate::reference::reprojection::InstanceTransform;
+use crate::reference::rules::{pixels, rule, HALF, STATISTICS};
+use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::virtual_motion::{Mirror, VirtualMotion};
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{Error, FrameConstants, Tuning};
+use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
 
 mod past;
+mod scenery;
 #[cfg(test)]
 mod tests;
 
@@ -56,6 +59,12 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub is_sharp: bool,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
+    /// Ids of the instances that the specular paths hit.
+    pub hit_id: Option<&'a Image<u32>>,
+    /// Ids of the instances that are mirrors.
+    pub surface_id: Option<&'a Image<u32>>,
+    /// Transforms of the instances.
+    pub instance_transforms: Option<&'a [InstanceTransform]>,
     /// Confidence in the history.
     pub history_confidence: Option<&'a Image<f32>>,
     /// The previous frame, which is not read in a reset frame.
@@ -71,6 +80,8 @@ pub(crate) struct SpecularAccumulationOutputs {
     pub moments: Image<[u16; 4]>,
     /// See [`crate::reference::unpack_reflection`].
     pub reflection: Image<u32>,
+    /// Ids without a transform.
+    pub statistics: Statistics,
 }
 
 /// The frame with what all of its pixels share.
@@ -99,7 +110,10 @@ pub(crate) fn specular_accumulation(
 ) -> SpecularAccumulationOutputs {
     let scene = Scene::new(frame, tuning, inputs);
     let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| scene.accumulated(p));
+    let mut statistics = Statistics::default();
+    statistics[Counter::HitId] = count(texels.texels().iter().map(|t| t.4));
     SpecularAccumulationOutputs {
+        statistics,
         accumulated: texels.map(|t| t.0),
         moments: texels.map(|t| pack_moments(&t.1)),
         reflection: texels.map(|t| pack_reflection(&t.2, t.3)),
@@ -124,12 +138,12 @@ impl<'a> Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn accumulated(&self, p: IVec2) -> ([f32; 4], Moments, SeenReflection, Option<f32>) {
+    fn accumulated(&self, p: IVec2) -> ([f32; 4], Moments, SeenReflection, Option<f32>, bool) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
-        let with = |(texel, moments), seen, share| (texel, moments, seen, share);
+        let with = |(texel, moments), seen, share| (texel, moments, seen, share, false);
         if surface.is_background() {
             return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness }, None);
         }
@@ -138,10 +152,10 @@ impl Scene<'_> {
         if is_reset(self.frame) {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
-        match self.best_past(&c, &mut seen) {
-            Some(best) => with(self.blend(p, noisy, &best), seen, Some(best.image_share)),
-            None => with(fresh(noisy, Reason::Depth), seen, None),
-        }
+        let best = self.best_past(&c, &mut seen);
+        let (texel, moments) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
+        let is_bad = self.lacks_transform(&c.mirror, seen.hit_distance);
+        (texel, moments, seen, best.map(|best| best.image_share), is_bad)
     }
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
@@ -195,6 +209,7 @@ const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers:
 
 /// Where what was seen before lies is computed by quotients, and a pixel of it counts or not.
 pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
     pixels("accumulated", TRACKED),
     rule("new_moments", Unit::Pixel, Reading::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
     rule("reflection", Unit::Pixel, Reading::Reflection, Tolerance { absolute: ROUGHNESS_STEP, ..HALF }),
@@ -203,6 +218,7 @@ pub(crate) const RULES: &[Rule] = &[
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
     let inputs = SpecularAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -212,6 +228,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         is_sharp: b.is_on("SHARP")?,
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
+        hit_id: b.optional_uint("specular_hit_id")?,
+        surface_id: b.optional_uint("surface_id")?,
+        instance_transforms: transforms.as_deref(),
         previous: PreviousSpecular {
             guide: b.packed("previous_guide")?,
             history: b.colour("history")?,
@@ -220,6 +239,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         },
     };
     let outputs = specular_accumulation(b.frame, b.tuning, &inputs);
+    b.count(&outputs.statistics)?;
     let (accumulated, new_moments) = split_moments(&outputs.accumulated, &outputs.moments);
     b.write("accumulated", accumulated)?;
     b.write("new_moments", new_moments)?;

@@ -10,7 +10,7 @@ use crate::reference::reflection::{
     hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_reflection, SeenReflection,
 };
 use crate::reference::render_rect::RenderRect;
-use glam::{IVec2, Vec2, Vec4Swizzles};
+use glam::{IVec2, Vec2, Vec3, Vec4Swizzles};
 
 /// Pixels: a picture that moves by as much from frame to frame does not stand still.
 const STILL: f32 = 0.01;
@@ -107,20 +107,20 @@ impl Scene<'_> {
         let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(seen.roughness));
         let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature.mean), ..*seen };
         let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
-        let position_of = |seen| self.motion.image_position(&c.mirror, &curvature, seen);
-        let position = Some(*seen).filter(|seen| seen.hit_distance > 0.0).and_then(position_of);
+        let before = self.scenery_before(&c.mirror, &curvature, seen.hit_distance);
+        let position_of = |image| self.motion.image_position(&c.mirror, &curvature, &before.mirror, image, seen.roughness);
+        let position = Some(before.image).filter(|_| seen.hit_distance > 0.0).and_then(position_of);
         let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));
-        let image = position.filter(|position| self.is_in_lobe(c, *position, *seen));
+        let image = position.filter(|position| self.is_in_lobe(*position, before.thing, seen.roughness));
         let mut image = image.and_then(|position| self.past_at(c, position));
         if let Some(past) = &mut surface {
             let moved = position.map_or(0.0, |position| position.distance(c.mirror.surface_position));
             past.frames = worth(past.frames, moved, tolerance);
         }
         if let (Some(past), Some(position)) = (&mut image, position) {
-            let before = SeenReflection { hit_distance: hit_distance_of(depth, past.nearness), ..*seen };
-            let remembered = position_of(before).unwrap_or(position);
+            let remembered = position_of(before.image.with_z(hit_distance_of(depth, past.nearness))).unwrap_or(position);
             past.frames = worth(past.frames, position.distance(remembered), tolerance);
-            let distance = (nearness(depth, seen.hit_distance) - past.nearness).abs();
+            let distance = (nearness(depth, before.image.z) - past.nearness).abs();
             let change = distance * share / (0.05 + lobe_width(seen.roughness)) + (seen.roughness - past.roughness).abs() * 8.0;
             past.frames = worth(past.frames, change, 2.0);
         }
@@ -235,7 +235,7 @@ impl Scene<'_> {
     }
 
     /// Whether the surface at a pixel of the previous frame mirrored the same thing: its lobe holds the direction to it.
-    fn is_in_lobe(&self, c: &Centre, position: Vec2, seen: SeenReflection) -> bool {
+    fn is_in_lobe(&self, position: Vec2, thing: Vec3, roughness: f32) -> bool {
         let q = (position + 0.5).floor().as_ivec2();
         if !RenderRect::new(self.frame.previous_render_extent).contains(q) {
             return false;
@@ -247,11 +247,9 @@ impl Scene<'_> {
         let at = |depth| previous_world_position(self.frame, q, depth).xyz();
         let position = at(tap.linear_depth);
         let sight = (at(2.0 * tap.linear_depth) - position).normalize();
-        let reach = seen.hit_distance.min(1e4 * c.mirror.surface.linear_depth);
-        let thing = c.mirror.position + c.mirror.sight.reflect(c.mirror.surface.unit_normal()) * reach;
         let difference = sight.reflect(tap.unit_normal()) - (thing - position).normalize();
         // Normals of the guide are rounded to half a degree, and a mirror doubles that.
-        let tolerance = 0.06 + 2.0 * lobe_width(seen.roughness);
+        let tolerance = 0.06 + 2.0 * lobe_width(roughness);
         difference.length_squared() <= tolerance * tolerance
     }
 }

@@ -5,8 +5,9 @@ use crate::reference::nearest_history::SignalHistory;
 use crate::reference::reflection::{mirror_share, unpack_reflection};
 use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;
+use crate::reference::virtual_motion::VirtualMotion;
 use crate::Config;
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 const EXTENT: [u32; 2] = [32, 16];
 /// Pixels from one side of the image to the other side of a square one: the focal length of the test's camera.
@@ -24,6 +25,8 @@ struct Wall {
     history: Image<[f32; 4]>,
     moments: Image<[u16; 4]>,
     reflection: Image<u32>,
+    ids: Option<[Image<u32>; 2]>,
+    transforms: Vec<InstanceTransform>,
     is_filtered: bool,
     is_sharp: bool,
 }
@@ -44,6 +47,8 @@ impl Wall {
             history: paint(EXTENT, |x, _| [x as f32; 4]),
             moments: Image::new(EXTENT, pack_moments(&moments)),
             reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
+            ids: None,
+            transforms: Vec::new(),
             is_filtered: false,
             is_sharp: false,
         }
@@ -59,6 +64,9 @@ impl Wall {
             is_sharp: self.is_sharp,
             roughness: Some(&self.roughness),
             history_confidence: None,
+            hit_id: self.ids.as_ref().map(|[hit, _]| hit),
+            surface_id: self.ids.as_ref().map(|[_, mirror]| mirror),
+            instance_transforms: Some(&self.transforms),
             previous: PreviousSpecular {
                 guide: &self.guides.guide,
                 history: &self.history,
@@ -273,4 +281,61 @@ fn the_background_passes_and_a_reset_drops_the_past() {
     let sky = wall.run();
     assert!((sky.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);
     assert_eq!(unpack_reflection(sky.reflection.at(p)).hit_distance, 0.0);
+}
+
+/// A transform that turns about the y axis of a point on the wall, then moves.
+fn moved(turn: f32, by: Vec3) -> InstanceTransform {
+    let (sin, cos) = turn.sin_cos();
+    // About (0, 0, -WALL).
+    [[cos, 0.0, sin, by.x + sin * WALL], [0.0, 1.0, 0.0, by.y], [-sin, 0.0, cos, by.z + (cos - 1.0) * WALL]]
+}
+
+/// A wall whose instance is 1, and in which instance 2 is seen.
+fn wall_before(mirror: InstanceTransform, thing: InstanceTransform) -> Wall {
+    let still = moved(0.0, Vec3::ZERO);
+    Wall { ids: Some([2, 1].map(|id| Image::new(EXTENT, id))), transforms: vec![still, mirror, thing], ..Wall::new(0.0, 4.0, 0.0) }
+}
+
+#[test]
+fn what_moves_in_a_mirror_is_where_the_plane_mirrored_it() {
+    let still = moved(0.0, Vec3::ZERO);
+    let thing = moved(0.0, Vec3::new(1.05, 0.0, 0.4));
+    let mirror = moved(0.005, Vec3::new(0.1, 0.0, -0.2));
+    for [mirror, thing] in [[still, thing], [mirror, still], [mirror, thing], [mirror, mirror]] {
+        let mut wall = wall_before(mirror, thing);
+        wall.noisy = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 4.0]);
+        let motion = VirtualMotion::new(&wall.frame, &wall.guides.guide);
+        let c = motion.mirror(IVec2::new(15, 8), [0.0; 2]);
+        let normal = c.surface.unit_normal();
+        let at = |rows: &InstanceTransform, v: Vec3| Vec3::from(rows.map(|row| Vec4::from(row).dot(v.extend(1.0))));
+        let (place, seen) = (at(&mirror, c.position), at(&thing, c.position + 4.0 * c.sight.reflect(normal)));
+        let normal = at(&mirror, c.position + normal) - place;
+        let image = seen - 2.0 * normal * normal.dot(seen - place);
+        // The past knows the distance that was there.
+        let sight = at(&mirror, c.position + c.sight) - place;
+        let past = SeenReflection { hit_distance: sight.dot(image - place), roughness: 0.0 };
+        wall.reflection = Image::new(EXTENT, pack_reflection(&past, None));
+        let expected = 16.0 - FOCAL * image.x / image.z - 15.5;
+        assert!((wall.shift() - expected).abs() < 0.012, "{mirror:?}, {thing:?}: {} for {expected}", wall.shift());
+        assert_eq!(wall.run().statistics, Statistics::default());
+    }
+}
+
+#[test]
+fn a_thing_without_a_usable_transform_is_at_rest_and_counted() {
+    let pixels = EXTENT[0] * EXTENT[1];
+    let far = Vec3::new(1e16, 0.0, 0.0);
+    for (hit_id, thing, counted) in [(3, moved(0.0, Vec3::X), pixels), (0, moved(0.0, Vec3::X), 0), (2, [[f32::NAN; 4]; 3], pixels)]
+        .into_iter()
+        .chain([(u32::MAX, moved(0.0, Vec3::X), pixels), (2, moved(0.0, far), pixels)])
+    {
+        let mut wall = wall_before(moved(0.0, Vec3::ZERO), thing);
+        wall.ids = Some([hit_id, 1].map(|id| Image::new(EXTENT, id)));
+        let (given, rest) = (wall.run(), Wall::new(0.0, 4.0, 0.0).run());
+        assert_eq!(given.statistics[Counter::HitId], counted, "{hit_id}");
+        assert_eq!((&given.accumulated, &given.reflection), (&rest.accumulated, &rest.reflection), "{hit_id}");
+    }
+    // One that a transform carries behind the mirror is not seen in it.
+    let behind = wall_before(moved(0.0, Vec3::ZERO), moved(0.0, Vec3::new(3.0, 0.0, -9.0)));
+    assert_eq!(behind.run().accumulated, Wall::new(0.0, 4.0, 0.0).run().accumulated);
 }

@@ -4,6 +4,7 @@ use super::super::super::test_scene::camera;
 use super::*;
 use crate::config::{GradientSource, Preset, Signals};
 use crate::contract::{Counter, Input, InputKind};
+use crate::reference::InstanceTransform;
 use glam::Vec3;
 
 const EXTENT: [u32; 2] = [12, 9];
@@ -25,7 +26,10 @@ fn asking_for(input: &Input) -> Config {
     [everything, specular, apart, stabilize].into_iter().find(has).expect(input.name)
 }
 
-/// Bad values that two frames count, with all inputs as they should be but for the one that is NaN.
+/// Instances 0 and 1, at rest.
+const TRANSFORMS: [InstanceTransform; 2] = [[[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]; 2];
+
+/// Bad values that two frames count, with all inputs as they should be but for the one that is NaN, or has an id of no instance.
 fn counted(counter: Counter, input: &Input, is_bad: bool) -> u32 {
     let config = asking_for(input);
     let mut engine = Engine::new(config.declare().expect("valid")).expect("twins");
@@ -35,17 +39,21 @@ fn counted(counter: Counter, input: &Input, is_bad: bool) -> u32 {
         let is_left_out = |other: &Input| input.name == Input::SPECULAR_F0.name && other.name == Input::SPECULAR_ALBEDO.name;
         for other in Input::ALL.iter().filter(|other| !is_left_out(other)) {
             let Some(id) = engine.declaration.find(other.name) else { continue };
-            let Some([width, height]) = engine.declaration.resource(id).extent(EXTENT) else { continue };
+            let Some([width, height]) = engine.declaration.resource(id).extent(EXTENT) else {
+                engine.upload_buffer(other.name, bytemuck::cast_slice(&TRANSFORMS)).expect(other.name);
+                continue;
+            };
             let usual = match other.name {
                 "depth" => [4.0; 4],
                 "normal" | "object_normal" => [0.0, 0.0, 1.0, 0.0],
                 "motion" | "forward_motion" => [0.0, 0.0, 4.0, 0.0],
                 _ => [0.5; 4],
             };
-            let texel = if is_bad && other.name == input.name { [f32::NAN; 4] } else { usual };
+            let is_bad = is_bad && other.name == input.name;
+            let texel = if is_bad { [f32::NAN; 4] } else { usual };
             let count = (width * height) as usize;
             match other.kind {
-                InputKind::Id => engine.upload_ids(other.name, &vec![1; count]).expect(other.name),
+                InputKind::Id => engine.upload_ids(other.name, &vec![if is_bad { 2 } else { 1 }; count]).expect(other.name),
                 _ => engine.upload(other.name, &vec![texel; count]).expect(other.name),
             }
         }
