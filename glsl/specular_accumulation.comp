@@ -330,7 +330,8 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     }
     Past past = !surface.found ? image : !image.found ? surface : mixed(surface, image, image_share);
     past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
-    if (past.found) past.frames *= agreement(c, chosen, past.light);
+    // The widest lobe mirrors no place.
+    if (past.found && share > 0.0) past.frames *= agreement(c, chosen, past.light);
     return past;
 }
 

@@ -140,7 +140,10 @@ impl Scene<'_> {
             (surface, image) => surface.or(image)?,
         };
         let chosen = if image_share > 0.49 { position } else { None };
-        past.frames *= self.agreement(c, chosen.unwrap_or(c.mirror.surface_position), &past);
+        // The widest lobe mirrors no place.
+        if share > 0.0 {
+            past.frames *= self.agreement(c, chosen.unwrap_or(c.mirror.surface_position), &past);
+        }
         Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }
 
