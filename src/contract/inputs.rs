@@ -170,8 +170,8 @@ inputs! {
     /// reflections move as their surfaces do
     SPECULAR_HIT_DISTANCE = "specular_hit_distance": Guide Scalar, true, Some(Counter::HitDistance),
         captured(&["hitdist", "hit_distance"], &["D"]);
-    /// the `surface_id` of what the specular path hit: with `instance_transforms`, what moves in a mirror is followed, and so is a
-    /// mirror that moves
+    /// the `surface_id` of the surface that the specular path hit: with `instance_transforms`, the filter follows things that move in
+    /// a mirror, and mirrors that move
     SPECULAR_HIT_ID = "specular_hit_id": Guide Id, true, Some(Counter::HitId), captured(&["hit_id"], &["I"]);
     /// with `Config::forward_motion`, for gradients: motion of deforming surfaces from the previous frame to this one
     FORWARD_MOTION = "forward_motion": Change Vector, false, Some(Counter::ForwardMotion), captured(&["forward_motion"], XYZ);

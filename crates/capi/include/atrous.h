@@ -73,7 +73,7 @@
 // guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it reflections move as their surfaces do
 #define ATROUS_INPUT_SPECULAR_HIT_DISTANCE "specular_hit_distance"
 
-// guide, id, optional: the surface_id of what the specular path hit: with instance_transforms, what moves in a mirror is followed, and so is a mirror that moves
+// guide, id, optional: the surface_id of the surface that the specular path hit: with instance_transforms, the filter follows things that move in a mirror, and mirrors that move
 #define ATROUS_INPUT_SPECULAR_HIT_ID "specular_hit_id"
 
 // change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one

@@ -7,6 +7,7 @@ use crate::status::{AtrousStatus, Failure};
 use atrous::executor::Executor;
 use atrous::{Denoiser, FrameContext, Tuning};
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, PoisonError, RwLock};
 
 /// A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
@@ -45,22 +46,14 @@ pub(super) trait Opaque: Sized + 'static {
     fn table() -> &'static RwLock<Table<Self::Object>>;
 }
 
-pub(super) struct Table<T> {
-    next: usize,
-    live: BTreeMap<usize, Arc<RwLock<T>>>,
-}
-
-impl<T> Table<T> {
-    const fn empty() -> RwLock<Self> {
-        RwLock::new(Self { next: 0, live: BTreeMap::new() })
-    }
-}
+/// Live objects by the number of their handle.
+pub(super) type Table<T> = BTreeMap<usize, Arc<RwLock<T>>>;
 
 impl Opaque for AtrousDenoiser {
     type Object = State;
     const NAME: (&'static str, &'static str) = ("denoiser", "atrous_create");
     fn table() -> &'static RwLock<Table<State>> {
-        static TABLE: RwLock<Table<State>> = Table::empty();
+        static TABLE: RwLock<Table<State>> = RwLock::new(Table::new());
         &TABLE
     }
 }
@@ -69,21 +62,21 @@ impl Opaque for AtrousExecutor {
     type Object = ExecutorState;
     const NAME: (&'static str, &'static str) = ("executor", "atrous_executor_create");
     fn table() -> &'static RwLock<Table<ExecutorState>> {
-        static TABLE: RwLock<Table<ExecutorState>> = Table::empty();
+        static TABLE: RwLock<Table<ExecutorState>> = RwLock::new(Table::new());
         &TABLE
     }
 }
 
-/// Numbers are not used twice, and are not what an allocator returns.
-fn key(index: usize) -> usize {
-    index * 2 + 1
+/// A number that no handle of any type had before, so that none passes for one of a different type. Allocators return no odd ones.
+fn new_key() -> usize {
+    static NEXT: AtomicUsize = AtomicUsize::new(3);
+    NEXT.fetch_add(2, Ordering::Relaxed)
 }
 
 pub(super) fn insert<H: Opaque>(object: H::Object) -> *mut H {
+    let key = new_key();
     let mut table = H::table().write().unwrap_or_else(PoisonError::into_inner);
-    table.next += 1;
-    let key = key(table.next);
-    table.live.insert(key, Arc::new(RwLock::new(object)));
+    table.insert(key, Arc::new(RwLock::new(object)));
     key as *mut H
 }
 
@@ -98,13 +91,13 @@ fn invalid<H: Opaque>(handle: *const H) -> Failure {
 }
 
 pub(super) fn remove<H: Opaque>(handle: *const H) -> Result<(), Failure> {
-    let removed = H::table().write().unwrap_or_else(PoisonError::into_inner).live.remove(&(handle as usize));
+    let removed = H::table().write().unwrap_or_else(PoisonError::into_inner).remove(&(handle as usize));
     removed.map(drop).ok_or_else(|| invalid(handle))
 }
 
 fn find<H: Opaque>(handle: *const H) -> Result<Arc<RwLock<H::Object>>, Failure> {
     let table = H::table().read().unwrap_or_else(PoisonError::into_inner);
-    table.live.get(&(handle as usize)).cloned().ok_or_else(|| invalid(handle))
+    table.get(&(handle as usize)).cloned().ok_or_else(|| invalid(handle))
 }
 
 fn panicked<T>(_: PoisonError<T>) -> Failure {
@@ -140,12 +133,33 @@ mod tests {
     /// A type of handle without a device.
     struct Probe;
 
+    /// A different one.
+    struct Other;
+
     impl Opaque for Probe {
         type Object = u32;
         const NAME: (&'static str, &'static str) = ("probe", "insert");
         fn table() -> &'static RwLock<Table<u32>> {
-            static TABLE: RwLock<Table<u32>> = Table::empty();
+            static TABLE: RwLock<Table<u32>> = RwLock::new(Table::new());
             &TABLE
+        }
+    }
+
+    impl Opaque for Other {
+        type Object = u32;
+        const NAME: (&'static str, &'static str) = ("other", "insert");
+        fn table() -> &'static RwLock<Table<u32>> {
+            static TABLE: RwLock<Table<u32>> = RwLock::new(Table::new());
+            &TABLE
+        }
+    }
+
+    #[test]
+    fn no_handle_passes_for_one_of_a_different_type() {
+        for _ in 0..4 {
+            let (probe, other) = (insert::<Probe>(1), insert::<Other>(2));
+            assert!(read(probe.cast::<Other>(), |object| Ok(*object)).is_err(), "{probe:?}");
+            assert!(read(other.cast::<Probe>(), |object| Ok(*object)).is_err(), "{other:?}");
         }
     }
 
