@@ -92,9 +92,10 @@ const float BLURRED_ANYWAY = 2.5;
 // Of a pixel, to which a position is rounded before 4x4 taps are looked up: which of them count is then no matter of the last bit.
 const float LOOKUP_STEPS = 256.0;
 
-// Standard errors by which the light of now may differ from a past that counts in full, and from one that does not count.
+// Standard errors by which the light of now may differ from a past that counts in full; twice as many, and it does not count. The widest lobe
+// mirrors no place, so that chance would cost more than what moves.
 const float AGREES = 2.0;
-const float DISAGREES = 4.0;
+const float AGREES_WIDEST = 4.0;
 // Of the light, how far half precision and taps between pixels may be off.
 const float ROUNDED = 1e-3;
 // Pixels to each side, and the fewest that tell a change.
@@ -248,7 +249,7 @@ float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFe
 
 // How far the light of now is that of the past around a position, 1 to 0: by the mean difference over 5x5 pixels in standard errors, of the channel
 // that differs most. What a surface mirrors may move or turn while the surface does neither.
-float agreement(Centre c, vec2 position, History light) {
+float agreement(Centre c, vec2 position, History light, float agrees) {
     ivec2 shift = ivec2(floor(position + 0.5)) - c.mirror.p;
     vec3 sum = vec3(0.0), squares = vec3(0.0);
     float count = 0.0;
@@ -268,7 +269,7 @@ float agreement(Centre c, vec2 position, History light) {
     // Samples that a rare light missed all look alike: the past knows how much they differ.
     vec3 variance = max(squares / count - mean * mean, vec3(light.second_moment));
     vec3 errors = abs(mean) * inversesqrt(variance / count + rounded * rounded + 1e-20);
-    return clamp((DISAGREES - max(max(errors.x, errors.y), errors.z)) / (DISAGREES - AGREES), 0.0, 1.0);
+    return clamp(2.0 - max(max(errors.x, errors.y), errors.z) / agrees, 0.0, 1.0);
 }
 
 Past mixed(Past a, Past b, float share) {
@@ -330,8 +331,7 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     }
     Past past = !surface.found ? image : !image.found ? surface : mixed(surface, image, image_share);
     past.light = in_light(past.light, c.origin, vec3(1.0), frame.exposure_ratio);
-    // The widest lobe mirrors no place.
-    if (past.found && share > 0.0) past.frames *= agreement(c, chosen, past.light);
+    if (past.found) past.frames *= agreement(c, chosen, past.light, share > 0.0 ? AGREES : AGREES_WIDEST);
     return past;
 }
 

@@ -23,9 +23,10 @@ const BLURRED_ANYWAY: f32 = 2.5;
 /// Of a pixel, to which a position is rounded before 4×4 taps are looked up: which of them count is then no matter of the last bit.
 const LOOKUP_STEPS: f32 = 256.0;
 
-/// Standard errors by which the light of now may differ from a past that counts in full, and from one that does not count.
+/// Standard errors by which the light of now may differ from a past that counts in full; twice as many, and it does not count. The widest lobe
+/// mirrors no place, so that chance would cost more than what moves.
 const AGREES: f32 = 2.0;
-const DISAGREES: f32 = 4.0;
+const AGREES_WIDEST: f32 = 4.0;
 /// Of the light, how far half precision and taps between pixels may be off.
 const ROUNDED: f32 = 1e-3;
 /// Pixels to each side, and the fewest that tell a change.
@@ -140,10 +141,8 @@ impl Scene<'_> {
             (surface, image) => surface.or(image)?,
         };
         let chosen = if image_share > 0.49 { position } else { None };
-        // The widest lobe mirrors no place.
-        if share > 0.0 {
-            past.frames *= self.agreement(c, chosen.unwrap_or(c.mirror.surface_position), &past);
-        }
+        let agrees = if share > 0.0 { AGREES } else { AGREES_WIDEST };
+        past.frames *= self.agreement(c, chosen.unwrap_or(c.mirror.surface_position), &past, agrees);
         Some(BestPast { past, origin: c.origin, image_share, steadiness })
     }
 
@@ -161,7 +160,7 @@ impl Scene<'_> {
 
     /// How far the light of now is that of the past around a position, 1 to 0: by the mean difference over 5×5 pixels in standard errors,
     /// of the channel that differs most.
-    fn agreement(&self, c: &Centre, position: Vec2, past: &Past) -> f32 {
+    fn agreement(&self, c: &Centre, position: Vec2, past: &Past, agrees: f32) -> f32 {
         let ratio = self.frame.exposure_ratio;
         let in_light = |value: f32| (value * ratio).clamp(0.0, LARGEST_HALF);
         let (id, before) = (c.mirror.surface.id, RenderRect::new(self.frame.previous_render_extent));
@@ -188,7 +187,7 @@ impl Scene<'_> {
             let rounded = ROUNDED * in_light(past.irradiance[i]);
             mean.abs() / (variance.max(known) / count + rounded * rounded + 1e-20).sqrt()
         });
-        ((DISAGREES - errors.into_iter().fold(0.0, f32::max)) / (DISAGREES - AGREES)).clamp(0.0, 1.0)
+        (2.0 - errors.into_iter().fold(0.0, f32::max) / agrees).clamp(0.0, 1.0)
     }
 
     /// The mean of the tested 2×2 taps around a position.
