@@ -129,9 +129,6 @@ impl Host {
                     .map(|&(node, access)| match node {
                         Some(Node::Image(image)) => {
                             let (image, layout) = (command.resource(image), access.image().layout);
-                            if access == Access::Clear {
-                                return Binding::ClearedImage { image: image.handle, layout };
-                            }
                             Binding::Image { view: image.view(image.info.into_image_view()).expect("a view"), layout }
                         }
                         Some(Node::Buffer(buffer)) => {

@@ -68,9 +68,6 @@ impl World {
         let bind = |u: &atrous::Use| {
             let layout = u.access.image().layout;
             match self.resources[u.resource.0 as usize].get(declaration.copy(u, frame)) {
-                Some(Resource::Image(_, view)) if u.access == Access::Clear => {
-                    Binding::ClearedImage { image: view.image().handle(), layout }
-                }
                 Some(Resource::Image(_, view)) => Binding::Image { view: view.handle(), layout },
                 Some(Resource::Buffer(_, buffer)) => {
                     Binding::Buffer { buffer: buffer.handle(), offset: 0, range: ash::vk::WHOLE_SIZE }

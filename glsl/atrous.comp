@@ -74,6 +74,9 @@ int step_of(uint level) { return (1 << level) - (KERNEL == BOX_KERNEL && level >
 // Of the widest kernel: reflection knows no length that depends on a constant.
 const int TAPS = 25;
 
+// A pixel that exists, and the one that is asked for where that exists: one operation fewer for each axis than the nearest.
+ivec2 any_inside(ivec2 q) { return ivec2(min(uvec2(q), frame.render_extent - 1u)); }
+
 int index_of(ivec2 offset) { return TAPS / 2 + 5 * offset.y + offset.x; }
 
 // Log2 of the weight of what does not exist or is background.
@@ -100,13 +103,13 @@ Centre centre_of(vec4 value, float variance) {
     return Centre(luminance(value.rgb), deviation, luminance_sharpness(deviation));
 }
 
-// `geometry`: in powers of 2.
+// `geometry`: a weight with OURS, else in powers of 2.
 void add_tap(inout Sum sum, vec4 value, Centre centre, float geometry, float kernel) {
     float difference = abs(luminance(value.rgb) - centre.luminance), weight;
     if (OURS) {
         // In the background the deviation is negative.
         float x = difference * luminance_sharpness(mix(centre.deviation, max(value.a, 0.0), TAP_SHARE));
-        float share = exp2(-0.5 / LOG2_E * x * x), whole = kernel * exp2(geometry);
+        float share = exp2(-0.5 / LOG2_E * x * x), whole = kernel * geometry;
         weight = whole * share;
         sum.kept += KEPT_SHARE * (whole - weight);
     } else {
@@ -151,19 +154,13 @@ vec2 variances_beside(ivec2 p) {
 }
 
 // g3x3 over the nine taps around the centre, by how far they show its surface: wider levels have estimates of their own.
-vec2 variances_of_taps(ivec2 p, float weights[TAPS], int step_size) {
-    vec2 sum = vec2(0.0);
-    float weight_sum = 0.0;
+float variance_of_taps(vec4 values[TAPS], float weights[TAPS]) {
+    float sum = 0.0, weight_sum = 0.0;
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {
-            float weight = exp2(weights[index_of(ivec2(x, y))]) / float(1 << (abs(x) + abs(y)));
-            ivec2 tap = nearest_inside(p + ivec2(x, y) * step_size);
-            float deviation = imageLoad(input_0, tap).a;
-            sum.x += weight * deviation * deviation;
-#if SIGNALS == 2
-            deviation = imageLoad(input_1, tap).a;
-            sum.y += weight * deviation * deviation;
-#endif
+            int i = index_of(ivec2(x, y));
+            float weight = weights[i] / float(1 << (abs(x) + abs(y))), deviation = values[i].a;
+            sum += weight * deviation * deviation;
             weight_sum += weight;
         }
     return sum / weight_sum;
@@ -215,9 +212,16 @@ void main() {
     Lobe lobe = lobe_of(p, packed, geometry.surface);
 #endif
     int step_size = step_of(push.level);
-    // Of the geometry, in powers of 2.
+    // Of the geometry; without OURS in powers of 2, as the luminance weight is to be added.
     float weights[TAPS];
-    weights[index_of(ivec2(0))] = 0.0;
+    weights[index_of(ivec2(0))] = OURS ? 1.0 : 0.0;
+    // With OURS, where they are needed twice.
+    vec4 values_0[TAPS];
+    values_0[index_of(ivec2(0))] = value_0;
+#if SIGNALS == 2
+    vec4 values_1[TAPS];
+    values_1[index_of(ivec2(0))] = value_1;
+#endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
         [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
             if (y == 0 && x <= 0) continue;
@@ -225,31 +229,42 @@ void main() {
             float sharpness = depth_sharpness(geometry, vec2(offset));
             // The tap on the other side has the same tolerance of depth.
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
-                ivec2 q = p + side * offset, tap = nearest_inside(q);
+                ivec2 q = p + side * offset, tap = any_inside(q);
                 GuideBits packed_q = GuideBits(packed_at(guide, tap));
                 float weight = log2_weight(geometry, packed_q, sharpness);
 #ifdef SPECULAR
                 weight += log2_lobe_weight(lobe, offset, tap, packed_q);
 #endif
-                weights[index_of(side * ivec2(x, y))] = q == tap && is_filtered(packed_q) ? weight : REFUSED;
+                int i = index_of(side * ivec2(x, y));
+                bool counts = q == tap && is_filtered(packed_q);
+                if (OURS) {
+                    weights[i] = counts ? exp2(weight) : 0.0;
+                    values_0[i] = imageLoad(input_0, tap);
+#if SIGNALS == 2
+                    values_1[i] = imageLoad(input_1, tap);
+#endif
+                } else {
+                    weights[i] = counts ? weight : REFUSED;
+                }
             }
         }
-    vec2 variances = OURS ? variances_of_taps(p, weights, step_size) : variances_beside(p);
-    Centre centre_0 = centre_of(value_0, variances.x);
+    vec2 beside = OURS ? vec2(0.0) : variances_beside(p);
+    Centre centre_0 = centre_of(value_0, OURS ? variance_of_taps(values_0, weights) : beside.x);
     Sum sum_0 = start(value_0);
 #if SIGNALS == 2
-    Centre centre_1 = centre_of(value_1, variances.y);
+    Centre centre_1 = centre_of(value_1, OURS ? variance_of_taps(values_1, weights) : beside.y);
     Sum sum_1 = start(value_1);
 #endif
     [[unroll]] for (int y = 0; y <= RADIUS; ++y)
         [[unroll]] for (int x = -RADIUS; x <= RADIUS; ++x) {
             if (y == 0 && x <= 0) continue;
             [[unroll]] for (int side = 1; side >= -1; side -= 2) {
-                ivec2 offset = side * ivec2(x, y), tap = nearest_inside(p + offset * step_size);
-                float weight = weights[index_of(offset)], kernel = kernel_at(offset);
-                add_tap(sum_0, imageLoad(input_0, tap), centre_0, weight, kernel);
+                ivec2 offset = side * ivec2(x, y), tap = any_inside(p + offset * step_size);
+                int i = index_of(offset);
+                float weight = weights[i], kernel = kernel_at(offset);
+                add_tap(sum_0, OURS ? values_0[i] : imageLoad(input_0, tap), centre_0, weight, kernel);
 #if SIGNALS == 2
-                add_tap(sum_1, imageLoad(input_1, tap), centre_1, weight, kernel);
+                add_tap(sum_1, OURS ? values_1[i] : imageLoad(input_1, tap), centre_1, weight, kernel);
 #endif
             }
         }

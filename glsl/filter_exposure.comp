@@ -6,6 +6,7 @@
 // It stays while the mean of log2 of the luminance of what is not black lies between -DARK_BAND and BAND, and else becomes what makes that mean 0. Whole
 // numbers all the way: any order of execution gives the same bits.
 // optional: noisy_1, noisy_2
+#extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
 
@@ -43,16 +44,29 @@ const int OFFSET = 128;
 shared int sum;
 shared int count;
 
-void add(texture2D noisy, ivec2 p) {
-    vec3 c = texelFetch(noisy, p, 0).rgb;
-    if (!is_finite(c)) return;
+// Rows that the invocations look at together, and rows of an invocation whose texels are on their way at the same time.
+const uint ROWS = gl_WorkGroupSize.x / SIDE;
+const uint BATCH = 8u;
+
+// Exponents of what is lit, and their number.
+ivec2 exponent_of(vec3 c) {
+    bool finite = is_finite(c);
     c = min(max(c, 0.0), 1e38);
     precise float l = 0.2126 * c.r;
     l = l + 0.7152 * c.g;
     l = l + 0.0722 * c.b;
-    if (!(l >= DARKEST)) return;
-    atomicAdd(sum, int(floatBitsToUint(l) >> 23) - 127);
-    atomicAdd(count, 1);
+    return finite && l >= DARKEST ? ivec2(int(floatBitsToUint(l) >> 23) - 127, 1) : ivec2(0);
+}
+
+ivec2 exponents_of(texture2D noisy, int column, uint row, uint rows) {
+    vec3 c[BATCH];
+    [[unroll]] for (uint k = 0u; k < BATCH; ++k) {
+        uint y = min(row + k * ROWS, rows - 1u);
+        c[k] = texelFetch(noisy, ivec2(column, (2u * y + 1u) * frame.render_extent.y / (2u * rows)), 0).rgb;
+    }
+    ivec2 own = ivec2(0);
+    [[unroll]] for (uint k = 0u; k < BATCH; ++k) own += row + k * ROWS < rows ? exponent_of(c[k]) : ivec2(0);
+    return own;
 }
 
 float power_of_2(int exponent) { return uintBitsToFloat(uint(exponent + 127) << 23); }
@@ -73,13 +87,18 @@ void main() {
     }
     barrier();
     uvec2 cells = min(frame.render_extent, uvec2(SIDE));
-    for (uint n = i; n < cells.x * cells.y; n += gl_WorkGroupSize.x) {
-        uvec2 cell = uvec2(n % cells.x, n / cells.x);
-        ivec2 p = ivec2((2u * cell + 1u) * frame.render_extent / (2u * cells));
-        add(noisy_0, p);
-        if (is_present(NOISY_1)) add(noisy_1, p);
-        if (is_present(NOISY_2)) add(noisy_2, p);
+    uint x = i % SIDE;
+    ivec2 own = ivec2(0);
+    if (x < cells.x) {
+        int column = int((2u * x + 1u) * frame.render_extent.x / (2u * cells.x));
+        for (uint row = i / SIDE; row < cells.y; row += ROWS * BATCH) {
+            own += exponents_of(noisy_0, column, row, cells.y);
+            if (is_present(NOISY_1)) own += exponents_of(noisy_1, column, row, cells.y);
+            if (is_present(NOISY_2)) own += exponents_of(noisy_2, column, row, cells.y);
+        }
     }
+    atomicAdd(sum, own.x);
+    atomicAdd(count, own.y);
     barrier();
     if (i != 0u) return;
     int before = has_flag(FLAG_RESET) ? 0 : int(texelFetch(previous_exposure, ivec2(0), 0).x) - OFFSET;

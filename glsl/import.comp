@@ -127,14 +127,15 @@ bool host_motion(ivec2 p, out vec3 m) {
     m = texelFetch(motion, p, 0).xyz;
     bool bad = !is_finite(m.xy);
     if (bad) count_bad(BAD_MOTION);
-    vec2 extent = vec2(frame.render_extent), previous_extent = vec2(frame.previous_render_extent);
+    vec2 previous_extent = vec2(frame.previous_render_extent);
     uint unit = convention(MOTION_UNIT_SHIFT);
-    vec2 scale = unit == MOTION_PIXELS ? previous_extent / extent : unit == MOTION_UV ? previous_extent : previous_extent * 0.5;
+    vec2 ratio = extent_ratio(frame.render_extent, frame.previous_render_extent);
+    vec2 scale = unit == MOTION_PIXELS ? ratio : unit == MOTION_UV ? previous_extent : previous_extent * 0.5;
     m.xy *= scale;
     if (has_convention(MOTION_NEGATED)) m.xy = -m.xy;
     if (has_convention(MOTION_Y_UP)) m.y = -m.y;
     // A sample lies jitter beside its pixel's centre, so a rasterised position is the true one minus jitter.
-    if (has_convention(MOTION_JITTERED)) m.xy += frame.previous_jitter - frame.jitter * (previous_extent / extent);
+    if (has_convention(MOTION_JITTERED)) m.xy += frame.previous_jitter - frame.jitter * ratio;
     return !bad;
 }
 
@@ -142,7 +143,7 @@ bool host_motion(ivec2 p, out vec3 m) {
 vec2 matrix_motion(ivec2 p, vec4 previous_world) {
     vec4 clip = frame.previous_clip_from_world * previous_world;
     vec2 position = (clip.xy / clip.w * 0.5 + 0.5) * vec2(frame.previous_render_extent);
-    vec2 current = (vec2(p) + 0.5 + frame.jitter) * (vec2(frame.previous_render_extent) / vec2(frame.render_extent));
+    vec2 current = (vec2(p) + 0.5 + frame.jitter) * extent_ratio(frame.render_extent, frame.previous_render_extent);
     vec2 m = position - current;
     return clip.w > 0.0 && is_finite(m) ? m : vec2(16384.0);
 }

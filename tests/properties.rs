@@ -221,6 +221,14 @@ fn an_exposure_ratio_scales_the_history() {
     assert!(kept < 0.1 * dropped, "{kept} from the scaled history, {dropped} from the old one");
 }
 
+fn is_software() -> bool {
+    let gpu = gpu();
+    let host = gpu.host();
+    // SAFETY: instance and physical device are live and belong together.
+    let properties = unsafe { host.instance.get_physical_device_properties(host.physical_device) };
+    properties.device_type == ash::vk::PhysicalDeviceType::CPU
+}
+
 fn memory_is_what_the_executor_allocates() {
     for signals in Signals::ALL {
         let config = Config { signals, ..svgf([320, 180]) };
@@ -228,11 +236,17 @@ fn memory_is_what_the_executor_allocates() {
         let (planned, allocated) = (config.declare().expect("valid").memory(), s.executor().allocated());
         println!("{signals:?}: planned {} + {}, allocated {allocated:?}", planned.history, planned.transient);
         // A device may pad an image; software Vulkan does not at this extent, but for the two of a single texel, of the exposure.
-        assert_eq!(planned.transient, allocated.transient);
-        assert!((planned.history..planned.history + 2 * 4096).contains(&allocated.history), "{}", planned.history);
+        if is_software() {
+            assert_eq!(planned.transient, allocated.transient);
+            assert!((planned.history..planned.history + 2 * 4096).contains(&allocated.history), "{}", planned.history);
+        }
+        let whole = |planned: u64, allocated: u64| (planned..2 * planned).contains(&allocated);
+        assert!(whole(planned.transient, allocated.transient) && whole(planned.history, allocated.history), "{allocated:?}");
         // The device gives no more than that, and what lies between for alignment.
         let AllocatedMemory { history, transient, output, device } = allocated;
-        assert!((history + transient + output..history + transient + output + 65536).contains(&device), "{allocated:?}");
+        let all = history + transient + output;
+        let between = if is_software() { 65536 } else { all };
+        assert!((all..all + between).contains(&device), "{allocated:?}");
     }
 }
 

@@ -78,12 +78,15 @@ fn both_lights() {
 
 /// The same light, once as diffuse and once as specular light: of roughness 1, which is what a host says that gives none. `best` looks the
 /// past of diffuse light up by a cubic, which is sharper where the camera moves. In `asvgf` the widest lobe takes a little less from far taps.
+/// Two stages that compute the same in different order.
+const AS_GOOD: f64 = 1.0 + 1e-5;
+
 fn rough_without_distances() {
     let cases = [
-        (Preset::Svgf, 0.0, 1.0),
-        (Preset::Svgf, 0.15, 1.0),
+        (Preset::Svgf, 0.0, AS_GOOD),
+        (Preset::Svgf, 0.15, AS_GOOD),
         (Preset::Asvgf, 0.15, 1.005),
-        (Preset::Best, 0.0, 1.0),
+        (Preset::Best, 0.0, AS_GOOD),
         (Preset::Best, 0.15, 1.02),
     ];
     for (preset, speed, bound) in cases {

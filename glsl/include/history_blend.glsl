@@ -30,7 +30,9 @@ vec2 adapted(vec2 alpha, float change) { return alpha + change * (1.0 - alpha); 
 // The history in the light of this frame, with its mean as it is and its variance in the place of the second moment. A ratio of exposures may be as large as a
 // float: the clamps keep infinity minus infinity away.
 History in_light(History history, float origin, vec3 ratio, float scale) {
-    float variance = max(0.0, history.second_moment - history.mean * history.mean) * scale * scale;
+    // Squared it is finite, and all but 0 is beyond the clamp by then.
+    float gain = min(scale, 1e18);
+    float variance = max(0.0, history.second_moment - history.mean * history.mean) * (gain * gain);
     vec3 irradiance = half_range(history.irradiance * ratio * frame.exposure_ratio);
     return History(irradiance, min((origin + history.mean) * scale, 65504.0), min(variance, 65504.0 * 65504.0));
 }

@@ -3,7 +3,7 @@
 #define STRATA_GLSL
 #include "frame.glsl"
 
-layout(constant_id = 8) const uint STRATUM_SIZE = 3u;  // pixels a side, 2 to 4
+layout(constant_id = 8) const uint STRATUM_SIZE = 3u;  // pixels a side, 2 to 4; in clear_claims.comp 1 as well
 
 uvec2 strata_of(uvec2 extent) { return (extent + STRATUM_SIZE - 1u) / STRATUM_SIZE; }
 

@@ -19,9 +19,15 @@ SurfaceMotion unpack_surface_motion(uvec4 packed) {
                          unpack_octahedral(packed.w, 127.0, 8u));
 }
 
+// Pixels of the previous frame per pixel of this one. Devices may round the quotient of equal numbers to something beside 1, and what stands
+// still would be resampled in every frame.
+vec2 extent_ratio(uvec2 extent, uvec2 previous_extent) {
+    return mix(vec2(previous_extent) / vec2(extent), vec2(1.0), equal(extent, previous_extent));
+}
+
 // Position in the previous frame, pixels; pixel centres lie at +0.5.
 vec2 previous_position(ivec2 p, vec2 motion, uvec2 extent, uvec2 previous_extent) {
-    return (vec2(p) + 0.5) * (vec2(previous_extent) / vec2(extent)) + motion;
+    return (vec2(p) + 0.5) * extent_ratio(extent, previous_extent) + motion;
 }
 
 #endif

@@ -15,13 +15,6 @@ pub enum Binding {
         /// Layout of the image.
         layout: vk::ImageLayout,
     },
-    /// An image itself, for a use with [`super::Access::Clear`]: mip 0, layer 0, in `TRANSFER_DST_OPTIMAL` or `GENERAL`.
-    ClearedImage {
-        /// Colour image.
-        image: vk::Image,
-        /// Layout of the image.
-        layout: vk::ImageLayout,
-    },
     /// A range of a buffer.
     Buffer {
         /// Buffer.

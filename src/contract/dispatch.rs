@@ -10,8 +10,6 @@ use std::sync::Arc;
 pub(crate) enum Work {
     /// Uploads [`crate::FrameConstants`] to binding 0 and fills binding 1 with zeros.
     StartFrame,
-    /// Fills binding 0, an image of unsigned integers, with zeros.
-    Clear,
     /// Runs a shader.
     Dispatch(Dispatch),
 }
@@ -69,7 +67,7 @@ impl PassDecl {
     pub(crate) fn dispatch(&self) -> Option<&Dispatch> {
         match &self.work {
             Work::Dispatch(dispatch) => Some(dispatch),
-            Work::StartFrame | Work::Clear => None,
+            Work::StartFrame => None,
         }
     }
 

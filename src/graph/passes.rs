@@ -30,12 +30,6 @@ impl Graph {
         (self.constants, self.statistics) = (constants, statistics);
     }
 
-    /// Fills an image of unsigned integers with zeros.
-    pub(crate) fn clear(&mut self, node: &str, name: String, phase: Phase, image: Image) {
-        let uses = vec![Use { resource: image.id, frame: UseFrame::Current, access: Access::Clear }];
-        self.push_pass(node, PassDecl { name, phase, uses, work: Work::Clear });
-    }
-
     /// Adds a dispatch: matches its images with the bindings of the shader.
     pub(crate) fn add(&mut self, pass: Pass) {
         for (binding, wire) in &pass.wires {

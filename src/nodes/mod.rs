@@ -41,6 +41,7 @@ stages! {
     block_difference,
     block_percentiles,
     change_test,
+    clear_claims,
     debug_view,
     demodulate,
     eaw,

@@ -1,6 +1,6 @@
 //! Whether the bindings of a host fit the uses of a pass, and the descriptor that each becomes.
 
-use crate::contract::{Access, Binding, Declaration, Dispatch, Lifetime, PassDecl, Shape, Slot};
+use crate::contract::{Binding, Declaration, Dispatch, Lifetime, PassDecl, Shape, Slot};
 use crate::error::Error;
 use crate::shaders::MAX_BINDINGS;
 
@@ -18,16 +18,10 @@ pub(crate) fn check_bindings(declaration: &Declaration, pass: &PassDecl, binding
         match (binding, resource.shape) {
             (Binding::Absent, _) if resource.lifetime == Lifetime::Input { optional: true } => {}
             (Binding::Absent, _) => return Err(Error::NotBound(name())),
-            (Binding::Image { .. }, Shape::Image { .. }) if u.access != Access::Clear => {}
-            (Binding::ClearedImage { .. }, Shape::Image { .. }) if u.access == Access::Clear => {}
+            (Binding::Image { .. }, Shape::Image { .. }) => {}
             (Binding::Buffer { .. }, Shape::Buffer { .. }) => {}
             (Binding::Buffer { .. }, _) => return Err(Error::WrongKind { resource: name(), needed: "a buffer" }),
-            (Binding::Image { .. }, _) => {
-                return Err(Error::WrongKind { resource: name(), needed: "an image that is bound by its view here" });
-            }
-            (Binding::ClearedImage { .. }, _) => {
-                return Err(Error::WrongKind { resource: name(), needed: "an image that is cleared here" });
-            }
+            (Binding::Image { .. }, _) => return Err(Error::WrongKind { resource: name(), needed: "an image" }),
         }
     }
     Ok(())

@@ -6,7 +6,7 @@ use super::device::Device;
 use super::frame_life::{check_slot, FrameLife};
 use super::pipeline::{Bindable, Descriptor, Pipelines};
 use super::requirements::Requirements;
-use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work, WHOLE};
+use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
 use crate::error::Error;
 use crate::shaders::{MAX_BINDINGS, MAX_PUSH_BYTES};
 use ash::vk;
@@ -191,8 +191,6 @@ impl Denoiser {
             // SAFETY: `cmd` is recording outside a render pass, and every binding honours its use; their kinds were checked.
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },
             // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
-            Work::Clear => unsafe { self.clear(cmd, bindings) },
-            // SAFETY: `cmd` is recording, and the bindings honour their uses, as for the pass above.
             Work::Dispatch(dispatch) => unsafe { self.dispatch(cmd, frame, pass, dispatch, bindings, bound)? },
         }
         self.life.recorded(pass);
@@ -250,12 +248,6 @@ impl Denoiser {
         }
     }
 
-    unsafe fn clear(&self, cmd: vk::CommandBuffer, bindings: &[Binding]) {
-        let [Binding::ClearedImage { image, layout }] = *bindings else { return };
-        // SAFETY: `cmd` is recording outside a render pass; the image is live and in this layout.
-        unsafe { self.device.cmd_clear_color_image(cmd, image, layout, &vk::ClearColorValue { uint32: [0; 4] }, &[WHOLE]) };
-    }
-
     /// Points the set at the bindings. An absent one is pointed at a different binding of its kind,
     /// which the shader then does not read.
     unsafe fn write_set(&self, bindable: &Bindable, dispatch: &Dispatch, bindings: &[Binding]) {
@@ -266,7 +258,7 @@ impl Denoiser {
                     to.image = vk::DescriptorImageInfo::default().image_view(view).image_layout(layout)
                 }
                 Binding::Buffer { buffer, offset, range } => to.buffer = vk::DescriptorBufferInfo { buffer, offset, range },
-                Binding::Absent | Binding::ClearedImage { .. } => {}
+                Binding::Absent => {}
             }
         }
         // SAFETY: the set is ours and not in use; views and buffers are live, as the host promised to `record`. The template is

@@ -41,7 +41,7 @@ pub(crate) enum Reading {
     Guide,
     /// Motion and depth ratio of `surface_motion`.
     SurfaceMotion,
-    /// The normal of `surface_motion`; none where there is no surface.
+    /// The normal of `surface_motion`. All bits 0, which stand where there is no surface, are one of four ways to say −z.
     PreviousNormal,
     /// Both slopes.
     DepthGradient,
@@ -200,7 +200,6 @@ impl Reading {
                 let m = unpack_surface_motion(texel);
                 padded([m.motion[0], m.motion[1], m.depth_ratio])
             }
-            Self::PreviousNormal if texel[2] == 0 && texel[3] == 0 => padded([]),
             Self::PreviousNormal => padded(unpack_surface_motion(texel).previous_normal),
             Self::Moments => {
                 let m = unpack_moments(texel);

@@ -201,7 +201,7 @@ impl Engine {
         let place = |u: &Use| (u.resource.0 as usize, declaration.copy(u, frame));
         let uses = &declaration.passes()[pass].uses;
         match &declaration.passes()[pass].work {
-            Work::StartFrame | Work::Clear => {
+            Work::StartFrame => {
                 for u in uses {
                     let (resource, copy) = place(u);
                     let is_block = declaration.resource(u.resource).name == "frame_constants";

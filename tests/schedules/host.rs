@@ -8,7 +8,7 @@ use crate::support::gpu;
 use crate::support::rig::whole;
 use ash::vk;
 use atrous::executor::HeadlessDevice;
-use atrous::{Access, Binding, Declaration, Denoiser, FrameParams, Lifetime, ResourceId, Shape, Tuning, Use};
+use atrous::{Binding, Declaration, Denoiser, FrameParams, Lifetime, ResourceId, Shape, Tuning, Use};
 use std::sync::Arc;
 
 const UNDEFINED: vk::ImageLayout = vk::ImageLayout::UNDEFINED;
@@ -152,7 +152,6 @@ impl Host {
     fn binding(&self, u: &Use, copy: usize) -> Binding {
         let layout = GENERAL;
         match self.stored[u.resource.0 as usize][copy].expect("a use of what was allocated") {
-            Stored::Image { image, .. } if u.access == Access::Clear => Binding::ClearedImage { image, layout },
             Stored::Image { view, .. } => Binding::Image { view, layout },
             Stored::Buffer { buffer } => Binding::Buffer { buffer, offset: 0, range: vk::WHOLE_SIZE },
         }

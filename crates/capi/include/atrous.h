@@ -573,7 +573,7 @@ typedef struct AtrousFrame {
 // The binding for a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
 // input that is absent.
 typedef struct AtrousBinding {
-  // The image of the view: a transfer write has no use for a view.
+  // The image of the view, or null: no pass needs it.
   VkImage image;
   // 2D view of mip 0, layer 0.
   VkImageView view;

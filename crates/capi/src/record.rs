@@ -5,7 +5,7 @@ use crate::pointers::read;
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
 use ash::vk::{CommandBuffer, Handle};
-use atrous::{Access, Binding, Error, FrameContext, Use};
+use atrous::{Binding, Error, FrameContext};
 
 /// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 ///
@@ -36,11 +36,11 @@ pub unsafe extern "C" fn atrous_record(
             }
             // Checked before anything is read, since a wrong count may reach beyond what the host has.
             let count = binding_count as usize;
-            let uses = uses_of(state, pass, count)?;
+            check_count(state, pass, count)?;
             let mut bound = [Binding::Absent; ATROUS_MAX_USES];
-            for (i, (to, u)) in bound.iter_mut().zip(uses).enumerate() {
+            for (i, to) in bound.iter_mut().take(count).enumerate() {
                 // SAFETY: `bindings` points to `count` of them, and i is below that.
-                *to = binding(i, u.access, &unsafe { bindings.add(i).read_unaligned() })?;
+                *to = binding(i, &unsafe { bindings.add(i).read_unaligned() })?;
             }
             let bound = bound.get(..count).unwrap_or_default();
             // SAFETY: the command buffer is recording outside a render pass on a compute queue; the host keeps what is bound alive
@@ -68,8 +68,8 @@ fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure>
     })
 }
 
-/// The uses of a pass, which are as many as there are bindings.
-fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
+/// A pass has as many uses as there are bindings.
+fn check_count(state: &State, pass: u32, count: usize) -> Result<(), Failure> {
     let passes = state.denoiser.declaration().passes();
     let Some(decl) = passes.get(pass as usize) else {
         return Err(Failure::argument(format!("pass {pass} does not exist; there are {}", passes.len())));
@@ -77,19 +77,16 @@ fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
     if decl.uses.len() != count {
         return Err(Error::Bindings { pass: decl.name.clone(), given: count, needed: decl.uses.len() }.into());
     }
-    Ok(&decl.uses)
+    Ok(())
 }
 
 /// The binding that a host means, where its handles mean one thing.
-pub(super) fn binding(index: usize, access: Access, given: &AtrousBinding) -> Result<Binding, Failure> {
+pub(super) fn binding(index: usize, given: &AtrousBinding) -> Result<Binding, Failure> {
     let refused =
         |message: &str| Err(Failure { status: AtrousStatus::BadBindings, message: format!("binding {index} has {message}") });
     let has_image = !given.image.is_null();
     match (has_image || !given.view.is_null(), given.buffer.is_null()) {
         (true, false) => refused("both an image and a buffer; leave the handles of one VK_NULL_HANDLE"),
-        (true, true) if has_image && access == Access::Clear => {
-            Ok(Binding::ClearedImage { image: given.image, layout: given.layout })
-        }
         (true, true) if given.view.is_null() => refused("an image without a view; give a 2D view of its mip 0 and layer 0"),
         (true, true) => Ok(Binding::Image { view: given.view, layout: given.layout }),
         (false, false) => Ok(Binding::Buffer { buffer: given.buffer, offset: given.offset, range: given.range }),

@@ -207,7 +207,7 @@ pub struct AtrousPass {
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct AtrousBinding {
-    /// The image of the view: a transfer write has no use for a view.
+    /// The image of the view, or null: no pass needs it.
     pub image: Image,
     /// 2D view of mip 0, layer 0.
     pub view: ImageView,

@@ -137,30 +137,25 @@ fn null_and_wrong_sizes_are_told() {
 #[test]
 fn handles_of_a_binding_mean_one_thing() {
     use ash::vk::{Buffer, Handle, Image, ImageLayout, ImageView};
-    use atrous::{Access, Binding};
+    use atrous::Binding;
     let (image, view, buffer, layout) = (Image::from_raw(1), ImageView::from_raw(2), Buffer::from_raw(3), ImageLayout::GENERAL);
     let none =
         AtrousBinding { image: Image::null(), view: ImageView::null(), layout, buffer: Buffer::null(), offset: 16, range: 32 };
-    let bound = |access, given: AtrousBinding| {
-        crate::record::binding(7, access, &given).map_err(|failure| {
+    let bound = |given: AtrousBinding| {
+        crate::record::binding(7, &given).map_err(|failure| {
             assert_eq!(failure.status, AtrousStatus::BadBindings);
             failure.message
         })
     };
-    for access in [Access::Sampled, Access::Clear] {
-        assert_eq!(bound(access, none), Ok(Binding::Absent));
-        assert_eq!(bound(access, AtrousBinding { buffer, ..none }), Ok(Binding::Buffer { buffer, offset: 16, range: 32 }));
-        assert_eq!(bound(access, AtrousBinding { view, ..none }), Ok(Binding::Image { view, layout }));
-        for both in [AtrousBinding { image, ..none }, AtrousBinding { view, ..none }, AtrousBinding { image, view, ..none }] {
-            let message = bound(access, AtrousBinding { buffer, ..both }).expect_err("two things");
-            assert!(message.contains("binding 7 has both an image and a buffer"), "{message}");
-        }
+    assert_eq!(bound(none), Ok(Binding::Absent));
+    assert_eq!(bound(AtrousBinding { buffer, ..none }), Ok(Binding::Buffer { buffer, offset: 16, range: 32 }));
+    assert_eq!(bound(AtrousBinding { view, ..none }), Ok(Binding::Image { view, layout }));
+    for both in [AtrousBinding { image, ..none }, AtrousBinding { view, ..none }, AtrousBinding { image, view, ..none }] {
+        let message = bound(AtrousBinding { buffer, ..both }).expect_err("two things");
+        assert!(message.contains("binding 7 has both an image and a buffer"), "{message}");
     }
-    assert_eq!(bound(Access::Sampled, AtrousBinding { image, view, ..none }), Ok(Binding::Image { view, layout }));
-    for cleared in [AtrousBinding { image, view, ..none }, AtrousBinding { image, ..none }] {
-        assert_eq!(bound(Access::Clear, cleared), Ok(Binding::ClearedImage { image, layout }));
-    }
-    let message = bound(Access::StorageWrite, AtrousBinding { image, ..none }).expect_err("no view");
+    assert_eq!(bound(AtrousBinding { image, view, ..none }), Ok(Binding::Image { view, layout }));
+    let message = bound(AtrousBinding { image, ..none }).expect_err("no view");
     assert!(message.contains("binding 7 has an image without a view"), "{message}");
 }
 

@@ -2,7 +2,7 @@
 
 use super::barrier::WHOLE;
 use super::{Barrier, BarrierTarget};
-use crate::contract::{Access, Binding, ResourceId};
+use crate::contract::{Binding, ResourceId};
 use ash::vk;
 
 /// The image or buffer that stands for one copy of a resource.
@@ -40,9 +40,8 @@ impl PhysicalResource {
     }
 
     /// The binding for a use, in the layout that [`Tracker::layout`](super::Tracker::layout) gives.
-    pub fn binding(&self, access: Access, layout: vk::ImageLayout) -> Binding {
+    pub fn binding(&self, layout: vk::ImageLayout) -> Binding {
         match *self {
-            Self::Image { image, .. } if access == Access::Clear => Binding::ClearedImage { image, layout },
             Self::Image { view, .. } => Binding::Image { view, layout },
             Self::Buffer { buffer, offset, size } => Binding::Buffer { buffer, offset, range: size },
         }

@@ -210,7 +210,7 @@ impl Tracker {
         for u in self.passes.get(pass).map_or(&[][..], |p| &p.uses) {
             let copy = copy_of(&self.resources[u.resource.0 as usize], u, frame);
             let physical = self.state(u.resource, copy).zip(physical(u.resource, copy));
-            bindings.push(physical.map_or(Binding::Absent, |(state, physical)| physical.binding(u.access, state.layout)));
+            bindings.push(physical.map_or(Binding::Absent, |(state, physical)| physical.binding(state.layout)));
         }
     }
 

@@ -62,7 +62,7 @@ impl Graph {
                 .bind("instance_transforms", transforms)
                 .bind_some("forward_motion", forward_motion)
         };
-        self.clear(&node, format!("{node}_clear"), Phase::BeforeLighting, claims);
+        self.clear_claims(&node, Phase::BeforeLighting, claims, size);
         self.add(pass(false, "claim").bind("claims", self.refreshed(claims)));
         let resolve = pass(true, "resolve")
             .bind("claims", self.refreshed(claims))

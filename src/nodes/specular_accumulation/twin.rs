@@ -10,7 +10,7 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
 use crate::reference::reprojection::InstanceTransform;
-use crate::reference::rules::{pixels, rule, HALF, STATISTICS};
+use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::virtual_motion::{Mirror, VirtualMotion};
@@ -202,8 +202,8 @@ impl Scene<'_> {
     }
 }
 
-/// Roughness may be rounded either way.
-const ROUGHNESS_STEP: f32 = 1.01 / 1023.0;
+/// Roughness may be rounded either way, and a hit that is far for its depth is the quotient of two numbers that are next to each other.
+const REFLECTED: Tolerance = Tolerance { relative: 3e-3, absolute: 1.01 / 1023.0, outliers: 0.0 };
 
 const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers: 5e-3 };
 
@@ -212,7 +212,7 @@ pub(crate) const RULES: &[Rule] = &[
     STATISTICS,
     pixels("accumulated", TRACKED),
     rule("new_moments", Unit::Pixel, Reading::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
-    rule("reflection", Unit::Pixel, Reading::Reflection, Tolerance { absolute: ROUGHNESS_STEP, ..HALF }),
+    rule("reflection", Unit::Pixel, Reading::Reflection, REFLECTED),
     rule("reflection", Unit::Pixel, Reading::ImageShare, Tolerance { absolute: 0.05, ..TRACKED }),
 ];
 

@@ -17,7 +17,7 @@ impl Graph {
         let node = self.node("volume_motion", "");
         let claims = self.named_image("volume_claims", "", PACKED_32, 1, Lifetime::Transient);
         let motion = self.named_image("volume_motion", "", PACKED_32, 1, Lifetime::Transient);
-        self.clear(&node, format!("{node}_clear"), Phase::AfterLighting, claims);
+        self.clear_claims(&node, Phase::AfterLighting, claims, 1);
         // Points of the previous frame may lie outside this one.
         let claim = pass(&node, &shaders::VOLUME_MOTION_RESOLVE_0)
             .named(format!("{node}_claim"))
