@@ -48,10 +48,11 @@ fn bad_input_is_refused() {
     std::fs::write(&no_figures, "{\"format\": 1}").expect("a file");
     let no_figures = no_figures.to_str().expect("UTF-8");
     let manifest = concat!(env!("CARGO_MANIFEST_DIR"), "/Cargo.toml");
-    let refused: [(&[&str], &str); 10] = [
+    let refused: [(&[&str], &str); 11] = [
         (&["--size", "1920"], "\"1920\" is no size: give width and height like 320x180"),
         (&["--size", "0x4"], "\"0x4\" is no size"),
         (&["--preset", "sgvf"], "\"sgvf\" is no preset and no graph; there are: svgf, asvgf"),
+        (&["--bandwidth", "0"], "\"0\" is no bandwidth: give GB/s above 0"),
         (&["--content", "walls"], "\"walls\" is no content; there are: moving, wall"),
         (&["--size", "8x8", "--levels", "11"], "Config::levels is 11; allowed is 1 to 10"),
         (&["--against", no_figures], "holds no figures of this benchmark; give a file that --json wrote"),
@@ -85,6 +86,16 @@ fn every_preset_is_measured_and_compared() {
         assert!(case["host"]["recording_us"].as_f64() > Some(0.0) && case["memory"]["allocated"].as_u64() > Some(0), "{case}");
     }
     assert!(picture.metadata().expect("a picture").len() > 1000);
+    let page = folder.path().join("page.md");
+    run(bench().args(small).args(["--preset", "best", "--game", "--bandwidth", "100", "--report"]).arg(&page));
+    let page = std::fs::read_to_string(page).expect("a page");
+    for expected in ["- Driver: ", "- Memory bandwidth: 100 GB/s", "best + reflections + visibility + volume", "× floor"] {
+        assert!(page.contains(expected), "{expected}:\n{page}");
+    }
+    let modulate = page.lines().find(|line| line.starts_with("| modulate ")).expect("a pass");
+    let cells: Vec<f64> = modulate.split('|').filter_map(|cell| cell.trim().parse().ok()).collect();
+    // MB by 100 GB/s; both are rounded to what the page shows.
+    assert!((cells[6] - cells[4] / 100.0).abs() < 1e-3, "{modulate}");
     let stamps = run(bench().args(small).args(["--preset", "svgf", "--timestamps"]));
     assert!(text(&stamps.stdout).contains("GPU timestamps"), "{}", text(&stamps.stdout));
     let both = run(bench().args(small).args(["--preset", "svgf,custom", "--growth", "--against"]).arg(&json));

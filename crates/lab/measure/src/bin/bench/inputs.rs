@@ -10,7 +10,8 @@ use std::error::Error;
 use std::ops::Range;
 
 /// Optional inputs that are given, as most hosts have them.
-const GIVEN: [&str; 3] = ["motion", "albedo", "scattering_depth"];
+const GIVEN: [&str; 7] =
+    ["motion", "albedo", "scattering_depth", "roughness", "specular_albedo", "specular_hit_distance", "occluder_distance"];
 
 /// Whether a pass finds something at a resource: an optional input may be left out.
 pub fn is_given(resource: &ResourceDecl) -> bool {
@@ -100,6 +101,11 @@ fn texel(name: &str, p: &Pixel) -> [f32; 4] {
         "noisy_indirect" => colour(p.indirect),
         "noisy_volume" => colour(p.volume),
         "scattering_depth" => [p.scattering_depth; 4],
+        // From a mirror to plaster.
+        "roughness" => [[0.05, 0.2, 0.5, 1.0][p.surface_id as usize % 4]; 4],
+        "specular_albedo" => colour([0.1; 3]),
+        "specular_hit_distance" | "occluder_distance" => [p.scattering_depth; 4],
+        "noisy_visibility" => [if p.direct == [0.0; 3] { 0.0 } else { 1.0 }; 4],
         "confidence" => [0.9; 4],
         _ => colour([0, 1, 2].map(|i| p.direct[i] + p.indirect[i])),
     }

@@ -2,6 +2,7 @@
 //! atrous-measure --bin bench -- --help`. docs/lab/performance.md says how to read it.
 
 mod against;
+mod chip;
 mod clock;
 mod content;
 mod graphs;
@@ -11,6 +12,7 @@ mod inputs;
 mod isa;
 mod measure;
 mod options;
+mod page;
 mod report;
 mod runner;
 mod statistics;
@@ -44,7 +46,7 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     let clock = if cpu_device && !options.timestamps { Clock::ProcessCpuTime } else { Clock::timestamps(&gpu)? };
     let sizes = options.sizes(cpu_device);
     println!("{}; {}; {} rounds of {} frames\n", gpu.name(), clock.title(), options.rounds, options.frames);
-    let mut report = Report::new(gpu.name(), clock);
+    let mut report = Report::new(&gpu, clock, options.bandwidth);
     let measured = |size| -> Result<Vec<Case>, Box<dyn Error>> {
         let (contents, frames, rounds) = (&options.contents(), options.frames, options.rounds);
         Measurement { gpu: &gpu, clock, contents, size, frames, rounds }.run(&graphs(options, size)?)
@@ -52,7 +54,7 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     for &size in &sizes {
         let cases = measured(size)?;
         for case in &cases {
-            println!("{}", tables::passes(case)?);
+            println!("{}", tables::passes(&report, case)?);
         }
         if let Some(case) = cases.first() {
             print_floor(&case.floor, clock);
@@ -71,6 +73,9 @@ fn bench(options: &Options) -> Result<(), Box<dyn Error>> {
     if let Some(before) = &before {
         against::warnings(before, &report).iter().for_each(|warning| println!("note: {warning}"));
         println!("{}", against::table(before, &report)?);
+    }
+    if let Some(path) = &options.report {
+        std::fs::write(path, page::of(&report)?).map_err(|e| format!("{}: {e}", path.display()))?;
     }
     if let Some(path) = &options.json {
         report.write(path)?;

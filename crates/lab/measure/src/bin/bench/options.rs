@@ -24,6 +24,15 @@ pub struct Options {
     pub content: Content,
     #[command(flatten)]
     pub config: ConfigArgs,
+    /// The shadows of one light apart as well
+    #[arg(long)]
+    pub visibility: bool,
+    /// Fog apart as well
+    #[arg(long)]
+    pub volume: bool,
+    /// All that a game has: reflections and diffuse light, the shadows of one light, and fog, each as a signal of its own
+    #[arg(long)]
+    pub game: bool,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     pub post_process: bool,
@@ -39,6 +48,12 @@ pub struct Options {
     /// Timestamps on a CPU device as well, which swing with whatever else runs there
     #[arg(long)]
     pub timestamps: bool,
+    /// Memory bandwidth of the device in GB/s, for the floor of each pass; by default that of its data sheet, where it is known here
+    #[arg(long, value_parser = bandwidth)]
+    pub bandwidth: Option<f64>,
+    /// Writes a page about this device to this file, such as you would send to us: docs/gpus.md
+    #[arg(long, value_name = "FILE", conflicts_with = "isa")]
+    pub report: Option<PathBuf>,
     /// Writes the figures to this file
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
@@ -71,8 +86,9 @@ impl Options {
 
     /// The settings of presets.
     pub fn choices(&self) -> Choices {
+        let (visibility, volume) = (self.visibility || self.game, self.volume || self.game);
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
-        Choices { config: self.config.clone(), post_process }
+        Choices { config: self.config.clone(), reflections: self.game, visibility, volume, post_process }
     }
 
     /// Sizes from small to large.
@@ -95,4 +111,9 @@ impl Options {
             vec![self.content]
         }
     }
+}
+
+fn bandwidth(text: &str) -> Result<f64, String> {
+    let given = text.parse().ok().filter(|gb_per_s: &f64| gb_per_s.is_finite() && *gb_per_s > 0.0);
+    given.ok_or_else(|| format!("\"{text}\" is no bandwidth: give GB/s above 0, such as 960"))
 }

@@ -1,8 +1,10 @@
 //! The figures of a run, as they are written to a file and read from it.
 
+use super::chip;
 use super::clock::Clock;
 use super::content::Content;
 use super::statistics::Spread;
+use atrous::executor::HeadlessDevice;
 use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::path::Path;
@@ -14,6 +16,12 @@ const FORMAT: &str = "atrous-bench 1";
 pub struct Report {
     pub format: String,
     pub device: String,
+    /// Name and version; empty where the driver does not say, and in figures of a version that did not write it.
+    #[serde(default)]
+    pub driver: String,
+    /// Of the memory, GB/s: as given, or of the data sheet.
+    #[serde(default)]
+    pub bandwidth: Option<f64>,
     pub clock: Clock,
     /// Fused multiply-adds a pixel of the arithmetic loop.
     pub multiply_adds: u32,
@@ -81,9 +89,21 @@ pub struct Floor {
 }
 
 impl Report {
-    pub fn new(device: &str, clock: Clock) -> Self {
-        let multiply_adds = super::yardsticks::MULTIPLY_ADDS;
-        Self { format: FORMAT.to_owned(), device: device.to_owned(), clock, multiply_adds, cases: Vec::new() }
+    pub fn new(gpu: &HeadlessDevice, clock: Clock, bandwidth: Option<f64>) -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            device: gpu.name().to_owned(),
+            driver: chip::driver(gpu),
+            bandwidth: bandwidth.or_else(|| chip::bandwidth(gpu.name())),
+            clock,
+            multiply_adds: super::yardsticks::MULTIPLY_ADDS,
+            cases: Vec::new(),
+        }
+    }
+
+    /// Milliseconds that the memory needs for so many bytes; NaN where its bandwidth is not known.
+    pub fn floor_ms(&self, bytes: u64) -> f64 {
+        self.bandwidth.filter(|_| bytes > 0).map_or(f64::NAN, |gb_per_s| bytes as f64 / gb_per_s * 1e-6)
     }
 
     pub fn read(path: &Path) -> Result<Self, Box<dyn Error>> {

@@ -1,7 +1,7 @@
 //! The graphs that can be measured, by name: every preset, and those of `graphs`.
 
 use super::graphs::{OwnGraph, GRAPHS};
-use atrous::config::{PostProcess, Preset};
+use atrous::config::{PostProcess, Preset, Signals};
 use atrous::{Config, Declaration, Error, Tuning};
 use atrous_options::ConfigArgs;
 use std::str::FromStr;
@@ -17,6 +17,12 @@ pub enum Subject {
 #[derive(Clone)]
 pub struct Choices {
     pub config: ConfigArgs,
+    /// Reflections apart from diffuse light.
+    pub reflections: bool,
+    /// The shadows of one light apart.
+    pub visibility: bool,
+    /// Fog apart.
+    pub volume: bool,
     pub post_process: PostProcess,
 }
 
@@ -36,16 +42,22 @@ impl Subject {
         for (field, value) in choices.config.iter() {
             label += &format!(" {field}={value}");
         }
-        if choices.post_process != PostProcess::None {
-            label += " post-process";
-        }
+        let parts = [
+            (choices.reflections, " + reflections"),
+            (choices.visibility, " + visibility"),
+            (choices.volume, " + volume"),
+            (choices.post_process != PostProcess::None, " + post-process"),
+        ];
+        parts.into_iter().filter(|part| part.0).for_each(|part| label += part.1);
         label
     }
 
     pub fn declare(self, size: [u32; 2], choices: &Choices) -> Result<Declaration, Error> {
         match self {
             Self::Preset(preset) => {
-                let mut config = Config { preset, post_process: choices.post_process, ..Config::new(size) };
+                let Choices { visibility, volume, post_process, .. } = *choices;
+                let signals = if choices.reflections { Signals::Specular } else { Signals::default() };
+                let mut config = Config { preset, signals, visibility, volume, post_process, ..Config::new(size) };
                 choices.config.apply(&mut config)?;
                 config.declare()
             }

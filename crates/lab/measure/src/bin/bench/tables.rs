@@ -5,9 +5,19 @@ use super::statistics::Spread;
 use atrous_lab::pictures::{Column, PictureError, StackedBars, TextTable};
 
 /// Table of the passes of one graph.
-pub fn passes(case: &Case) -> Result<TextTable, PictureError> {
-    let columns =
-        [("ms", 4), ("95 % ms", 4), ("%", 1), ("ns/pixel", 2), ("MB", 2), ("GB/s", 2), ("× copy", 2), ("× arithmetic", 3)];
+pub fn passes(report: &Report, case: &Case) -> Result<TextTable, PictureError> {
+    let columns = [
+        ("ms", 4),
+        ("95 % ms", 4),
+        ("%", 1),
+        ("ns/pixel", 2),
+        ("MB", 2),
+        ("GB/s", 2),
+        ("floor ms", 4),
+        ("× floor", 2),
+        ("× copy", 2),
+        ("× arithmetic", 3),
+    ];
     let mut table = TextTable::new(case.name(), columns.map(|(name, decimals)| Column::new(name, decimals)));
     let total: f64 = case.passes.iter().map(|p| p.time.median).sum();
     let row = |time: Spread, share: f64, bytes: u64| {
@@ -15,7 +25,9 @@ pub fn passes(case: &Case) -> Result<TextTable, PictureError> {
         // A pass that touches buffers alone has no bytes to compare.
         let gb_per_s = if bytes == 0 || ms == 0.0 { f64::NAN } else { megabytes / ms };
         let per_pixel = ms * 1e6 / case.pixels();
-        [ms, time.p95, share, per_pixel, megabytes, gb_per_s, case.floor.over_copy(ms, bytes), ms / case.floor.arithmetic_ms]
+        let floor = report.floor_ms(bytes);
+        let copy = case.floor.over_copy(ms, bytes);
+        [ms, time.p95, share, per_pixel, megabytes, gb_per_s, floor, ms / floor, copy, ms / case.floor.arithmetic_ms]
     };
     for pass in &case.passes {
         table.row(&pass.name, &row(pass.time, 100.0 * pass.time.median / total, pass.bytes))?;

@@ -1,5 +1,6 @@
 //! A device whose driver tells statistics of pipelines: `VK_KHR_pipeline_executable_properties`.
 
+use crate::chip::driver_of;
 use ash::{khr::pipeline_executable_properties as executables, vk};
 use std::error::Error;
 use std::ffi::CStr;
@@ -77,10 +78,7 @@ unsafe fn candidate(instance: &ash::Instance, physical: vk::PhysicalDevice) -> C
         if properties.api_version < vk::API_VERSION_1_2 {
             return Candidate { physical, name, driver: String::new(), offers: false };
         }
-        let mut driver = vk::PhysicalDeviceDriverProperties::default();
-        let mut all = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
-        instance.get_physical_device_properties2(physical, &mut all);
-        let driver = format!("{} {}", text(driver.driver_name_as_c_str()), text(driver.driver_info_as_c_str()));
+        let driver = driver_of(instance, physical);
         let mut feature = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default();
         let extensions = instance.enumerate_device_extension_properties(physical).unwrap_or_default();
         let has_extension = extensions.iter().any(|e| e.extension_name_as_c_str() == Ok(executables::NAME));
