@@ -6,10 +6,14 @@ use atrous_harness::DeviceTest;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-pub const TESTS: &[DeviceTest] =
-    &[("each_problem_has_an_answer", each_problem_has_an_answer), ("problems_name_what_exists", problems_name_what_exists)];
+pub const TESTS: &[DeviceTest] = &[
+    ("each_problem_has_an_answer", each_problem_has_an_answer),
+    ("problems_name_what_exists", problems_name_what_exists),
+    ("the_versions_are_those_of_the_manifests", the_versions_are_those_of_the_manifests),
+];
 
 const PROBLEMS: &str = include_str!("../docs/problems.md");
+const BEVY: &str = include_str!("../examples/host_bevy/Cargo.toml");
 
 /// Headings of the problems with what stands below them.
 fn problems() -> Vec<(&'static str, &'static str)> {
@@ -66,6 +70,19 @@ fn problems_name_what_exists() {
         };
         assert!(exists, "docs/problems.md names `{span}`, which does not exist");
     }
+}
+
+fn the_versions_are_those_of_the_manifests() {
+    let (ours, wgpu) = (include_str!("../Cargo.toml"), include_str!("../crates/wgpu/Cargo.toml"));
+    let of = |manifest: &str, key: &str| -> String {
+        let line = manifest.lines().find(|line| line.starts_with(&format!("{key} = ")) && line.contains('"'));
+        let (_, version) = line.and_then(|line| line.split_once('"')).unwrap_or_else(|| panic!("no version of {key}"));
+        version.split('"').next().unwrap_or_default().to_owned()
+    };
+    let (version, _) = env!("CARGO_PKG_VERSION").rsplit_once('.').expect("three numbers");
+    let (rust, ash, wgpu, bevy) = (of(ours, "rust-version"), of(ours, "ash"), of(wgpu, "wgpu"), of(BEVY, "bevy"));
+    let row = format!("| {version} | {rust} | 1.1 | {ash}, or any by `Device::from_raw` | {wgpu} | {bevy} |");
+    assert!(PROBLEMS.contains(&row), "docs/problems.md must have this row:\n{row}");
 }
 
 fn read_sources(folder: &Path, sources: &mut String) {
