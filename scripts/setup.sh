@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing and nothing else: a C toolchain for shaderc's archive, the Vulkan loader, a Vulkan driver
 # where no device answers; with --window what a window needs, and with --test that, the Khronos validation layer, the headers and tools for hosts in C++,
-# a virtual X server, and a browser for the tests of reports. Then makes the archive that `shaderc` links.
+# SPIRV-Cross, a virtual X server, and a browser for the tests of reports. Then makes the archive that `shaderc` links.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -31,7 +31,7 @@ if command -v apt-get >/dev/null; then
         case $option in
             --window) ;;
             --test)
-                for package in vulkan-validationlayers libvulkan-dev cmake pkg-config xvfb xdotool; do need "$package"; done
+                for package in vulkan-validationlayers libvulkan-dev cmake pkg-config spirv-cross xvfb xdotool; do need "$package"; done
                 # Ubuntu's package of that name only fetches a snap, which does not start in a container. There the tests of reports
                 # take any Chromium or Chrome that works, and say that they are skipped without one.
                 if grep -q '^ID=debian$' /etc/os-release; then need chromium; fi

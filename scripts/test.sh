@@ -22,6 +22,8 @@ done
 
 # A machine without a Vulkan device is an error here, not a skipped test: setup.sh has just installed one.
 export ATROUS_REQUIRE_DEVICE=1
+# Likewise SPIRV-Cross, where setup.sh installs packages.
+if command -v apt-get >/dev/null; then export ATROUS_REQUIRE_TRANSLATORS=1; fi
 # Likewise a browser, where setup.sh could install one.
 if dpkg-query -W -f='${Status}' chromium 2>/dev/null | grep -q '^install ok installed$' && grep -q '^ID=debian$' /etc/os-release; then
     export ATROUS_REQUIRE_BROWSER=1

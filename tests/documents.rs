@@ -124,12 +124,18 @@ fn configurations() -> Vec<Config> {
     all
 }
 
+/// Names of the outputs of all configurations.
+pub fn outputs() -> BTreeSet<String> {
+    let declarations = configurations().into_iter().filter_map(|config| config.declare().ok());
+    let of = |d: atrous::Declaration| {
+        let outputs = d.resources().iter().filter(|r| r.lifetime == Lifetime::Output).map(|r| r.name.clone());
+        outputs.collect::<Vec<_>>()
+    };
+    declarations.flat_map(of).collect()
+}
+
 fn the_inputs_name_every_output() {
-    let mut names = BTreeSet::new();
-    for config in configurations() {
-        let Ok(declaration) = config.declare() else { continue };
-        names.extend(declaration.resources().iter().filter(|r| r.lifetime == Lifetime::Output).map(|r| r.name.clone()));
-    }
+    let names = outputs();
     let page = include_str!("../docs/inputs.md");
     let missing: Vec<_> = names.iter().filter(|name| !page.contains(&format!("| `{name}` |"))).collect();
     assert!(names.len() > 6 && missing.is_empty(), "docs/inputs.md has no row for {missing:?}");
@@ -220,9 +226,9 @@ fn the_contract_has_what_each_access_means() {
     needs_rows("docs/contract.md", include_str!("../docs/contract.md"), rows);
 }
 
-/// Every `group::test` of docs/reliability.md, where `*` is all of a group.
+/// Every `group::test` of docs/specification/reliability.md, where `*` is all of a group.
 fn each_promise_names_tests_that_exist() {
-    let promises = include_str!("../docs/reliability.md");
+    let promises = include_str!("../docs/specification/reliability.md");
     let quoted = promises.split('`').skip(1).step_by(2).filter_map(|code| code.split_once("::"));
     let tests: Vec<_> = quoted
         .filter(|(group, name)| format!("{group}{name}").chars().all(|c| c.is_ascii_lowercase() || "_*".contains(c)))

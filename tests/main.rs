@@ -37,6 +37,7 @@ mod parity;
 mod pattern;
 mod percentile;
 mod pipelines;
+mod problems;
 mod properties;
 mod readback;
 mod resize;
@@ -96,6 +97,7 @@ fn main() {
         Group { name: "pattern", tests: pattern::TESTS, needs_device: true },
         Group { name: "percentile", tests: percentile::TESTS, needs_device: true },
         Group { name: "pipelines", tests: pipelines::TESTS, needs_device: true },
+        Group { name: "problems", tests: problems::TESTS, needs_device: false },
         Group { name: "readback", tests: readback::TESTS, needs_device: true },
         Group { name: "resize", tests: resize::TESTS, needs_device: true },
         Group { name: "sampling", tests: sampling::TESTS, needs_device: true },

@@ -5,6 +5,7 @@ use std::process::Command;
 
 pub const TESTS: &[DeviceTest] = &[
     ("every_published_package_can_be_packaged", every_published_package_can_be_packaged),
+    ("what_users_search_for_is_found_by_keywords", what_users_search_for_is_found_by_keywords),
     ("every_dependency_has_a_licence_that_is_allowed", every_dependency_has_a_licence_that_is_allowed),
 ];
 
@@ -14,18 +15,39 @@ fn cargo() -> Command {
     command
 }
 
-/// Names of the packages of the workspace that do not say `publish = false`.
-fn published() -> Vec<String> {
+/// The packages of the workspace that do not say `publish = false`.
+fn published() -> Vec<serde_json::Value> {
     let output = cargo().args(["metadata", "--format-version", "1", "--no-deps", "--offline"]).output().expect("cargo");
     let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).expect("metadata");
-    let packages = metadata["packages"].as_array().expect("packages").iter().filter(|package| package["publish"].is_null());
-    packages.map(|package| package["name"].as_str().expect("a name").to_owned()).collect()
+    let packages = metadata["packages"].as_array().expect("packages").iter();
+    packages.filter(|package| package["publish"].is_null()).cloned().collect()
+}
+
+fn name(package: &serde_json::Value) -> String {
+    package["name"].as_str().expect("a name").to_owned()
+}
+
+/// Packages that a user asks a registry for; the others are parts of them.
+const FOUND_BY_SEARCH: [&str; 5] = ["atrous", "atrous-capi", "atrous-conventions", "atrous-denoise", "atrous-wgpu"];
+
+/// As crates.io takes them: at most five keywords of at most twenty letters, and at most five categories.
+fn what_users_search_for_is_found_by_keywords() {
+    let packages = published();
+    for of in FOUND_BY_SEARCH {
+        let package = packages.iter().find(|package| name(package) == of).unwrap_or_else(|| panic!("{of} is not published"));
+        let words = |field: &str| -> Vec<String> { serde_json::from_value(package[field].clone()).expect(field) };
+        let (keywords, categories) = (words("keywords"), words("categories"));
+        assert!((3..=5).contains(&keywords.len()) && keywords.iter().all(|k| k.len() <= 20), "{of}: {keywords:?}");
+        assert!(keywords.contains(&"denoiser".to_owned()), "{of}: {keywords:?}");
+        assert!((1..=5).contains(&categories.len()), "{of}: {categories:?}");
+    }
+    assert_eq!(packages.iter().find(|package| name(package) == "atrous").expect("atrous")["readme"], "README.md");
 }
 
 /// Without a build of each: what is packaged here is compiled by the other tests. A dependency without a version, or on a package that
 /// is not published, is what this finds.
 fn every_published_package_can_be_packaged() {
-    let names = published();
+    let names: Vec<String> = published().iter().map(name).collect();
     assert!(["atrous", "atrous-wgpu", "atrous-capi"].iter().all(|name| names.iter().any(|n| n == name)), "{names:?}");
     let folder = tempfile::tempdir().expect("a folder");
     let mut command = cargo();

@@ -9,6 +9,7 @@ use atrous_harness::DeviceTest;
 pub const TESTS: &[DeviceTest] = &[
     ("a_constant_image_is_a_fixed_point", a_constant_image_is_a_fixed_point),
     ("without_alpha_it_is_the_running_mean", without_alpha_it_is_the_running_mean),
+    ("light_fades_in_the_same_time_at_any_frame_rate", light_fades_in_the_same_time_at_any_frame_rate),
     ("a_render_rect_gives_the_bits_of_a_tight_image", a_render_rect_gives_the_bits_of_a_tight_image),
     ("a_reset_frame_equals_a_first_frame", a_reset_frame_equals_a_first_frame),
     ("results_do_not_depend_on_the_parity_of_the_frame", results_do_not_depend_on_the_parity_of_the_frame),
@@ -88,6 +89,37 @@ fn without_alpha_it_is_the_running_mean() {
     let one = rmse(&scene.frame(0, count - 1).noisy_radiance, &mean);
     assert!(error < 0.004, "{error}, a single frame is {one} away");
     assert!(one > 0.1, "{one}");
+}
+
+/// The share of the old light that is left 0.1 seconds after the light went out, by a preset that does not react to lights.
+fn left_of_the_light(frames_a_second: u32, tuning: &Tuning) -> f32 {
+    let scene = Scene { noise: 0.0, ..Scene::new([16, 16]) };
+    let mut s = session(&svgf(scene.extent));
+    let mut g = scene.frame(0, 0);
+    g.albedo.fill([1.0; 4]);
+    let mut left = 0.0;
+    for (light, count) in [(1.0, 40), (0.0, frames_a_second / 10)] {
+        g.noisy_radiance.fill([light, light, light, 1.0]);
+        for _ in 0..count {
+            let (_, denoised) = frame(&mut s, &g, &scene.params(0), tuning);
+            let lit: Vec<f32> = denoised.iter().zip(&g.surface_id).filter(|(_, id)| **id != 0).map(|(t, _)| t[0]).collect();
+            left = lit.iter().sum::<f32>() / lit.len() as f32;
+        }
+    }
+    left
+}
+
+fn light_fades_in_the_same_time_at_any_frame_rate() {
+    let tuning = Tuning::for_preset(Preset::Svgf);
+    let of = |rate: u32| {
+        let scaled = tuning.for_frame_time(1.0 / rate as f32).expect("in range");
+        [left_of_the_light(rate, &scaled), left_of_the_light(rate, &tuning)]
+    };
+    let [[slow, slow_frames], [usual, _], [fast, fast_frames]] = [30, 60, 120].map(of);
+    println!("left after 0.1 s: {slow:.3}, {usual:.3}, {fast:.3} by seconds, {slow_frames:.3} and {fast_frames:.3} by frames");
+    assert!((slow / usual - 1.0).abs() < 0.02 && (fast / usual - 1.0).abs() < 0.02, "{slow}, {usual}, {fast}");
+    assert!(slow_frames > 6.0 * fast_frames, "{slow_frames}, {fast_frames}");
+    assert_valid();
 }
 
 fn a_render_rect_gives_the_bits_of_a_tight_image() {

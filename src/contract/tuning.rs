@@ -240,6 +240,41 @@ impl Tuning {
         }
     }
 
+    /// Weights of the new frame. A history that each frame forgets a part of lasts a time of its own at each frame rate.
+    const WEIGHTS: [&'static str; 5] = ["alpha", "alpha_moments", "volume_alpha", "visibility_alpha", "taa_alpha"];
+    /// The frame rate that numbers are meant for, a second.
+    const FRAME_RATE: f32 = 60.0;
+    const LONGEST_FRAME: f32 = 10.0;
+
+    /// These numbers for a frame that takes `seconds`, if they are meant for 60 frames a second. Light then fades from the history in
+    /// the same time at any frame rate. Apply it anew to your own numbers in each frame.
+    ///
+    /// It changes the weights of the new frame (`alpha`, `alpha_moments`, `volume_alpha`, `visibility_alpha`, `taa_alpha`) and
+    /// `max_history_length`. For example, an `alpha` of 0.1 becomes 0.19 at 30 frames a second, and 0.051 at 120. Fewer frames a
+    /// second have fewer samples, so more noise is left.
+    ///
+    /// # Errors
+    /// [`Error::Tuning`] for a time that is not 0 to 10 seconds.
+    pub fn for_frame_time(&self, seconds: f32) -> Result<Self, Error> {
+        let range = 0.0..=Self::LONGEST_FRAME;
+        if !range.contains(&seconds) {
+            let (min, max, default) = (*range.start(), *range.end(), 1.0 / Self::FRAME_RATE);
+            return Err(Error::Tuning { name: "frame time", value: seconds, min, max, default });
+        }
+        let frames = seconds * Self::FRAME_RATE;
+        let mut scaled = *self;
+        for field in Self::FIELDS {
+            let Some(value) = self.get(field.name) else { continue };
+            let value = match field.name {
+                name if Self::WEIGHTS.contains(&name) => 1.0 - (1.0 - value).powf(frames),
+                "max_history_length" => value / frames,
+                _ => continue,
+            };
+            scaled.set(field.name, value.clamp(field.min, field.max))?;
+        }
+        Ok(scaled)
+    }
+
     /// Checks every field against its range.
     ///
     /// # Errors
@@ -263,6 +298,37 @@ mod tests {
     fn defaults_are_in_range() {
         for preset in Preset::ALL {
             assert_eq!(Tuning::for_preset(preset).validate(), Ok(()), "{preset}");
+        }
+    }
+
+    #[test]
+    fn a_second_of_frames_forgets_the_same_at_any_rate() {
+        for preset in Preset::ALL {
+            let meant = Tuning::for_preset(preset);
+            for rate in [24.0_f32, 30.0, 60.0, 120.0, 480.0] {
+                let tuning = meant.for_frame_time(1.0 / rate).expect("in range");
+                assert_eq!(tuning.validate(), Ok(()), "{preset} at {rate}");
+                for name in ["alpha", "alpha_moments", "volume_alpha", "visibility_alpha"] {
+                    let kept = |tuning: &Tuning, frames: f32| (1.0 - tuning.get(name).expect(name)).powf(0.1 * frames);
+                    let (given, needed) = (kept(&tuning, rate), kept(&meant, 60.0));
+                    assert!((given - needed).abs() < 1e-4, "{preset}, {name} at {rate}: {given} for {needed}");
+                }
+                let seconds = tuning.max_history_length / rate;
+                assert!((seconds - 256.0 / 60.0).abs() < 0.01 || tuning.max_history_length == 1024.0, "{preset}: {seconds} s");
+                let same = Tuning { sigma_l: meant.sigma_l, spatial_variance_frames: meant.spatial_variance_frames, ..tuning };
+                assert_eq!(same, tuning, "{preset}: numbers that are no weights");
+            }
+        }
+        let stopped = Tuning::default().for_frame_time(0.0).expect("in range");
+        assert_eq!((stopped.alpha, stopped.max_history_length), (0.0, 1024.0));
+        assert_eq!(stopped.validate(), Ok(()));
+    }
+
+    #[test]
+    fn a_frame_time_out_of_range_is_refused() {
+        for seconds in [f32::NAN, -0.1, 11.0, f32::INFINITY] {
+            let error = Tuning::default().for_frame_time(seconds).expect_err("refused").to_string();
+            assert!(error.contains("frame time") && error.contains(&format!("{seconds}")), "{error}");
         }
     }
 

@@ -175,7 +175,7 @@ impl Irradiance {
     /// was filled in. The node `fill_holes` does this itself; call it for images that a stage of
     /// yours wrote. An accumulation keeps the history of such pixels, and counts the filled-in
     /// light for half a frame.
-    pub fn with_filled_holes(mut self) -> Self {
+    pub(crate) fn with_filled_holes(mut self) -> Self {
         self.holes = true;
         self
     }

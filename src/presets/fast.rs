@@ -16,7 +16,7 @@ pub fn fast(g: &mut Graph, guides: &Guides, config: &Config) -> Denoised {
 }
 
 /// The spatial filter of [`fast`].
-pub fn fast_filter(config: &Config) -> Atrous {
+fn fast_filter(config: &Config) -> Atrous {
     Atrous { levels: config.levels(), kernel: Kernel::Box, luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() }
 }
 

@@ -20,13 +20,12 @@ mod volume;
 pub use asvgf::asvgf;
 pub use best::{best, best_with, Best};
 pub use eaw::eaw;
-pub use fast::{fast, fast_filter, fast_with};
+pub use fast::{fast, fast_with};
 pub use gradients::{change_of_light, gradient_samples, ChangeOfLight};
 pub use percentile::percentile;
 pub use specular::{specular, Specular};
 pub use stabilize::stabilize;
 pub use svgf::svgf;
-pub use visibility::{visibility, visibility_accumulated};
 pub use volume::volume;
 
 use crate::config::{Config, PostProcess, Preset, Signals};
@@ -34,6 +33,7 @@ use crate::contract::Declaration;
 use crate::error::Error;
 use crate::graph::{Graph, Guides, Irradiance, Radiance};
 use crate::nodes::{Import, Intermediates, Usual};
+use visibility::{visibility, visibility_accumulated};
 
 /// The outputs of a preset.
 #[derive(Clone, Copy, Debug)]

@@ -129,15 +129,11 @@ impl Requirements {
         Ok(())
     }
 
-    /// Checks the additional needs of the built-in executor: synchronization2, from Vulkan 1.3 or
-    /// `VK_KHR_synchronization2`.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`].
+    /// Checks for synchronization2, from Vulkan 1.3 or `VK_KHR_synchronization2`.
     ///
     /// # Safety
     /// Obligations of [`Self::check`].
-    pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
+    unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
         // SAFETY: the instance is live, and the physical device is one of its own.
         unsafe { self.check(instance, physical_device)? };
         let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default();
@@ -154,9 +150,9 @@ impl Requirements {
         Ok(())
     }
 
-    /// Checks as [`Self::check_executor`] does, and that your device has its calls. A device of
-    /// Vulkan 1.3 has them whether or not the feature was enabled, and Vulkan cannot be asked:
-    /// enabling it is up to you.
+    /// Checks the additional need of the built-in executor: synchronization2, and that your device
+    /// has its calls. A device of Vulkan 1.3 has them whether or not the feature was enabled, and
+    /// Vulkan cannot be asked: enabling it is up to you.
     ///
     /// # Errors
     /// [`Error::Unsupported`] names the extension or version to create the device with.

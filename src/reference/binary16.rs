@@ -12,7 +12,7 @@ pub(crate) fn round_to_half(x: f32) -> f32 {
 }
 
 /// Every component rounded to binary16: what an RGBA16_SFLOAT image keeps of one that is wider.
-pub fn round_image_to_half(image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
+pub(crate) fn round_image_to_half(image: &Image<[f32; 4]>) -> Image<[f32; 4]> {
     image.map(|texel| texel.map(round_to_half))
 }
 

@@ -98,7 +98,7 @@ impl<'a> Bindings<'a> {
     ///
     /// # Errors
     /// Errors of [`Self::constant`].
-    pub fn is_on(&self, name: &str) -> Result<bool, Error> {
+    pub(crate) fn is_on(&self, name: &str) -> Result<bool, Error> {
         Ok(self.constant(name)? != 0)
     }
 
@@ -135,7 +135,7 @@ impl<'a> Bindings<'a> {
     ///
     /// # Errors
     /// Errors of [`Self::bytes`] of `statistics`.
-    pub fn count(&mut self, statistics: &Statistics) -> Result<(), Error> {
+    pub(crate) fn count(&mut self, statistics: &Statistics) -> Result<(), Error> {
         let sum = self.statistics()?.plus(statistics);
         self.write("statistics", Texels::Bytes(sum.as_bytes().to_vec()))
     }
@@ -144,7 +144,7 @@ impl<'a> Bindings<'a> {
     ///
     /// # Errors
     /// Errors of [`Self::bytes`] of `statistics`.
-    pub fn statistics(&self) -> Result<Statistics, Error> {
+    pub(crate) fn statistics(&self) -> Result<Statistics, Error> {
         Statistics::from_bytes(self.bytes("statistics")?)
     }
 
@@ -152,7 +152,7 @@ impl<'a> Bindings<'a> {
     ///
     /// # Errors
     /// Errors of [`Self::bytes`] for something else than a buffer.
-    pub fn instance_transforms(&self) -> Result<Option<Vec<InstanceTransform>>, Error> {
+    pub(crate) fn instance_transforms(&self) -> Result<Option<Vec<InstanceTransform>>, Error> {
         let of_bytes =
             |bytes: &[u8]| bytes.chunks_exact(size_of::<InstanceTransform>()).map(bytemuck::pod_read_unaligned).collect();
         self.has("instance_transforms").then(|| self.bytes("instance_transforms").map(of_bytes)).transpose()
@@ -162,7 +162,7 @@ impl<'a> Bindings<'a> {
     ///
     /// # Errors
     /// Errors of [`Self::constant`]; [`Error::Config`] for 0.
-    pub fn stratum_size(&self) -> Result<u32, Error> {
+    pub(crate) fn stratum_size(&self) -> Result<u32, Error> {
         match self.constant("STRATUM_SIZE")? {
             0 => Err(Error::Config { name: "stratum_size", given: 0, min: 2, max: 4 }),
             size => Ok(size),

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 /// A pixel of the guide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Surface {
+pub(crate) struct Surface {
     /// View-space depth along the view axis, positive, scene units, kept with a mantissa of 19 bits; 0 is the background.
     pub linear_depth: f32,
     /// World-space normal, of unit length but for its steps of 1/127.
@@ -54,7 +54,7 @@ pub(crate) fn pack_guide(surface: &Surface) -> [u16; 4] {
 }
 
 /// The surface of a texel of `guide`.
-pub fn unpack_guide(texel: [u16; 4]) -> Surface {
+pub(crate) fn unpack_guide(texel: [u16; 4]) -> Surface {
     let [x, y, z, w] = texel;
     let steps = [z & 0xff, z >> 8, w & 0xff];
     Surface {

@@ -54,10 +54,8 @@ pub(crate) mod virtual_motion;
 pub(crate) mod visibility;
 pub(crate) mod volume;
 
-pub use binary16::round_image_to_half;
 pub use bindings::{Bindings, Twin};
 pub use engine::Engine;
-pub use guide::{unpack_guide, Surface};
 pub use image::Image;
 pub use luminance::luminance;
 pub use moments::{unpack_moments, Moments, Reason};
@@ -66,17 +64,18 @@ pub use pass::TwinOutputs;
 pub use projection::Projections;
 pub use reprojection::{motion_in_pixels, InstanceTransform};
 pub(crate) use stage::CpuStage;
-pub use surface_motion::{unpack_surface_motion, SurfaceMotion};
 pub use texels::Texels;
 
 #[cfg(test)]
 pub(crate) use {
-    binary16::{round_to_half, LARGEST_HALF},
-    guide::pack_guide,
+    binary16::{round_image_to_half, round_to_half, LARGEST_HALF},
+    guide::{pack_guide, unpack_guide, Surface},
     moments::pack_moments,
     nearest_history::{HistoryGuides, SignalHistory},
     reflection::{pack_reflection, SeenReflection, FARTHEST_HIT},
     strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample},
-    surface_motion::{pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, LARGEST_MOTION},
+    surface_motion::{
+        pack_depth_gradient, pack_surface_motion, unpack_depth_gradient, unpack_surface_motion, SurfaceMotion, LARGEST_MOTION,
+    },
     visibility::{pack_visibility, VisibilityHistory},
 };

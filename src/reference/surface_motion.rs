@@ -8,7 +8,7 @@ pub(crate) const LARGEST_MOTION: f32 = 16384.0;
 
 /// A pixel of `surface_motion`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SurfaceMotion {
+pub(crate) struct SurfaceMotion {
     /// Pixels of the previous frame: the surface of pixel p was at `(p + 0.5)·E'/E + motion`.
     pub motion: [f32; 2],
     /// Previous linear depth divided by linear depth, minus 1.
@@ -28,7 +28,7 @@ pub(crate) fn pack_surface_motion(motion: [f32; 2], surface: Option<(f32, [f32; 
 }
 
 /// The content of a texel of `surface_motion`.
-pub fn unpack_surface_motion(texel: [u16; 4]) -> SurfaceMotion {
+pub(crate) fn unpack_surface_motion(texel: [u16; 4]) -> SurfaceMotion {
     let [x, y, z, w] = texel;
     SurfaceMotion {
         motion: [from_half_bits(x), from_half_bits(y)],

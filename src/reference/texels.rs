@@ -37,8 +37,7 @@ impl Texels {
         }
     }
 
-    /// The texels of an image in memory, row by row without gaps. An image of one float becomes [`Self::Scalar`]; a host's is
-    /// [`Self::Colour`], which [`Self::of_host`] makes of it.
+    /// The texels of an image in memory, row by row without gaps. An image of one float becomes [`Self::Scalar`].
     ///
     /// # Errors
     /// [`Error::Format`] for a format that no stage of ours reads or writes; [`Error::Size`] for a wrong number of bytes.
@@ -58,15 +57,6 @@ impl Texels {
             vk::Format::R32_UINT => Self::Uint(image(extent, bytes)?),
             _ => Self::Packed(image(extent, bytes)?),
         })
-    }
-
-    /// The texels as a twin takes them from a host: one float becomes the first of four.
-    #[must_use]
-    pub fn of_host(self) -> Self {
-        match self {
-            Self::Scalar(image) => Self::Colour(image.map(|x| [*x, 0.0, 0.0, 0.0])),
-            other => other,
-        }
     }
 
     /// Width and height; a buffer has its bytes in one row.
@@ -148,7 +138,7 @@ mod tests {
         assert_eq!(texels, Texels::Packed(Image::new([1, 1], [one, 0, one, 0])));
         let scalar = Texels::from_bytes(vk::Format::R32_SFLOAT, [1, 1], &0.5_f32.to_ne_bytes()).expect("four bytes");
         assert_eq!(scalar, Texels::Scalar(Image::new([1, 1], 0.5)));
-        assert_eq!(scalar.of_host().to_floats(), [[0.5, 0.0, 0.0, 0.0]]);
+        assert_eq!(scalar.to_floats(), [[0.5, 0.0, 0.0, 0.0]]);
     }
 
     #[test]

@@ -17,6 +17,18 @@ const LEAST_GRADIENT: f32 = 2e-3;
 /// Relative difference of depth between neighbours beyond which there is an edge between them.
 const EDGE: f32 = 0.25;
 
+/// Jitter moves a projection by two pixels at most, from one frame to the next.
+const JITTER: f32 = 2.0;
+
+/// Whether the camera stands still: of one view, and of projections that are the same but for jitter.
+fn camera_stands([previous, current]: [&FrameParams; 2]) -> bool {
+    let [width, height] = current.render_extent.map(|side| side as f32);
+    let slack = 2.0 * JITTER / width.min(height);
+    let numbers = |params: &FrameParams| params.clip_from_view.as_flattened().to_vec();
+    let is_near = |(a, b): (f32, f32)| (a - b).abs() <= slack;
+    previous.view_from_world == current.view_from_world && numbers(previous).into_iter().zip(numbers(current)).all(is_near)
+}
+
 /// Every n-th pixel in both directions.
 fn sample([width, height]: [u32; 2]) -> Vec<IVec2> {
     let step = ((width as f32 * height as f32 / MOST_PIXELS).sqrt().ceil() as usize).max(1);
@@ -29,6 +41,8 @@ pub(super) struct Pair<'a> {
     pub previous: &'a Guides<'a>,
     pub current: &'a Guides<'a>,
     pub pixels: Vec<IVec2>,
+    /// Whatever the matrices are, a point then stays at its place, but for jitter.
+    pub camera_stands: bool,
     /// Unit normals of the pixels by every encoding, in the order of the enum; `None` where there is none.
     normals: Vec<[Option<Vec3>; 4]>,
 }
@@ -43,7 +57,8 @@ impl<'a> Pair<'a> {
             encodings.map(|e| Vec3::from(decode_normal(e, texel?)).try_normalize())
         };
         let normals = pixels.iter().map(decode).collect();
-        Self { previous, current, pixels, normals }
+        let camera_stands = camera_stands([&previous.params, &current.params]);
+        Self { previous, current, pixels, camera_stands, normals }
     }
 }
 

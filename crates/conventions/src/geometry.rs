@@ -98,23 +98,12 @@ impl Geometry {
         [backwards, up]
     }
 
-    fn matrices(&self) -> [Self; 6] {
+    fn matrices(&self) -> [Self; 7] {
         let columns = "give matrices by columns: the translation of a view matrix is its last column";
-        let exchanged = |of: &FrameParams, with: &FrameParams| FrameParams {
-            view_from_world: with.view_from_world,
-            clip_from_view: with.clip_from_view,
-            jitter: with.jitter,
-            ..*of
-        };
         let (transposed, same) = (|m: Mat4| m.transpose(), |m: Mat4| m);
         [
-            Self {
-                mistake: "the matrices of the previous and of the current frame are exchanged",
-                remedy: "give each frame the matrices and the jitter that it was rendered with".to_owned(),
-                previous: exchanged(&self.previous, &self.current),
-                current: exchanged(&self.current, &self.previous),
-                ..self.clone()
-            },
+            self.exchanged(true),
+            self.exchanged(false),
             self.with("view_from_world is transposed", columns, transposed, |clip, _| clip),
             self.with_clip("clip_from_view is transposed", columns, transposed),
             self.with("both matrices are transposed", columns, transposed, |clip, _| clip.transpose()),
@@ -126,6 +115,23 @@ impl Geometry {
             ),
             self.with("clip_from_view is clip from world", "give the projection alone", same, |clip, view| clip * view.inverse()),
         ]
+    }
+
+    /// The matrices of both frames exchanged, with the jitter or without.
+    fn exchanged(&self, with_jitter: bool) -> Self {
+        let matrices = |of: &FrameParams, from: &FrameParams| FrameParams {
+            view_from_world: from.view_from_world,
+            clip_from_view: from.clip_from_view,
+            jitter: if with_jitter { from.jitter } else { of.jitter },
+            ..*of
+        };
+        Self {
+            mistake: "the matrices of the previous and of the current frame are exchanged",
+            remedy: "give each frame the matrices and the jitter that it was rendered with".to_owned(),
+            previous: matrices(&self.previous, &self.current),
+            current: matrices(&self.current, &self.previous),
+            ..self.clone()
+        }
     }
 
     fn jitters(&self) -> [Self; 4] {

@@ -11,8 +11,9 @@
 //! A pixel votes for the encoding that explains it where the declared one does not. A mistake is
 //! named if it gets at least four of five votes. Moving objects, disocclusions and values that are
 //! not finite are outvoted or have no vote. Frames that show no difference are reported as
-//! inconclusive: take two frames between which the camera moves **and turns**, in a scene with
-//! slanted surfaces, with a few pixels of motion, and with jitter on if the engine has jitter.
+//! inconclusive, and so are matrices if the camera stands still, whatever its jitter. Take two
+//! frames between which the camera moves **and turns**, in a scene with slanted surfaces, with a
+//! few pixels of motion, and with jitter on if the engine has jitter.
 //!
 //! It runs on the CPU in a fraction of a second and needs no device. For frames of an engine, make
 //! a capture (`Executor::capture`, feature `capture`) and run `cargo run --release -p

@@ -55,12 +55,20 @@ impl<'a> Trial<'a> {
         [(Measure::Depth, DEPTH, &self.depth), (Measure::Motion, MOTION, &self.motion), (Measure::Normals, NORMALS, &self.normals)]
     }
 
-    /// The votes of each measure between this geometry and a different one.
+    /// The votes of each measure between this geometry and a different one. If the camera stands still, a place in the previous
+    /// frame tells nothing, unless it lies behind the camera.
     fn votes(&self, other: &Self) -> [(Measure, Votes); 3] {
         let others = other.measures();
         let mut i = 0;
         self.measures().map(|(measure, rule, residuals)| {
-            let votes = Votes::of(rule, residuals, others[i].2);
+            let is_place = measure != Measure::Normals && self.pair.camera_stands;
+            let is_behind = |n: usize| [self, other].iter().any(|trial| trial.points[n].motion.x.is_infinite());
+            let mut votes = Votes::default();
+            for (n, (a, b)) in residuals.iter().zip(others[i].2).enumerate() {
+                if !is_place || is_behind(n) {
+                    votes.count(rule, *a, *b);
+                }
+            }
             i += 1;
             (measure, votes)
         })
@@ -99,7 +107,7 @@ impl<'a> Trial<'a> {
         let (surfaces, pixels, motion) = (self.surfaces(), self.pair.pixels.len(), self.median_motion());
         let why = if surfaces < contest::LEAST {
             format!("{surfaces} of {pixels} pixels are surfaces; check depth, background_depth and surface_id")
-        } else if motion < MOVES {
+        } else if motion < MOVES || self.pair.camera_stands {
             format!(
                 "nothing moves: by depth and matrices, pixels move by {motion:.2}; give two frames between which the camera moves"
             )
@@ -291,7 +299,9 @@ pub(super) fn geometry_finding<'t, 'a>(declared: &Trial<'a>, alternatives: &'t [
             Finding { remedy, factor, evidence: evidence.collect(), ..Finding::new(Verdict::Mistake, fitting.geometry.mistake) };
         return (finding, Some(fitting));
     }
-    let mut finding = if explained(DEPTH, &declared.depth).is_some_and(|part| part < 0.5) {
+    let mut finding = if declared.pair.camera_stands {
+        declared.nothing_tells()
+    } else if explained(DEPTH, &declared.depth).is_some_and(|part| part < 0.5) {
         Finding::new(Verdict::Unexplained, "the depth of the previous frame is not where depth and matrices of this one put it")
     } else if outcomes.contains(&Outcome::First) {
         let undecided = alternatives.iter().zip(&outcomes[1..]).filter(|(_, o)| **o == Outcome::Undecided);

@@ -66,9 +66,9 @@ impl ImportInputs<'_> {
 /// Guides as the filters read them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ImportOutputs {
-    /// Depth, normal, roughness and id, see [`crate::reference::unpack_guide`].
+    /// Depth, normal, roughness and id, see [`crate::reference::guide::unpack_guide`].
     pub guide: Image<[u16; 4]>,
-    /// Motion and expected previous depth and normal, see [`crate::reference::unpack_surface_motion`].
+    /// Motion and expected previous depth and normal, see [`crate::reference::surface_motion::unpack_surface_motion`].
     pub surface_motion: Image<[u16; 4]>,
     /// See [`crate::reference::unpack_depth_gradient`].
     pub depth_gradient: Image<u32>,

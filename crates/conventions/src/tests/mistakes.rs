@@ -37,7 +37,7 @@ fn normals(frames: &mut [Frame; 2], signs: [f32; 3]) {
 }
 
 /// Adds `sign` times the jitter to the projection, as a host does that renders with it.
-fn jitter_projections(frames: &mut [Frame; 2], sign: f32) {
+pub fn jitter_projections(frames: &mut [Frame; 2], sign: f32) {
     matrices(frames, |_, clip, params| {
         for (i, side) in EXTENT.into_iter().enumerate() {
             let ndc = sign * 2.0 * params.jitter[i] / side as f32;

@@ -89,7 +89,7 @@ fn ids_are_not_needed_and_half_precision_is_enough() {
     let [mut previous, mut current] = Scene::default().frames();
     for frame in [&mut previous, &mut current] {
         for image in [&mut frame.depth, &mut frame.normal, &mut frame.motion] {
-            *image = atrous::reference::round_image_to_half(image);
+            *image = image.map(|texel| texel.map(|v| half::f16::from_f32(v).to_f32()));
         }
     }
     let without = |frame: &Frame| frame.surface_id.clone();
@@ -133,6 +133,59 @@ fn frames_that_cannot_tell_are_said_to() {
     let declared = Conventions { depth: DepthEncoding::RayLength, normal_space: NormalSpace::View, ..Conventions::default() };
     let report = report(&declared, &frames);
     assert_eq!(report.conventions, Conventions::default(), "{report}");
+}
+
+type Spoil = fn(&mut [Frame; 2]);
+
+/// Jitter as a host gives it wrongly, or rightly.
+const JITTERS: [(&str, Spoil); 5] = [
+    ("declared", |_| ()),
+    ("not declared", |frames| frames.iter_mut().for_each(|f| f.params.jitter = [0.0; 2])),
+    ("negated", |frames| frames.iter_mut().for_each(|f| f.params.jitter = f.params.jitter.map(|j| -j))),
+    ("exchanged", |frames| {
+        let [a, b] = [0, 1].map(|i| frames[i].params.jitter);
+        (frames[0].params.jitter, frames[1].params.jitter) = (b, a);
+    }),
+    ("in the projection", |frames| mistakes::jitter_projections(frames, -1.0)),
+];
+
+/// Whatever the matrices are, a camera that stands still shows each point at its place, but for jitter.
+#[test]
+fn a_camera_that_stands_still_tells_nothing_of_matrices() {
+    for depth in [DepthEncoding::Linear, DepthEncoding::Device] {
+        let declared = Conventions { depth, ..Conventions::default() };
+        for (things_move, reversed) in [(false, false), (true, true)] {
+            let scene = Scene { camera: Camera::Still, encoding: declared, things_move, reversed, ..Scene::default() };
+            for (name, spoil) in JITTERS {
+                let mut frames = scene.frames();
+                spoil(&mut frames);
+                let report = report(&declared, &frames);
+                assert_eq!(report.geometry.verdict, Verdict::Inconclusive, "{depth:?}, jitter {name}:\n{report}");
+                assert!(report.geometry.mistake.contains("nothing moves"), "{depth:?}, jitter {name}:\n{report}");
+                assert_eq!(report.conventions.depth, depth, "jitter {name}:\n{report}");
+            }
+        }
+    }
+}
+
+#[test]
+fn exchanged_matrices_are_named_as_such() {
+    for (depth, reversed) in [(DepthEncoding::Linear, false), (DepthEncoding::Device, true)] {
+        let declared = Conventions { depth, ..Conventions::default() };
+        for camera in [Camera::Slides, Camera::Moves, Camera::Turns] {
+            for (jitter, is_kept) in [([[0.0; 2]; 2], false), (Scene::default().jitter, false), (Scene::default().jitter, true)] {
+                let mut frames = Scene { camera, jitter, reversed, encoding: declared, ..Scene::default() }.frames();
+                let [a, b] = [frames[0].params, frames[1].params];
+                (frames[0].params, frames[1].params) = (b, a);
+                if is_kept {
+                    (frames[0].params.jitter, frames[1].params.jitter) = (a.jitter, b.jitter);
+                }
+                let report = report(&declared, &frames);
+                let said = &report.geometry.mistake;
+                assert!(said.contains("exchanged"), "{camera:?}, {depth:?}, {jitter:?}, kept {is_kept}:\n{report}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -18,7 +18,9 @@ pub enum Camera {
     Still,
     /// Along its own x axis.
     Slides,
-    /// And turns.
+    /// About its own y axis.
+    Turns,
+    /// Along and about all axes.
     Moves,
 }
 
@@ -109,7 +111,8 @@ impl Scene {
         let slide = if self.camera == Camera::Slides { 0.15 * index as f32 } else { 0.0 };
         let turn = Mat4::from_rotation_y(0.25 + 0.02 * t) * Mat4::from_rotation_x(-0.2 + 0.015 * t) * Mat4::from_rotation_z(0.1);
         let world_from_view = Mat4::from_translation(Vec3::new(0.3 + 0.12 * t, 0.2 + 0.06 * t, 0.4 - 0.1 * t)) * turn;
-        self.mirror() * Mat4::from_translation(-slide * Vec3::X) * world_from_view.inverse()
+        let about = if self.camera == Camera::Turns { Mat4::from_rotation_y(0.02 * index as f32) } else { Mat4::IDENTITY };
+        self.mirror() * Mat4::from_translation(-slide * Vec3::X) * about * world_from_view.inverse()
     }
 
     /// The map from a view that looks along −z to the declared one.

@@ -1,7 +1,7 @@
 //! The points: every preset for surfaces as it is, and `best` and `fast` with other spatial filters.
 
 use atrous::config::Preset;
-use atrous::nodes::{Atrous, Kernel};
+use atrous::nodes::{Atrous, Kernel, LuminanceWeight};
 use atrous::presets::{self, Best};
 use atrous::{Config, Declaration, Error, Tuning};
 
@@ -67,7 +67,10 @@ fn varied(config: &Config, spatial: Spatial) -> Result<Declaration, Error> {
             let best = Best::new(config);
             presets::best_with(g, guides, config, Best { spatial: varied(best.spatial), ..best })
         }
-        _ => presets::fast_with(g, guides, config, varied(presets::fast_filter(config))),
+        _ => {
+            let spatial = Atrous { luminance_weight: LuminanceWeight::OfMeans, ..Atrous::default() };
+            presets::fast_with(g, guides, config, varied(spatial))
+        }
     });
     graph?.finish()
 }
