@@ -269,8 +269,7 @@ inline void refuse_dead_handle(AtrousDenoiser* dead, const char* word, VkCommand
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_destroy(dead));
 }
 
-inline int refuse_bad_input(const Engine& engine) {
-    Refusals refusals;
+inline void refuse_bad_input(const Engine& engine, Refusals& refusals) {
     refuse_bad_creation(engine, refusals);
     refuse_bad_guides(refusals);
 
@@ -287,6 +286,4 @@ inline int refuse_bad_input(const Engine& engine) {
     refuse_dead_handle(nullptr, "NULL", engine.cmd, refusals);
     int not_a_denoiser = 0;
     refuse_dead_handle(reinterpret_cast<AtrousDenoiser*>(&not_a_denoiser), "no live", engine.cmd, refusals);
-    std::printf("bad input: %d calls, %d wrong answers\n", refusals.count, refusals.wrong);
-    return refusals.wrong == 0 ? 0 : 1;
 }

@@ -3,7 +3,17 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "frame_graph.hpp"
+#include <vulkan/vulkan.h>
+
+#include <vector>
+
+// An image or a buffer of the engine, with memory of its own.
+struct Physical {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+};
 
 inline void check(VkResult result, const char* call) {
     if (result == VK_SUCCESS) return;
@@ -89,6 +99,14 @@ struct Engine {
         return physical;
     }
 
+    // For copies from the CPU and back to it.
+    Physical create_mapped_buffer(VkDeviceSize size, uint8_t** mapped) const {
+        const Physical buffer = create_buffer(size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                              VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+        CHECK(vkMapMemory(device, buffer.memory, 0, VK_WHOLE_SIZE, 0, reinterpret_cast<void**>(mapped)));
+        return buffer;
+    }
+
     void destroy(const Physical& physical) const {
         vkDestroyImageView(device, physical.view, nullptr);
         vkDestroyImage(device, physical.image, nullptr);
@@ -101,7 +119,10 @@ struct Engine {
         CHECK(vkBeginCommandBuffer(cmd, &info));
     }
 
+    // What was copied is visible to the CPU then.
     void submit_and_wait() const {
+        const VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
+        vkCmdPipelineBarrier(cmd, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
         CHECK(vkEndCommandBuffer(cmd));
         VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
         info.commandBufferCount = 1, info.pCommandBuffers = &cmd;

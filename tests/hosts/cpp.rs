@@ -24,32 +24,20 @@ fn build(name: &str, source: &str, crate_type: &str, flags: &[&str]) -> PathBuf 
     program
 }
 
-fn plain() -> PathBuf {
-    static PLAIN: OnceLock<PathBuf> = OnceLock::new();
-    PLAIN.get_or_init(|| build("host_cpp", "main.cpp", "staticlib", &[])).clone()
-}
-
 fn run(program: PathBuf, arguments: &[&str]) -> Output {
     // Leaks are the drivers', which live in shared libraries without symbols.
     validated(Command::new(program).args(arguments).env("ASAN_OPTIONS", "detect_leaks=0")).output().expect("the C++ host")
 }
 
 pub fn cpp_gives_the_bits_of_the_executor() {
-    assert_eq!(checksums("host_cpp", &run(plain(), &[])), of_executor());
+    assert_eq!(checksums("host_cpp", &run(build("host_cpp", "main.cpp", "staticlib", &[]), &[])), of_executor());
 }
 
 /// The host knows no struct and no function but those of the first header, and runs with the library of today.
 pub fn a_host_of_the_first_header_gives_the_bits_of_the_executor() {
-    let first = format!("-I{}", root().join("crates/capi/tests/first").display());
-    let old = build("host_cpp_first", "main.cpp", "cdylib", &[&first]);
+    let folders = ["crates/capi/tests/first", "examples/host_cpp"].map(|folder| format!("-I{}", root().join(folder).display()));
+    let old = build("host_cpp_first", "../../crates/capi/tests/first/host.cpp", "cdylib", &[&folders[0], &folders[1]]);
     assert_eq!(checksums("host_cpp_first", &run(old, &[])), of_executor());
-}
-
-pub fn an_executor_refuses_bad_input_under_address_sanitizer() {
-    let output = run(build("host_cpp_bad_executor", "bad_executor.cpp", "cdylib", &["-fsanitize=address"]), &[]);
-    assert!(checksums("bad_executor", &output).is_empty());
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(text.contains(" 0 wrong answers"), "{text}");
 }
 
 /// One call a frame, under AddressSanitizer and UndefinedBehaviorSanitizer.
@@ -62,23 +50,31 @@ pub fn cpp_with_an_executor_gives_the_bits_of_the_executor() {
     assert!(kept.is_some_and(|kept| kept > 1000), "most surfaces keep their history: {text}");
 }
 
+/// The record path with a tracker, under the same.
+pub fn cpp_gives_the_bits_of_the_executor_under_sanitizers() {
+    let flags = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    let output = run(build("host_cpp_sanitized", "main.cpp", "cdylib", &flags), &[]);
+    assert_eq!(checksums("host_cpp_sanitized", &output), of_executor());
+}
+
+/// All that a host can get wrong, with AddressSanitizer.
+fn hostile() -> PathBuf {
+    static HOSTILE: OnceLock<PathBuf> = OnceLock::new();
+    HOSTILE.get_or_init(|| build("host_cpp_hostile", "hostile.cpp", "cdylib", &["-fsanitize=address"])).clone()
+}
+
 pub fn cpp_is_told_of_wrong_conventions() {
-    let output = run(plain(), &["--check"]);
+    let output = run(hostile(), &["--check"]);
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(output.status.success() && text.contains("motion: MISTAKE: the motion has the opposite sign"), "{text}");
 }
 
 pub fn the_c_abi_refuses_bad_input_under_address_sanitizer() {
-    let sanitized = build("host_cpp_asan", "main.cpp", "cdylib", &["-fsanitize=address"]);
-    let output = run(sanitized.clone(), &["--bad-input"]);
-    assert!(checksums("host_cpp --bad-input", &output).is_empty());
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(text.contains(" 0 wrong answers"), "{text}");
-    println!("{}", text.trim());
-    let output = run(sanitized.clone(), &["--random-input", &soak::times(8000).to_string()]);
-    assert!(checksums("host_cpp --random-input", &output).is_empty());
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(text.contains(" 0 wrong answers"), "{text}");
-    println!("{}", text.trim());
-    assert_eq!(checksums("host_cpp_asan", &run(sanitized, &[])), of_executor());
+    for arguments in [&[][..], &["--random-input", &soak::times(8000).to_string()]] {
+        let output = run(hostile(), arguments);
+        assert!(checksums("host_cpp_hostile", &output).is_empty());
+        let text = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(text.contains(" 0 wrong answers"), "{text}");
+        println!("{}", text.trim());
+    }
 }

@@ -26,7 +26,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_graph_of_a_host_agrees_with_the_cpu_engine", a_graph_of_a_host_agrees_with_the_cpu_engine),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
     ("cpp_with_an_executor_gives_the_bits_of_the_executor", cpp::cpp_with_an_executor_gives_the_bits_of_the_executor),
-    ("an_executor_refuses_bad_input_under_address_sanitizer", cpp::an_executor_refuses_bad_input_under_address_sanitizer),
+    ("cpp_gives_the_bits_of_the_executor_under_sanitizers", cpp::cpp_gives_the_bits_of_the_executor_under_sanitizers),
     ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),
     ("phases_in_submissions_of_their_own_give_the_same_bits", submissions::phases_in_submissions_of_their_own_give_the_same_bits),
     ("the_boundary_names_what_crosses_between_phases", submissions::the_boundary_names_what_crosses_between_phases),

@@ -4,7 +4,7 @@ use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::read;
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
-use ash::vk::{CommandBuffer, Handle};
+use ash::vk::{Buffer, CommandBuffer, Handle, Image, ImageLayout, ImageView};
 use atrous::{Access, Binding, Error, FrameContext, Use};
 
 /// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
@@ -51,7 +51,7 @@ pub unsafe extern "C" fn atrous_record(
     })
 }
 
-fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure> {
+pub(super) fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure> {
     let stale = |message: String| Failure { status: AtrousStatus::StaleFrame, message };
     if given.generation != state.generation {
         return Err(stale(format!(
@@ -78,6 +78,25 @@ fn uses_of(state: &State, pass: u32, count: usize) -> Result<&[Use], Failure> {
         return Err(Error::Bindings { pass: decl.name.clone(), given: count, needed: decl.uses.len() }.into());
     }
     Ok(&decl.uses)
+}
+
+impl From<&Binding> for AtrousBinding {
+    fn from(binding: &Binding) -> Self {
+        let none = Self {
+            image: Image::null(),
+            view: ImageView::null(),
+            layout: ImageLayout::UNDEFINED,
+            buffer: Buffer::null(),
+            offset: 0,
+            range: 0,
+        };
+        match *binding {
+            Binding::Image { view, layout } => Self { view, layout, ..none },
+            Binding::ClearedImage { image, layout } => Self { image, layout, ..none },
+            Binding::Buffer { buffer, offset, range } => Self { buffer, offset, range, ..none },
+            Binding::Absent => none,
+        }
+    }
 }
 
 /// The binding that a host means, where its handles mean one thing.

@@ -117,15 +117,20 @@ fn header() -> String {
         "AccessFlags",
         "AccessFlags2",
         "Buffer",
+        "BufferMemoryBarrier",
         "BufferUsageFlags",
         "CommandBuffer",
+        "DependencyInfo",
         "Device",
         "Format",
         "Image",
+        "ImageAspectFlags",
         "ImageLayout",
+        "ImageMemoryBarrier",
         "ImageUsageFlags",
         "ImageView",
         "Instance",
+        "MemoryBarrier",
         "PhysicalDevice",
         "PipelineCache",
         "PipelineStageFlags",
@@ -153,8 +158,19 @@ fn header() -> String {
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("config.rs");
     std::fs::write(&made, self::config()).expect("a file");
     let mut builder = cbindgen::Builder::new().with_config(config).with_src(made);
-    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "executor.rs", "conventions.rs", "version.rs"]
-    {
+    for file in [
+        "status.rs",
+        "structs.rs",
+        "handle.rs",
+        "device.rs",
+        "functions.rs",
+        "record.rs",
+        "tracker.rs",
+        "executor.rs",
+        "conventions.rs",
+        "log.rs",
+        "version.rs",
+    ] {
         builder = builder.with_src(root.join(file));
     }
     let mut text = Vec::new();
