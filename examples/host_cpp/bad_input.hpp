@@ -89,6 +89,22 @@ inline void refuse_bad_creation(const Engine& engine, Refusals& refusals) {
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "preset is 1000", atrous_create(&good, &denoiser));
     config.preset = 4, config.sampling = 3;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "sampling is 3", atrous_create(&good, &denoiser));
+    config.preset = 7, config.sampling = 0;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_check_requirements(&good, 1));
+    info = good, info.device = VK_NULL_HANDLE;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_check_requirements(&info, 1));
+    Engine plain(VK_API_VERSION_1_1);
+    info = good, info.instance = plain.instance, info.physical_device = plain.physical_device, info.device = plain.device;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_check_requirements(&info, 0));
+    EXPECT(ATROUS_STATUS_UNSUPPORTED_DEVICE, "synchronization2 on this device", atrous_check_requirements(&info, 1));
+    info.legacy_barriers = 1;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_check_requirements(&info, 1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "executor is 2", atrous_check_requirements(&good, 2));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "info is NULL", atrous_check_requirements(nullptr, 0));
+    info = good, info.physical_device = VK_NULL_HANDLE;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "physical_device is NULL", atrous_check_requirements(&info, 0));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "level is 6", atrous_set_log(6, nullptr, nullptr));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_set_log(2, nullptr, nullptr));
     // Of a struct that is too small no more is read than its size.
     AtPageEnd<uint32_t> small(4);
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size is 4", atrous_create(small.as<AtrousCreateInfo>(), &denoiser));
@@ -191,6 +207,15 @@ inline void refuse_bad_calls(AtrousDenoiser* denoiser, VkCommandBuffer cmd, Refu
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "does not exist", atrous_resource(denoiser, 999, &resource));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "does not exist", atrous_pass(denoiser, 999, &pass));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "NULL", atrous_pass(denoiser, 0, nullptr));
+    uint32_t input = 0;
+    while (atrous_resource(denoiser, input, &resource) == ATROUS_STATUS_OK && resource.lifetime != 0) ++input;
+    AtrousPlacement placements[2]{{999, 0, 8, 8, 0}, {input, 0, 8, 8, 0}};
+    uint64_t bytes = 0;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "resource 999", atrous_place_transients(denoiser, placements, 1, &bytes));
+    EXPECT(ATROUS_STATUS_BAD_BINDINGS, "not a transient", atrous_place_transients(denoiser, placements + 1, 1, &bytes));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "count is 4000000000", atrous_place_transients(denoiser, placements, 4000000000u, &bytes));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "placements or size is NULL", atrous_place_transients(denoiser, nullptr, 1, &bytes));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "placements or size is NULL", atrous_place_transients(denoiser, placements, 1, nullptr));
     pass.struct_size = 8;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size is 8", atrous_pass(denoiser, 0, &pass));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "NULL", atrous_set_tuning(denoiser, nullptr, 1.0f));

@@ -31,9 +31,10 @@ struct Engine {
     VkCommandPool pool{};
     VkCommandBuffer cmd{};
 
-    Engine() {
+    // Of Vulkan 1.3, with synchronization2, or of an older version without.
+    explicit Engine(uint32_t version = VK_API_VERSION_1_3) {
         VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
-        application.apiVersion = VK_API_VERSION_1_3;
+        application.apiVersion = version;
         VkInstanceCreateInfo instance_info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
         instance_info.pApplicationInfo = &application;
         CHECK(vkCreateInstance(&instance_info, nullptr, &instance));
@@ -47,7 +48,7 @@ struct Engine {
         VkPhysicalDeviceVulkan13Features features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
         features.synchronization2 = VK_TRUE;
         VkDeviceCreateInfo device_info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-        device_info.pNext = &features, device_info.queueCreateInfoCount = 1, device_info.pQueueCreateInfos = &queue_info;
+        device_info.pNext = version >= VK_API_VERSION_1_3 ? &features : nullptr, device_info.queueCreateInfoCount = 1, device_info.pQueueCreateInfos = &queue_info;
         CHECK(vkCreateDevice(physical_device, &device_info, nullptr, &device));
         vkGetDeviceQueue(device, family, 0, &queue);
         const VkPipelineCacheCreateInfo cache_info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};

@@ -1,5 +1,5 @@
 // A C++17 engine without a frame graph: it lends its images to an executor, one call a frame. Prints a checksum of every denoised
-// frame, as main.cpp does.
+// frame, as main.cpp does. `one_call FOLDER` captures the inputs as well, and draws debug views.
 #include <cinttypes>
 
 #include "scene.hpp"
@@ -11,11 +11,16 @@ static void to_transfer(VkCommandBuffer cmd, VkImage image) {
     vkCmdPipelineBarrier(cmd, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
 
-int main() {
+static void print_message(void*, uint32_t level, const char* message) { std::fprintf(stderr, "atrous, level %u: %s\n", level, message); }
+
+int main(int argc, char** argv) {
     Engine engine;
+    CHECK(atrous_set_log(2, print_message, nullptr));
     AtrousConfig config{sizeof config};
     CHECK(atrous_config_default(&config, synthetic::width, synthetic::height));
     AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
+    config.debug_view = argc > 1;
+    CHECK(atrous_check_requirements(&info, 1));
     AtrousExecutor* executor = nullptr;
     CHECK(atrous_executor_create(&info, &executor));
     uint8_t *mapped = nullptr, *result_mapped = nullptr;
@@ -24,13 +29,14 @@ int main() {
     std::vector<Physical> inputs;
     std::vector<AtrousLentImage> lent;
     for (size_t i = 0; i < scene::count; ++i) {
-        const VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        const VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
         inputs.push_back(engine.create_image(scene::format(i), synthetic::width, synthetic::height, usage));
         AtrousLentImage image{sizeof image, scene::format(i), scene::names[i], inputs[i].image, inputs[i].view, synthetic::width, synthetic::height};
         image.layout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, image.stage = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
         image.access = VK_ACCESS_2_TRANSFER_WRITE_BIT;
         lent.push_back(image);
     }
+    if (argc > 1) CHECK(atrous_executor_capture(executor, argv[1], synthetic::frames));
     for (uint32_t index = 0; index <= synthetic::frames; ++index) {  // one more, since counters come frames later
         scene::write(synthetic::frame(index), mapped);
         engine.begin();
@@ -45,6 +51,17 @@ int main() {
         engine.submit_and_wait();
         if (index < synthetic::frames) std::printf("frame %u checksum %016" PRIx64 "\n", index, scene::checksum(result_mapped));
     }
+    for (const AtrousView view : {ATROUS_VIEW_DEPTH, ATROUS_VIEW_NORMAL}) {
+        if (argc == 1) break;
+        engine.begin();
+        CHECK(atrous_executor_record_debug_view(executor, engine.cmd, view));
+        CHECK(atrous_executor_record_copy(executor, engine.cmd, "debug_view", result.buffer, scene::result_bytes));
+        engine.submit_and_wait();
+        std::printf("view %d %016" PRIx64 "\n", view, scene::checksum(result_mapped));
+    }
+    uint32_t written = 0;
+    CHECK(atrous_executor_finish_capture(executor, &written));
+    std::printf("%u frames captured\n", written);
     uint32_t counters[ATROUS_COUNTER_COUNT] = {};
     CHECK(atrous_executor_statistics(executor, counters, ATROUS_COUNTER_COUNT));
     std::printf("history kept by %u surfaces\n", counters[ATROUS_COUNTER_HISTORY_KEPT]);

@@ -1,7 +1,9 @@
 //! The C++ host: built by its own script, once plainly on the static library, and once with AddressSanitizer on the shared one.
 
 use super::{checksums, of_executor, validated};
-use crate::support::soak;
+use crate::support::{session, soak};
+use atrous::{Choice, Config, DebugView, FrameParams, Tuning, UseFrame};
+use atrous_synthetic as synthetic;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::sync::OnceLock;
@@ -41,13 +43,44 @@ pub fn a_host_of_the_first_header_gives_the_bits_of_the_executor() {
 }
 
 /// One call a frame, under AddressSanitizer and UndefinedBehaviorSanitizer.
-pub fn cpp_with_an_executor_gives_the_bits_of_the_executor() {
+fn one_call() -> PathBuf {
+    static ONE_CALL: OnceLock<PathBuf> = OnceLock::new();
     let flags = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
-    let output = run(build("host_cpp_one_call", "one_call.cpp", "cdylib", &flags), &[]);
+    ONE_CALL.get_or_init(|| build("host_cpp_one_call", "one_call.cpp", "cdylib", &flags)).clone()
+}
+
+pub fn cpp_with_an_executor_gives_the_bits_of_the_executor() {
+    let output = run(one_call(), &[]);
     assert_eq!(checksums("host_cpp_one_call", &output), of_executor());
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let kept = text.split("history kept by ").nth(1).and_then(|rest| rest.split(' ').next()).and_then(|n| n.parse::<u32>().ok());
     assert!(kept.is_some_and(|kept| kept > 1000), "most surfaces keep their history: {text}");
+}
+
+pub fn cpp_captures_inputs_and_draws_views() {
+    let folder = root().join("target/host_cpp_capture");
+    let _ = std::fs::remove_dir_all(&folder);
+    let output = run(one_call(), &[&folder.display().to_string()]);
+    assert_eq!(checksums("host_cpp_one_call", &output), of_executor(), "a view changes no picture");
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(text.contains("4 frames captured"), "{text}");
+    for file in ["sequence.json", "frame_0000.exr", "frame_0003.exr"] {
+        assert!(folder.join(file).is_file(), "{file} in {}", folder.display());
+    }
+    for view in [DebugView::Depth, DebugView::Normal] {
+        let line = format!("view {} {}", view.number(), of_view(view));
+        assert!(text.lines().any(|l| l == line), "no \"{line}\" in {text}");
+    }
+}
+
+/// The checksum of a view of the frame behind the last one that is compared.
+fn of_view(view: DebugView) -> String {
+    let mut s = session(&Config { debug_view: true, ..Config::new(synthetic::EXTENT) });
+    super::executor_frames(&mut s);
+    super::upload(&mut s, synthetic::FRAMES);
+    s.run(&FrameParams { debug_view: Some(view), ..super::params(synthetic::FRAMES) }, &Tuning::default()).expect("frame");
+    let image = s.download_bytes("debug_view", UseFrame::Current).expect("debug_view");
+    synthetic::report(0, &image).rsplit(' ').next().unwrap_or_default().to_owned()
 }
 
 /// The record path with a tracker, under the same.
