@@ -151,6 +151,28 @@ inline void refuse_wrong_orders(AtrousDenoiser* denoiser, const AtrousFrame& fra
     }
 }
 
+// Right bindings of the last pass, one of which has a mistake that no descriptor shows.
+inline void refuse_what_is_checked(AtrousDenoiser* denoiser, const AtrousFrame& frame, VkCommandBuffer cmd, Refusals& refusals) {
+    uint32_t passes = 0, at = 0;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_counts(denoiser, nullptr, &passes));
+    const uint32_t last = passes - 1;
+    AtrousPass pass{sizeof pass};
+    EXPECT(ATROUS_STATUS_OK, "", atrous_pass(denoiser, last, &pass));
+    std::vector<AtrousBinding> bindings = bindings_of(denoiser, pass);
+    while (!bindings[at].view) ++at;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_set_checks(denoiser, 1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "on is 2", atrous_set_checks(denoiser, 2));
+    bindings[at].layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    EXPECT(ATROUS_STATUS_BAD_BINDINGS, "layout UNDEFINED", atrous_record(denoiser, &frame, cmd, last, bindings.data(), pass.use_count));
+    bindings[at].layout = VK_IMAGE_LAYOUT_GENERAL;
+    const auto describe = [&](VkImageView view, uint32_t width) {
+        return atrous_describe_image(denoiser, view, VK_FORMAT_R16G16B16A16_SFLOAT, width, 8, VK_IMAGE_USAGE_SAMPLED_BIT);
+    };
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "view is VK_NULL_HANDLE", describe(VK_NULL_HANDLE, 8));
+    EXPECT(ATROUS_STATUS_OK, "", describe(bindings[at].view, 7));
+    EXPECT(ATROUS_STATUS_BAD_BINDINGS, "7x8 pixels", atrous_record(denoiser, &frame, cmd, last, bindings.data(), pass.use_count));
+}
+
 inline void refuse_bad_params(AtrousDenoiser* denoiser, Refusals& refusals) {
     AtrousFrame frame{sizeof frame};
     AtrousFrameParams good{sizeof good};
@@ -255,6 +277,7 @@ inline void refuse_bad_calls(AtrousDenoiser* denoiser, VkCommandBuffer cmd, Refu
     EXPECT(ATROUS_STATUS_BAD_BINDINGS, "both", atrous_record(denoiser, &frame, cmd, 0, both, 2));
 
     refuse_wrong_orders(denoiser, frame, cmd, refusals);
+    refuse_what_is_checked(denoiser, frame, cmd, refusals);
     AtPageEnd<uint32_t> small(4);
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size is 4", atrous_record(denoiser, small.as<AtrousFrame>(), cmd, 0, none, 2));
     AtrousFrame again{sizeof again};
@@ -288,6 +311,8 @@ inline void refuse_dead_handle(AtrousDenoiser* dead, const char* word, VkCommand
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_memory(dead, &memory));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_set_tuning(dead, "alpha", 0.5f));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_invalidate(dead));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_set_checks(dead, 1));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_describe_image(dead, (VkImageView)(uintptr_t)0x10, VK_FORMAT_UNDEFINED, 1, 1, 0));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_begin_frame(dead, &params, &frame));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_record(dead, &frame, cmd, 0, bindings, 2));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, word, atrous_resize(dead, 8, 8));

@@ -27,6 +27,7 @@ struct Engine {
     VkPhysicalDevice physical_device{};
     VkDevice device{};
     VkQueue queue{};
+    uint32_t family = 0;
     VkPipelineCache pipeline_cache{};
     VkCommandPool pool{};
     VkCommandBuffer cmd{};
@@ -41,7 +42,7 @@ struct Engine {
         uint32_t count = 1;
         vkEnumeratePhysicalDevices(instance, &count, &physical_device);
         if (count == 0) check(VK_ERROR_INITIALIZATION_FAILED, "no Vulkan device");
-        const uint32_t family = compute_family();
+        family = compute_family();
         const float priority = 1.0f;
         VkDeviceQueueCreateInfo queue_info{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
         queue_info.queueFamilyIndex = family, queue_info.queueCount = 1, queue_info.pQueuePriorities = &priority;
@@ -125,8 +126,13 @@ struct Engine {
         const VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
         vkCmdPipelineBarrier(cmd, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
         CHECK(vkEndCommandBuffer(cmd));
+        submit({cmd});
+    }
+
+    // In this order, and waits.
+    void submit(const std::vector<VkCommandBuffer>& commands) const {
         VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-        info.commandBufferCount = 1, info.pCommandBuffers = &cmd;
+        info.commandBufferCount = uint32_t(commands.size()), info.pCommandBuffers = commands.data();
         CHECK(vkQueueSubmit(queue, 1, &info, VK_NULL_HANDLE));
         CHECK(vkQueueWaitIdle(queue));
     }

@@ -2,6 +2,7 @@
 // frame, as main.cpp does. `one_call FOLDER` captures the inputs as well, and draws debug views.
 #include <cinttypes>
 
+#include "atrous.hpp"
 #include "scene.hpp"
 
 static void to_transfer(VkCommandBuffer cmd, VkImage image) {
@@ -16,13 +17,14 @@ static void print_message(void*, uint32_t level, const char* message) { std::fpr
 int main(int argc, char** argv) {
     Engine engine;
     CHECK(atrous_set_log(2, print_message, nullptr));
-    AtrousConfig config{sizeof config};
+    AtrousConfig config = atrous::sized<AtrousConfig>();
     CHECK(atrous_config_default(&config, synthetic::width, synthetic::height));
     AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
+    atrous::set(config, atrous::Preset::Best);
     config.debug_view = argc > 1;
     CHECK(atrous_check_requirements(&info, 1));
-    AtrousExecutor* executor = nullptr;
-    CHECK(atrous_executor_create(&info, &executor));
+    atrous::Executor executor;
+    CHECK(executor.create(info));
     uint8_t *mapped = nullptr, *result_mapped = nullptr;
     const Physical staging = engine.create_mapped_buffer(scene::count * scene::bytes_each, &mapped);
     const Physical result = engine.create_mapped_buffer(scene::result_bytes, &result_mapped);
@@ -36,7 +38,7 @@ int main(int argc, char** argv) {
         image.access = VK_ACCESS_2_TRANSFER_WRITE_BIT;
         lent.push_back(image);
     }
-    if (argc > 1) CHECK(atrous_executor_capture(executor, argv[1], synthetic::frames));
+    if (argc > 1) CHECK(executor.capture(argv[1], synthetic::frames));
     for (uint32_t index = 0; index <= synthetic::frames; ++index) {  // one more, since counters come frames later
         scene::write(synthetic::frame(index), mapped);
         engine.begin();
@@ -46,26 +48,25 @@ int main(int argc, char** argv) {
             vkCmdCopyBufferToImage(engine.cmd, staging.buffer, inputs[i].image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
         }
         const AtrousFrameParams params = scene::params(index);
-        CHECK(atrous_executor_denoise(executor, engine.cmd, &params, lent.data(), uint32_t(lent.size())));
-        CHECK(atrous_executor_record_copy(executor, engine.cmd, "denoised_radiance", result.buffer, scene::result_bytes));
+        CHECK(executor.denoise(engine.cmd, params, lent));
+        CHECK(executor.record_copy(engine.cmd, "denoised_radiance", result.buffer, scene::result_bytes));
         engine.submit_and_wait();
         if (index < synthetic::frames) std::printf("frame %u checksum %016" PRIx64 "\n", index, scene::checksum(result_mapped));
     }
-    for (const AtrousView view : {ATROUS_VIEW_DEPTH, ATROUS_VIEW_NORMAL}) {
+    for (const atrous::View view : {atrous::View::Depth, atrous::View::Normal}) {
         if (argc == 1) break;
         engine.begin();
-        CHECK(atrous_executor_record_debug_view(executor, engine.cmd, view));
-        CHECK(atrous_executor_record_copy(executor, engine.cmd, "debug_view", result.buffer, scene::result_bytes));
+        CHECK(executor.record_debug_view(engine.cmd, view));
+        CHECK(executor.record_copy(engine.cmd, "debug_view", result.buffer, scene::result_bytes));
         engine.submit_and_wait();
-        std::printf("view %d %016" PRIx64 "\n", view, scene::checksum(result_mapped));
+        std::printf("view %d %016" PRIx64 "\n", int(view), scene::checksum(result_mapped));
     }
     uint32_t written = 0;
-    CHECK(atrous_executor_finish_capture(executor, &written));
+    CHECK(executor.finish_capture(written));
     std::printf("%u frames captured\n", written);
     uint32_t counters[ATROUS_COUNTER_COUNT] = {};
-    CHECK(atrous_executor_statistics(executor, counters, ATROUS_COUNTER_COUNT));
+    CHECK(executor.statistics(counters));
     std::printf("history kept by %u surfaces\n", counters[ATROUS_COUNTER_HISTORY_KEPT]);
-    CHECK(atrous_executor_destroy(executor));
     for (const Physical& input : inputs) engine.destroy(input);
     engine.destroy(staging), engine.destroy(result);
 }

@@ -90,6 +90,28 @@ pub fn cpp_gives_the_bits_of_the_executor_under_sanitizers() {
     assert_eq!(checksums("host_cpp_sanitized", &output), of_executor());
 }
 
+/// Four threads record the passes of a frame side by side.
+pub fn four_threads_give_the_bits_of_the_executor() {
+    let output = run(build("host_cpp_threads", "threads.cpp", "cdylib", &["-fsanitize=address"]), &[]);
+    assert_eq!(checksums("host_cpp_threads", &output), of_executor());
+}
+
+/// The header is one of C99, without a warning. The program itself compares its picture with the light that it gave.
+pub fn a_c99_program_denoises_in_one_call() {
+    let _library = one_call();
+    let (program, library) = (root().join("target/host_c"), root().join("target/debug"));
+    let mut compiler = Command::new("gcc");
+    compiler.args(["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    compiler.args(["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-I"]).arg(root().join("crates/capi/include"));
+    compiler.arg(root().join("examples/host_c/main.c")).arg(library.join("libatrous_capi.so"));
+    compiler.arg(format!("-Wl,-rpath,{}", library.display())).args(["-lvulkan", "-lm", "-o"]).arg(&program);
+    let built = compiler.output().expect("gcc");
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let output = run(program, &[]);
+    assert!(checksums("host_c", &output).is_empty());
+    assert!(String::from_utf8_lossy(&output.stdout).contains("differs from the light by at most"));
+}
+
 /// All that a host can get wrong, with AddressSanitizer.
 fn hostile() -> PathBuf {
     static HOSTILE: OnceLock<PathBuf> = OnceLock::new();

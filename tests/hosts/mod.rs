@@ -28,6 +28,8 @@ pub const TESTS: &[DeviceTest] = &[
     ("cpp_with_an_executor_gives_the_bits_of_the_executor", cpp::cpp_with_an_executor_gives_the_bits_of_the_executor),
     ("cpp_captures_inputs_and_draws_views", cpp::cpp_captures_inputs_and_draws_views),
     ("cpp_gives_the_bits_of_the_executor_under_sanitizers", cpp::cpp_gives_the_bits_of_the_executor_under_sanitizers),
+    ("four_threads_give_the_bits_of_the_executor", cpp::four_threads_give_the_bits_of_the_executor),
+    ("a_c99_program_denoises_in_one_call", cpp::a_c99_program_denoises_in_one_call),
     ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),
     ("phases_in_submissions_of_their_own_give_the_same_bits", submissions::phases_in_submissions_of_their_own_give_the_same_bits),
     ("the_boundary_names_what_crosses_between_phases", submissions::the_boundary_names_what_crosses_between_phases),

@@ -294,6 +294,8 @@ enum AtrousStatus
   ATROUS_STATUS_VULKAN_ERROR = 7,
   // A bug in atrous: it panicked. Destroy your denoiser.
   ATROUS_STATUS_PANICKED = 8,
+  // Passes of the previous frame were left out: see atrous_set_checks.
+  ATROUS_STATUS_LEFT_OUT = 9,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -846,6 +848,28 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            uint32_t pass,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
+
+// Switches checks on (1) or off (0) that tell you mistakes which Vulkan does not see, for some microseconds a frame. They are on
+// from the start where the library is a debug build. atrous_record then refuses a layout that no shader reads, one image for both
+// copies of a history, and copies that you do not exchange; atrous_begin_frame names passes that you left out of the previous frame,
+// and the frame after that drops all history.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_set_checks(struct AtrousDenoiser *denoiser,
+                               uint32_t on);
+
+// Describes an image by its view, so that checks compare its format, extent and usage with those declared wherever you bind the
+// view. Describe a view again if its handle is used for another one.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_describe_image(struct AtrousDenoiser *denoiser,
+                                   VkImageView view,
+                                   VkFormat format,
+                                   uint32_t width,
+                                   uint32_t height,
+                                   VkImageUsageFlags usage);
 
 // Creates a tracker for the resources of a denoiser: it remembers the last use of each image and buffer, and gives the barriers
 // before the next one. Nothing has content yet, and there are no inputs. It needs no device and records nothing. Make a new one

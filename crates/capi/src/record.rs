@@ -1,11 +1,12 @@
 //! Recording a pass.
 
+use crate::convert::flag;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::read;
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
-use ash::vk::{Buffer, CommandBuffer, Handle, Image, ImageLayout, ImageView};
-use atrous::{Access, Binding, Error, FrameContext, Use};
+use ash::vk::{Buffer, CommandBuffer, Format, Handle, Image, ImageLayout, ImageUsageFlags, ImageView};
+use atrous::{Access, Binding, Error, FrameContext, ImageDescription, Use};
 
 /// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 ///
@@ -46,6 +47,49 @@ pub unsafe extern "C" fn atrous_record(
             // SAFETY: the command buffer is recording outside a render pass on a compute queue; the host keeps what is bound alive
             // and in its declared state, and work recorded earlier with this slot is complete.
             unsafe { state.denoiser.record(command_buffer, &context, pass as usize, bound)? };
+            Ok(())
+        })
+    })
+}
+
+/// Switches checks on (1) or off (0) that tell you mistakes which Vulkan does not see, for some microseconds a frame. They are on
+/// from the start where the library is a debug build. atrous_record then refuses a layout that no shader reads, one image for both
+/// copies of a history, and copies that you do not exchange; atrous_begin_frame names passes that you left out of the previous frame,
+/// and the frame after that drops all history.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_set_checks(denoiser: *mut AtrousDenoiser, on: u32) -> AtrousStatus {
+    guard(|| {
+        let on = flag("on", on)?;
+        handle::change(denoiser, |state| {
+            state.denoiser.checks.on = on;
+            Ok(())
+        })
+    })
+}
+
+/// Describes an image by its view, so that checks compare its format, extent and usage with those declared wherever you bind the
+/// view. Describe a view again if its handle is used for another one.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_describe_image(
+    denoiser: *mut AtrousDenoiser,
+    view: ImageView,
+    format: Format,
+    width: u32,
+    height: u32,
+    usage: ImageUsageFlags,
+) -> AtrousStatus {
+    guard(|| {
+        if view.is_null() {
+            return Err(Failure::argument("view is VK_NULL_HANDLE; give the view that you bind"));
+        }
+        handle::change(denoiser, |state| {
+            state.denoiser.checks.images.insert(view, ImageDescription { format, extent: [width, height], usage });
             Ok(())
         })
     })
