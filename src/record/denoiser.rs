@@ -53,8 +53,6 @@ impl Denoiser {
         // SAFETY: the device is live and outlives the pipelines, and the cache is one of its own that synchronises itself, as the
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
-        // SAFETY: instance and device are live; the pipelines were just made.
-        unsafe { pipelines.name(&Names::new(host), &declaration) };
         let (device, limits) = (device.clone(), properties.limits);
         Ok(Self {
             checks: Checks::default(),
@@ -95,6 +93,15 @@ impl Denoiser {
         self.declaration = declaration;
         self.life.resize();
         self.histories.forget();
+    }
+
+    /// Names pipelines and descriptor sets by their shaders and passes, for messages of validation layers and for debuggers.
+    ///
+    /// # Safety
+    /// `host` is that of [`Self::new`], with `VK_EXT_debug_utils` enabled on the instance.
+    pub unsafe fn name_objects(&self, host: Device<'_>) {
+        // SAFETY: the handles are live and have the extension, and the objects are not used by other threads, since they are ours.
+        unsafe { self.pipelines.name(&Names::new(host, true), &self.declaration) };
     }
 
     /// Resources and passes.

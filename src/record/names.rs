@@ -1,4 +1,5 @@
-//! Names of Vulkan objects, which validation layers and debuggers show, where `VK_EXT_debug_utils` is enabled.
+//! Names of Vulkan objects, which validation layers and debuggers show, where a host says that it has
+//! `VK_EXT_debug_utils`.
 
 use super::device::Device;
 use ash::vk;
@@ -8,13 +9,10 @@ use std::ffi::CString;
 pub(crate) struct Names(Option<ash::ext::debug_utils::Device>);
 
 impl Names {
-    /// # Safety
-    /// Instance and device are live, and outlive the result.
-    pub(crate) unsafe fn new(host: Device<'_>) -> Self {
-        // SAFETY: both are live.
-        let function =
-            unsafe { host.instance.get_device_proc_addr(host.device.handle(), c"vkSetDebugUtilsObjectNameEXT".as_ptr()) };
-        Self(function.map(|_| ash::ext::debug_utils::Device::new(host.instance, host.device)))
+    /// Without `VK_EXT_debug_utils` nothing has a name: layers have the function whether or not the extension is enabled, and complain
+    /// of the call.
+    pub(crate) fn new(host: Device<'_>, is_enabled: bool) -> Self {
+        Self(is_enabled.then(|| ash::ext::debug_utils::Device::new(host.instance, host.device)))
     }
 
     /// # Safety

@@ -420,7 +420,8 @@ typedef struct AtrousCreateInfo {
   VkPipelineCache pipeline_cache;
   // Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
   uint32_t legacy_barriers;
-  // Of an executor: 1: labels every pass. VK_EXT_debug_utils is enabled on the instance.
+  // 1: names every object, and an executor labels every pass. VK_EXT_debug_utils is enabled on the
+  // instance.
   uint32_t debug_labels;
 } AtrousCreateInfo;
 

@@ -1,6 +1,6 @@
 //! Functions of the C ABI but recording: creation, declarations, tuning, frames.
 
-use crate::convert;
+use crate::convert::{self, flag};
 use crate::device::load;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::{check_size, read, write};
@@ -61,7 +61,11 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
     let denoiser = unsafe {
         let loaded = load(info)?;
         let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-        Denoiser::new(host, config.declare()?)?
+        let denoiser = Denoiser::new(host, config.declare()?)?;
+        if flag("debug_labels", info.debug_labels)? {
+            denoiser.name_objects(host);
+        }
+        denoiser
     };
     Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames: BTreeMap::new() })
 }

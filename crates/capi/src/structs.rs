@@ -37,7 +37,8 @@ pub struct AtrousCreateInfo {
     pub pipeline_cache: PipelineCache,
     /// Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
     pub legacy_barriers: u32,
-    /// Of an executor: 1: labels every pass. VK_EXT_debug_utils is enabled on the instance.
+    /// 1: names every object, and an executor labels every pass. VK_EXT_debug_utils is enabled on the
+    /// instance.
     pub debug_labels: u32,
 }
 

@@ -53,8 +53,7 @@ impl Memory {
             limits: unsafe { Limits::new(host, options.largest_block) },
             objects: Objects::default(),
             storages: Storages::new(declaration),
-            // SAFETY: instance and device are live, and outlive the executor.
-            names: unsafe { Names::new(host) },
+            names: Names::new(host, options.debug_labels),
             labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
         };
         // SAFETY: the device is live, and formats, extents and limits were checked against it. There is nothing yet to replace.
