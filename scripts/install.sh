@@ -21,7 +21,7 @@ version=$(sed -n 's/^version = "\(.*\)"/\1/p' crates/capi/Cargo.toml)
 major=${version%%.*}
 
 mkdir -p "$prefix/include" "$prefix/lib/pkgconfig" "$prefix/lib/cmake/atrous"
-cp crates/capi/include/atrous.h "$prefix/include/"
+cp crates/capi/include/atrous.h crates/capi/include/atrous.hpp "$prefix/include/"
 strip --strip-unneeded -o "$prefix/lib/libatrous.so.$version" "$built/libatrous_capi.so"
 ln -sf "libatrous.so.$version" "$prefix/lib/libatrous.so.$major"
 ln -sf "libatrous.so.$major" "$prefix/lib/libatrous.so"

@@ -116,6 +116,24 @@ pub enum Error {
     /// A transient that was asked for after the CPU engine freed it.
     #[error("resource `{0}` is a transient, and its memory is free after its last pass; make the engine with Engine::keep_transients to read it later")]
     NotKept(String),
+    /// A binding that is not what the pass declares: see [`crate::Checks`].
+    #[error("pass `{pass}`, resource `{resource}`: {problem}")]
+    Binding {
+        /// Name of the pass.
+        pass: String,
+        /// Name of the resource.
+        resource: String,
+        /// The given value, the allowed ones, and the remedy.
+        problem: String,
+    },
+    /// Passes of a frame that were left out: see [`crate::Checks`].
+    #[error("frame {frame} was recorded without {}; record every pass of a frame, or call `invalidate` if you gave the frame up", passes.join(", "))]
+    LeftOut {
+        /// Number of the frame.
+        frame: u64,
+        /// Names of the passes.
+        passes: Vec<String>,
+    },
     /// A pass was given a wrong number of bindings.
     #[error("pass `{pass}` was given {given} bindings, it needs {needed}: one for each of its uses, in their order")]
     Bindings {

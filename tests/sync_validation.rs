@@ -29,6 +29,8 @@ fn a_missing_barrier_is_reported() {
     for pass in ["temporal_accumulation", "atrous_2", "modulate"] {
         let errors = errors_with(Some(pass));
         assert!(errors.iter().any(|e| e.starts_with("SYNC-HAZARD-READ-AFTER-WRITE")), "{pass}: {errors:?}");
+        let named = |name: &str| errors.iter().any(|e| e.contains(name));
+        assert!(named(&format!("atrous: {pass}, slot ")) && named(", copy 0"), "objects have names: {errors:?}");
     }
 }
 

@@ -3,7 +3,17 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "frame_graph.hpp"
+#include <vulkan/vulkan.h>
+
+#include <vector>
+
+// An image or a buffer of the engine, with memory of its own.
+struct Physical {
+    VkImage image = VK_NULL_HANDLE;
+    VkImageView view = VK_NULL_HANDLE;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+};
 
 inline void check(VkResult result, const char* call) {
     if (result == VK_SUCCESS) return;
@@ -17,27 +27,29 @@ struct Engine {
     VkPhysicalDevice physical_device{};
     VkDevice device{};
     VkQueue queue{};
+    uint32_t family = 0;
     VkPipelineCache pipeline_cache{};
     VkCommandPool pool{};
     VkCommandBuffer cmd{};
 
-    Engine() {
+    // Of Vulkan 1.3, with synchronization2, or of an older version without.
+    explicit Engine(uint32_t version = VK_API_VERSION_1_3) {
         VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
-        application.apiVersion = VK_API_VERSION_1_3;
+        application.apiVersion = version;
         VkInstanceCreateInfo instance_info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
         instance_info.pApplicationInfo = &application;
         CHECK(vkCreateInstance(&instance_info, nullptr, &instance));
         uint32_t count = 1;
         vkEnumeratePhysicalDevices(instance, &count, &physical_device);
         if (count == 0) check(VK_ERROR_INITIALIZATION_FAILED, "no Vulkan device");
-        const uint32_t family = compute_family();
+        family = compute_family();
         const float priority = 1.0f;
         VkDeviceQueueCreateInfo queue_info{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
         queue_info.queueFamilyIndex = family, queue_info.queueCount = 1, queue_info.pQueuePriorities = &priority;
         VkPhysicalDeviceVulkan13Features features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
         features.synchronization2 = VK_TRUE;
         VkDeviceCreateInfo device_info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-        device_info.pNext = &features, device_info.queueCreateInfoCount = 1, device_info.pQueueCreateInfos = &queue_info;
+        device_info.pNext = version >= VK_API_VERSION_1_3 ? &features : nullptr, device_info.queueCreateInfoCount = 1, device_info.pQueueCreateInfos = &queue_info;
         CHECK(vkCreateDevice(physical_device, &device_info, nullptr, &device));
         vkGetDeviceQueue(device, family, 0, &queue);
         const VkPipelineCacheCreateInfo cache_info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
@@ -89,6 +101,14 @@ struct Engine {
         return physical;
     }
 
+    // For copies from the CPU and back to it.
+    Physical create_mapped_buffer(VkDeviceSize size, uint8_t** mapped) const {
+        const Physical buffer = create_buffer(size, VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                                              VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+        CHECK(vkMapMemory(device, buffer.memory, 0, VK_WHOLE_SIZE, 0, reinterpret_cast<void**>(mapped)));
+        return buffer;
+    }
+
     void destroy(const Physical& physical) const {
         vkDestroyImageView(device, physical.view, nullptr);
         vkDestroyImage(device, physical.image, nullptr);
@@ -101,10 +121,18 @@ struct Engine {
         CHECK(vkBeginCommandBuffer(cmd, &info));
     }
 
+    // What was copied is visible to the CPU then.
     void submit_and_wait() const {
+        const VkMemoryBarrier barrier{VK_STRUCTURE_TYPE_MEMORY_BARRIER, nullptr, VK_ACCESS_TRANSFER_WRITE_BIT, VK_ACCESS_HOST_READ_BIT};
+        vkCmdPipelineBarrier(cmd, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
         CHECK(vkEndCommandBuffer(cmd));
+        submit({cmd});
+    }
+
+    // In this order, and waits.
+    void submit(const std::vector<VkCommandBuffer>& commands) const {
         VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-        info.commandBufferCount = 1, info.pCommandBuffers = &cmd;
+        info.commandBufferCount = uint32_t(commands.size()), info.pCommandBuffers = commands.data();
         CHECK(vkQueueSubmit(queue, 1, &info, VK_NULL_HANDLE));
         CHECK(vkQueueWaitIdle(queue));
     }

@@ -107,7 +107,7 @@ impl SequenceWriter {
     }
 
     /// Frames that were written.
-    pub fn frames_written(&self) -> u32 {
+    pub(crate) fn frames_written(&self) -> u32 {
         self.frames.len() as u32
     }
 

@@ -42,7 +42,7 @@ pub use format::ImageFormat;
 pub use frame::{FrameContext, FrameParams, FrameState, ResetReason};
 pub use history_watch::{HistoryLoss, HistoryWatch};
 pub use inputs::{Input, InputKind, InputLayer, InputRole};
-pub use memory::{Memory, ResourceMemory};
+pub use memory::{Memory, Placement, ResourceMemory};
 pub use pipeline_decl::{PipelineConstant, PipelineDecl};
 pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
 pub use setup::Setup;

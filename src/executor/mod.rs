@@ -55,7 +55,7 @@ pub struct ExecutorOptions {
     pub timestamps: bool,
     /// Places barriers by `vkCmdPipelineBarrier`, for devices without synchronization2.
     pub legacy_barriers: bool,
-    /// Labels every pass. `VK_EXT_debug_utils` is enabled on the instance.
+    /// Labels every pass, and names every object. `VK_EXT_debug_utils` is enabled on the instance.
     pub debug_labels: bool,
     /// Leaves out the barriers before the pass of this index. Breaks it on purpose, to prove that validation is listening.
     #[doc(hidden)]
@@ -108,6 +108,9 @@ impl Executor {
                 Requirements::new(&declaration).check_executor_device(host)?;
             }
             let denoiser = Denoiser::new(host, declaration)?;
+            if options.debug_labels {
+                denoiser.name_objects(host);
+            }
             let memory = Memory::new(host, denoiser.declaration(), &options)?;
             let passes = denoiser.declaration().passes().len();
             let profiler = if options.timestamps {

@@ -2,8 +2,10 @@
 //! else.
 
 use super::binding::{absent_gradients, check_bindings, descriptor, present};
+use super::checks::{self, Checks, Histories};
 use super::device::Device;
 use super::frame_life::{check_slot, FrameLife};
+use super::names::Names;
 use super::pipeline::{Bindable, Descriptor, Pipelines};
 use super::requirements::Requirements;
 use crate::contract::{Binding, Declaration, Dispatch, FrameContext, FrameParams, Grid, Parameter, Tuning, Work};
@@ -16,6 +18,9 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 ///
 /// Drop it only after the GPU work that was recorded with it is complete.
 pub struct Denoiser {
+    /// Checks of your bindings and frames.
+    pub checks: Checks,
+    histories: Histories,
     declaration: Declaration,
     life: FrameLife,
     device: ash::Device,
@@ -49,7 +54,16 @@ impl Denoiser {
         // caller promised.
         let pipelines = unsafe { Pipelines::new(device, pipeline_cache, &declaration)? };
         let (device, limits) = (device.clone(), properties.limits);
-        Ok(Self { life: FrameLife::new(&declaration), declaration, device, pipelines, limits, warned: AtomicBool::new(false) })
+        Ok(Self {
+            checks: Checks::default(),
+            histories: Histories::default(),
+            life: FrameLife::new(&declaration),
+            declaration,
+            device,
+            pipelines,
+            limits,
+            warned: AtomicBool::new(false),
+        })
     }
 
     /// Declares everything for images of a different extent, and keeps every pipeline and
@@ -78,6 +92,16 @@ impl Denoiser {
     pub(crate) fn adopt(&mut self, declaration: Declaration) {
         self.declaration = declaration;
         self.life.resize();
+        self.histories.forget();
+    }
+
+    /// Names pipelines and descriptor sets by their shaders and passes, for messages of validation layers and for debuggers.
+    ///
+    /// # Safety
+    /// `host` is that of [`Self::new`], with `VK_EXT_debug_utils` enabled on the instance.
+    pub unsafe fn name_objects(&self, host: Device<'_>) {
+        // SAFETY: the handles are live and have the extension, and the objects are not used by other threads, since they are ours.
+        unsafe { self.pipelines.name(&Names::new(host, true), &self.declaration) };
     }
 
     /// Resources and passes.
@@ -90,8 +114,12 @@ impl Denoiser {
     /// up to its last write to a history.
     ///
     /// # Errors
-    /// Errors of [`FrameState::begin`](crate::FrameState::begin).
+    /// Errors of [`FrameState::begin`](crate::FrameState::begin). With [`Self::checks`], [`Error::LeftOut`] if passes in front of
+    /// recorded ones are missing in the previous frame; the next call then drops all history.
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
+        if self.checks.on {
+            self.life.check_whole(&self.declaration)?;
+        }
         let frame = self.life.begin(&self.declaration, params, tuning)?;
         if self.declaration.reshades() && !params.reshaded && frame.reset.is_none() {
             self.warn_of_missing_gradients("FrameParams::reshaded is false: the host does not re-shade `gradient_samples`");
@@ -110,6 +138,7 @@ impl Denoiser {
     /// Makes the next frame drop all history. Call it after you re-created images.
     pub fn invalidate(&mut self) {
         self.life.invalidate();
+        self.histories.forget();
     }
 
     /// The next frame counts as `index`, and drops all history: see [`crate::FrameState::restart_at`].
@@ -145,7 +174,7 @@ impl Denoiser {
     ///
     /// # Errors
     /// [`Error::Bindings`], [`Error::NotBound`] or [`Error::WrongKind`] when `bindings` do not fit the pass, [`Error::FrameSlot`] when the frame has a slot
-    /// beyond the last; nothing is recorded then.
+    /// beyond the last; with [`Self::checks`], [`Error::Binding`]. Nothing is recorded then.
     ///
     /// # Safety
     /// - `cmd` is recording, outside a render pass, for a queue family with `COMPUTE`, on the device of [`Denoiser::new`].
@@ -187,6 +216,9 @@ impl Denoiser {
         };
         check_slot(&self.declaration, frame)?;
         check_bindings(&self.declaration, decl, bindings)?;
+        if self.checks.on {
+            checks::check(&self.checks, &self.histories, &self.declaration, frame, decl, bindings)?;
+        }
         match &decl.work {
             // SAFETY: `cmd` is recording outside a render pass, and every binding honours its use; their kinds were checked.
             Work::StartFrame => unsafe { self.start_frame(cmd, frame, bindings) },

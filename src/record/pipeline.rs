@@ -1,5 +1,6 @@
 //! The Vulkan objects that we own: pipelines and descriptor sets. All are destroyed on drop; no memory is allocated.
 
+use super::names::Names;
 use crate::contract::{Declaration, Dispatch};
 use crate::error::Error;
 use crate::parallel;
@@ -73,6 +74,29 @@ impl Pipelines {
             unsafe { this.add_slot(declaration)? };
         }
         Ok(this)
+    }
+
+    /// Names what messages of a validation layer are about.
+    ///
+    /// # Safety
+    /// The names are those of the device, and no other thread uses the objects.
+    pub(crate) unsafe fn name(&self, names: &Names, declaration: &Declaration) {
+        for ((shader, _), pipeline) in &self.pipelines {
+            // SAFETY: ours, and live.
+            unsafe {
+                names.set(pipeline.pipeline, shader);
+                names.set(pipeline.layout, shader);
+                names.set(pipeline.set_layout, shader);
+            }
+        }
+        for (slot, (pool, bindables)) in self.pools.iter().zip(&self.bindables).enumerate() {
+            // SAFETY: ours, and live.
+            unsafe { names.set(*pool, &format!("sets of slot {slot}")) };
+            for (pass, bindable) in declaration.passes().iter().zip(bindables) {
+                // SAFETY: ours, and live.
+                bindable.map(|bindable| unsafe { names.set(bindable.set, &format!("{}, slot {slot}", pass.name)) });
+            }
+        }
     }
 
     /// The objects to bind for a pass; `None` for a pass that is no dispatch.

@@ -133,7 +133,7 @@ impl Requirements {
     ///
     /// # Safety
     /// Obligations of [`Self::check`].
-    unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
+    pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {
         // SAFETY: the instance is live, and the physical device is one of its own.
         unsafe { self.check(instance, physical_device)? };
         let mut sync2 = vk::PhysicalDeviceSynchronization2Features::default();

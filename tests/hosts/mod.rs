@@ -26,7 +26,10 @@ pub const TESTS: &[DeviceTest] = &[
     ("a_graph_of_a_host_agrees_with_the_cpu_engine", a_graph_of_a_host_agrees_with_the_cpu_engine),
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
     ("cpp_with_an_executor_gives_the_bits_of_the_executor", cpp::cpp_with_an_executor_gives_the_bits_of_the_executor),
-    ("an_executor_refuses_bad_input_under_address_sanitizer", cpp::an_executor_refuses_bad_input_under_address_sanitizer),
+    ("cpp_captures_inputs_and_draws_views", cpp::cpp_captures_inputs_and_draws_views),
+    ("cpp_gives_the_bits_of_the_executor_under_sanitizers", cpp::cpp_gives_the_bits_of_the_executor_under_sanitizers),
+    ("four_threads_give_the_bits_of_the_executor", cpp::four_threads_give_the_bits_of_the_executor),
+    ("a_c99_program_denoises_in_one_call", cpp::a_c99_program_denoises_in_one_call),
     ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),
     ("phases_in_submissions_of_their_own_give_the_same_bits", submissions::phases_in_submissions_of_their_own_give_the_same_bits),
     ("the_boundary_names_what_crosses_between_phases", submissions::the_boundary_names_what_crosses_between_phases),
@@ -131,16 +134,20 @@ pub fn of_executor() -> Vec<String> {
 fn executor_frames(s: &mut Session) -> Vec<String> {
     let mut lines = Vec::new();
     for index in 0..synthetic::FRAMES {
-        let input = synthetic::Frame::new(index);
-        for (name, texels) in synthetic::NAMES.iter().zip(&input.images) {
-            s.upload(name, texels).expect(name);
-        }
-        s.upload_ids("surface_id", &input.surface_id).expect("surface_id");
+        upload(s, index);
         s.run(&params(index), &Tuning::default()).expect("frame");
         let image = s.download_bytes("denoised_radiance", atrous::UseFrame::Current).expect("denoised_radiance");
         lines.push(synthetic::report(index, &image));
     }
     lines
+}
+
+fn upload(s: &mut Session, index: u32) {
+    let input = synthetic::Frame::new(index);
+    for (name, texels) in synthetic::NAMES.iter().zip(&input.images) {
+        s.upload(name, texels).expect(name);
+    }
+    s.upload_ids("surface_id", &input.surface_id).expect("surface_id");
 }
 
 /// The parameters of a frame of the sequence.

@@ -294,6 +294,8 @@ enum AtrousStatus
   ATROUS_STATUS_VULKAN_ERROR = 7,
   // A bug in atrous: it panicked. Destroy your denoiser.
   ATROUS_STATUS_PANICKED = 8,
+  // Passes of the previous frame were left out: see atrous_set_checks.
+  ATROUS_STATUS_LEFT_OUT = 9,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -308,6 +310,9 @@ typedef struct AtrousDenoiser AtrousDenoiser;
 
 // A denoiser with its images, barriers and memory. Opaque, as AtrousDenoiser is.
 typedef struct AtrousExecutor AtrousExecutor;
+
+// The states of the images and buffers of a denoiser. Opaque, as AtrousDenoiser is.
+typedef struct AtrousTracker AtrousTracker;
 
 // Your choices; `atrous_config_default` fills them in.
 typedef struct AtrousConfig {
@@ -396,6 +401,30 @@ typedef struct AtrousConfig {
   uint32_t debug_view;
 } AtrousConfig;
 
+// The device of the passes. Handles stay yours.
+typedef struct AtrousCreateInfo {
+  // sizeof(AtrousCreateInfo).
+  uint32_t struct_size;
+  // Instance of the device.
+  VkInstance instance;
+  // Physical device of the device.
+  VkPhysicalDevice physical_device;
+  // Device.
+  VkDevice device;
+  // `vkGetInstanceProcAddr` of the loader that made the instance.
+  PFN_vkGetInstanceProcAddr get_instance_proc_addr;
+  // Configuration; read during the call alone.
+  const struct AtrousConfig *config;
+  // Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
+  // be externally synchronised.
+  VkPipelineCache pipeline_cache;
+  // Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
+  uint32_t legacy_barriers;
+  // 1: names every object, and an executor labels every pass. VK_EXT_debug_utils is enabled on the
+  // instance.
+  uint32_t debug_labels;
+} AtrousCreateInfo;
+
 // Parameters of a frame; `atrous_frame_params_default` fills it.
 typedef struct AtrousFrameParams {
   // sizeof(AtrousFrameParams).
@@ -426,29 +455,6 @@ typedef struct AtrousFrameParams {
   // 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
   uint32_t debug_view;
 } AtrousFrameParams;
-
-// The device of the passes. Handles stay yours.
-typedef struct AtrousCreateInfo {
-  // sizeof(AtrousCreateInfo).
-  uint32_t struct_size;
-  // Instance of the device.
-  VkInstance instance;
-  // Physical device of the device.
-  VkPhysicalDevice physical_device;
-  // Device.
-  VkDevice device;
-  // `vkGetInstanceProcAddr` of the loader that made the instance.
-  PFN_vkGetInstanceProcAddr get_instance_proc_addr;
-  // Configuration; read during the call alone.
-  const struct AtrousConfig *config;
-  // Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
-  // be externally synchronised.
-  VkPipelineCache pipeline_cache;
-  // Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
-  uint32_t legacy_barriers;
-  // Of an executor: 1: labels every pass. VK_EXT_debug_utils is enabled on the instance.
-  uint32_t debug_labels;
-} AtrousCreateInfo;
 
 // A buffer for a name.
 typedef char AtrousName[ATROUS_NAME_SIZE];
@@ -540,6 +546,20 @@ typedef struct AtrousMemory {
   uint64_t output;
 } AtrousMemory;
 
+// A transient that you place in memory of your own.
+typedef struct AtrousPlacement {
+  // Index of the resource.
+  uint32_t resource;
+  // 0.
+  uint32_t reserved;
+  // Bytes that its image needs.
+  uint64_t size;
+  // Alignment that its image needs.
+  uint64_t alignment;
+  // Where it goes: set by atrous_place_transients.
+  uint64_t offset;
+} AtrousPlacement;
+
 // A number of the tuning, for user interfaces.
 typedef struct AtrousTuningField {
   // sizeof(AtrousTuningField), set by you.
@@ -586,6 +606,42 @@ typedef struct AtrousBinding {
   // Bytes, or VK_WHOLE_SIZE.
   uint64_t range;
 } AtrousBinding;
+
+// The last use of an image or buffer, or its next: one side of a barrier.
+typedef struct AtrousState {
+  // Stages of synchronization2.
+  VkPipelineStageFlags2 stage;
+  // Accesses of those stages.
+  VkAccessFlags2 access;
+  // Layout of an image; VK_IMAGE_LAYOUT_UNDEFINED for a buffer, and for content that no one needs.
+  VkImageLayout layout;
+  // Queue family that owns it. VK_QUEUE_FAMILY_IGNORED if ownership never changes.
+  uint32_t queue_family;
+} AtrousState;
+
+// Barriers for one call. Their lists belong to the tracker, and are valid until the next call on it.
+typedef struct AtrousBarriers {
+  // sizeof(AtrousBarriers), set by you.
+  uint32_t struct_size;
+  // Elements of `memory`.
+  uint32_t memory_count;
+  // Elements of `buffers`.
+  uint32_t buffer_count;
+  // Elements of `images`.
+  uint32_t image_count;
+  // For vkCmdPipelineBarrier2. Of a tracker with legacy_barriers: empty.
+  VkDependencyInfo dependency_info;
+  // For vkCmdPipelineBarrier, as all below. Of a tracker without legacy_barriers: empty.
+  VkPipelineStageFlags src_stage;
+  // Stages that wait.
+  VkPipelineStageFlags dst_stage;
+  // Barriers of all memory.
+  const VkMemoryBarrier *memory;
+  // Barriers of buffers.
+  const VkBufferMemoryBarrier *buffers;
+  // Barriers of images.
+  const VkImageMemoryBarrier *images;
+} AtrousBarriers;
 
 // An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
 typedef struct AtrousLentImage {
@@ -654,6 +710,9 @@ typedef struct AtrousConventionReport {
   char text[ATROUS_REPORT_SIZE];
 } AtrousConventionReport;
 
+// Your function for messages. It may be called on any thread that calls the library, and must not throw.
+typedef void (*AtrousLogCallback)(void *user, uint32_t level, const char *message);
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -663,6 +722,15 @@ const char *atrous_last_error(void);
 
 // The name of a status, for logs; never null.
 const char *atrous_status_name(uint32_t status);
+
+// Tells whether a device can run a configuration, and creates nothing. The status is that of success, or of an unsupported device:
+// then atrous_last_error lists everything that is missing, for example a limit with its value. With a null `device` it looks at the
+// physical device alone, before you create one. `executor` 1: the needs of an executor as well.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set; handles are live and belong together, `device` may be null.
+AtrousStatus atrous_check_requirements(const struct AtrousCreateInfo *info,
+                                       uint32_t executor);
 
 // Fills a configuration with defaults for an extent.
 //
@@ -730,6 +798,17 @@ AtrousStatus atrous_pass(const struct AtrousDenoiser *denoiser,
 // `memory` is null or points to an AtrousMemory with its struct_size set.
 AtrousStatus atrous_memory(const struct AtrousDenoiser *denoiser, struct AtrousMemory *memory);
 
+// Places transients in memory of yours, so that those share it whose lives do not overlap. You give resource, size and alignment of
+// each, as vkGetImageMemoryRequirements has them; you get each offset, and in `size` the bytes needed in all. Create such images
+// with VK_IMAGE_CREATE_ALIAS_BIT, and call atrous_tracker_alias for each pair that overlaps.
+//
+// # Safety
+// `size` is null or points to a number; `placements` points to `count` of them.
+AtrousStatus atrous_place_transients(const struct AtrousDenoiser *denoiser,
+                                     struct AtrousPlacement *placements,
+                                     uint32_t count,
+                                     uint64_t *size);
+
 // Describes a number of the tuning by its index. You get an invalid argument beyond the last.
 //
 // # Safety
@@ -770,6 +849,182 @@ AtrousStatus atrous_record(struct AtrousDenoiser *denoiser,
                            uint32_t pass,
                            const struct AtrousBinding *bindings,
                            uint32_t binding_count);
+
+// Switches checks on (1) or off (0) that tell you mistakes which Vulkan does not see, for some microseconds a frame. They are on
+// from the start where the library is a debug build. atrous_record then refuses a layout that no shader reads, one image for both
+// copies of a history, and copies that you do not exchange; atrous_begin_frame names passes that you left out of the previous frame,
+// and the frame after that drops all history.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_set_checks(struct AtrousDenoiser *denoiser,
+                               uint32_t on);
+
+// Describes an image by its view, so that checks compare its format, extent and usage with those declared wherever you bind the
+// view. Describe a view again if its handle is used for another one.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_describe_image(struct AtrousDenoiser *denoiser,
+                                   VkImageView view,
+                                   VkFormat format,
+                                   uint32_t width,
+                                   uint32_t height,
+                                   VkImageUsageFlags usage);
+
+// Creates a tracker for the resources of a denoiser: it remembers the last use of each image and buffer, and gives the barriers
+// before the next one. Nothing has content yet, and there are no inputs. It needs no device and records nothing. Make a new one
+// after atrous_resize. With `legacy_barriers` 1 you get arguments of vkCmdPipelineBarrier, with 0 of vkCmdPipelineBarrier2.
+//
+// # Safety
+// `tracker` is null or points to a pointer.
+AtrousStatus atrous_tracker_create(const struct AtrousDenoiser *denoiser,
+                                   uint32_t legacy_barriers,
+                                   struct AtrousTracker **tracker);
+
+// Destroys a tracker. Your handle is invalid from then on, and stays so, and with it all that it gave.
+//
+// # Safety
+// No other thread reads what it gave.
+AtrousStatus atrous_tracker_destroy(struct AtrousTracker *tracker);
+
+// Names the image of a copy of a resource, with all aspects of its format: VK_IMAGE_ASPECT_COLOR_BIT, or depth and stencil. It is
+// named once, and not tracked before: an input is there after atrous_tracker_share or atrous_tracker_access. Without an image or a
+// buffer, barriers are left out, and the binding is absent.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_set_image(struct AtrousTracker *tracker,
+                                      uint32_t resource,
+                                      uint32_t copy,
+                                      VkImage image,
+                                      VkImageView view,
+                                      VkImageAspectFlags aspects);
+
+// Names the buffer of a copy of a resource, as atrous_tracker_set_image names an image. `size` may be VK_WHOLE_SIZE.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_set_buffer(struct AtrousTracker *tracker,
+                                       uint32_t resource,
+                                       uint32_t copy,
+                                       VkBuffer buffer,
+                                       uint64_t offset,
+                                       uint64_t size);
+
+// Tells that two transients overlap in memory: the first pass of one then waits for the last pass of the other.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_alias(struct AtrousTracker *tracker,
+                                  uint32_t resource,
+                                  uint32_t other);
+
+// Shares an input or an output with you: each phase finds it in the state `before`, and atrous_tracker_hand_back leaves it in the
+// state `after`. If `before` has reads alone, name every stage and access that the content is visible to.
+//
+// # Safety
+// States are null or valid.
+AtrousStatus atrous_tracker_share(struct AtrousTracker *tracker,
+                                  uint32_t resource,
+                                  const struct AtrousState *before,
+                                  const struct AtrousState *after);
+
+// Leaves an optional input out from now on.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_leave_out(struct AtrousTracker *tracker, uint32_t resource);
+
+// Tells the state of a copy that you used without the tracker. It is there from now on, and no longer shared.
+//
+// # Safety
+// `state` is null or valid.
+AtrousStatus atrous_tracker_set_state(struct AtrousTracker *tracker,
+                                      uint32_t resource,
+                                      uint32_t copy,
+                                      const struct AtrousState *state);
+
+// The state of a copy. That of an input which is left out is undefined, without an access.
+//
+// # Safety
+// `state` is null or points to an AtrousState.
+AtrousStatus atrous_tracker_state(const struct AtrousTracker *tracker,
+                                  uint32_t resource,
+                                  uint32_t copy,
+                                  struct AtrousState *state);
+
+// Records for queues of this family from now on, and acquires resources that another one owns. VK_QUEUE_FAMILY_IGNORED, the
+// initial value, if ownership never changes.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_set_queue_family(struct AtrousTracker *tracker,
+                                             uint32_t queue_family);
+
+// Forgets recorded work that will never run, for example because a submission failed. Call atrous_invalidate as well.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_tracker_forget(struct AtrousTracker *tracker);
+
+// The barriers before a pass. Record them at once; the pass counts as recorded after them.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set.
+AtrousStatus atrous_tracker_barriers(struct AtrousTracker *tracker,
+                                     const struct AtrousFrame *frame,
+                                     uint32_t pass,
+                                     struct AtrousBarriers *barriers);
+
+// The bindings of a pass for atrous_record, in the layouts that atrous_tracker_barriers reached. `count` says how many your array
+// holds, and becomes the number of the pass's uses; ATROUS_MAX_USES are enough for any.
+//
+// # Safety
+// Pointers are null or valid; `bindings` points to `count` of them.
+AtrousStatus atrous_tracker_bindings(struct AtrousTracker *tracker,
+                                     const struct AtrousFrame *frame,
+                                     uint32_t pass,
+                                     struct AtrousBinding *bindings,
+                                     uint32_t *count);
+
+// The barriers before a use of your own between two passes or after them, for example an upload, a copy or a draw. `discard` 1: it
+// needs no old content. The resource is there from now on.
+//
+// # Safety
+// Pointers are null or valid, `barriers` with its struct_size set.
+AtrousStatus atrous_tracker_access(struct AtrousTracker *tracker,
+                                   uint32_t resource,
+                                   uint32_t copy,
+                                   const struct AtrousState *next,
+                                   uint32_t discard,
+                                   struct AtrousBarriers *barriers);
+
+// The barriers at the end of a phase, which bring shared resources to the state that you asked for. If your queue family differs,
+// they release the ownership, and atrous_tracker_given_back has the barriers for your queue.
+//
+// # Safety
+// `barriers` is null or valid with its struct_size set.
+AtrousStatus atrous_tracker_hand_back(struct AtrousTracker *tracker,
+                                      struct AtrousBarriers *barriers);
+
+// The acquiring halves of the last atrous_tracker_hand_back, for your queue; none if ownership does not change.
+//
+// # Safety
+// `barriers` is null or valid with its struct_size set.
+AtrousStatus atrous_tracker_given_back(struct AtrousTracker *tracker,
+                                       struct AtrousBarriers *barriers);
+
+// The releasing halves before a phase on a queue of a different family, for the queue that owns the resources, ahead of the
+// semaphore. atrous_tracker_barriers gives the acquiring halves afterwards. None if ownership does not change.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set.
+AtrousStatus atrous_tracker_releases(struct AtrousTracker *tracker,
+                                     const struct AtrousFrame *frame,
+                                     uint32_t phase,
+                                     uint32_t queue_family,
+                                     struct AtrousBarriers *barriers);
 
 // Creates a denoiser with all images but your inputs. The device has synchronization2 enabled, or `legacy_barriers` is 1.
 //
@@ -829,6 +1084,32 @@ AtrousStatus atrous_executor_record_copy(struct AtrousExecutor *executor,
                                          VkBuffer buffer,
                                          uint64_t buffer_size);
 
+// Draws the resource `debug_view` of the newest frame again, with a different AtrousView, for a submission after that of the frame.
+// The configuration has `debug_view` 1.
+//
+// # Safety
+// Obligations of atrous_executor_denoise: images that were lent to the newest frame are live, and in the states that it left.
+AtrousStatus atrous_executor_record_debug_view(struct AtrousExecutor *executor,
+                                               VkCommandBuffer command_buffer,
+                                               uint32_t view);
+
+// Captures the inputs of the next `frames` frames as an EXR sequence in a folder, which the tool `atrous-denoise` replays. Lent
+// inputs need the usage TRANSFER_SRC. A frame is written when its slot comes round again; atrous_executor_finish_capture writes the
+// last ones, and has the error that ended a capture early.
+//
+// # Safety
+// `folder` is null or a null-terminated string, a path in UTF-8.
+AtrousStatus atrous_executor_capture(struct AtrousExecutor *executor,
+                                     const char *folder,
+                                     uint32_t frames);
+
+// Writes the recorded frames of a capture, and ends it. `frames`, which may be null, becomes the number of those written.
+//
+// # Safety
+// All GPU work recorded with this executor is complete; `frames` is null or points to a number.
+AtrousStatus atrous_executor_finish_capture(struct AtrousExecutor *executor,
+                                            uint32_t *frames);
+
 // Counters of the newest frame that was read back, by AtrousCounter: the one before the last with the newest frame's slot. All are
 // 0 until then. `count` says how many your array holds.
 //
@@ -847,6 +1128,17 @@ AtrousStatus atrous_check_conventions(const struct AtrousConfig *config,
                                       const struct AtrousGuides *previous,
                                       const struct AtrousGuides *current,
                                       struct AtrousConventionReport *report);
+
+// Gives you the messages of the library, for example that history is lost in frame after frame. `level` is the most detailed one
+// that you want: 1 errors, 2 warnings as well, 3 information, 4 and 5 details; 0 or a null callback: none. A message is valid
+// during the call. There is one callback for the process.
+//
+// # Safety
+// `callback` takes these arguments on any thread and throws nothing. `user` outlives every call of the library that began before
+// you replaced it.
+AtrousStatus atrous_set_log(uint32_t level,
+                            AtrousLogCallback callback,
+                            void *user);
 
 // The version of the library that runs, packed as ATROUS_VERSION is. A different major version has a different ABI.
 uint32_t atrous_version(void);

@@ -4,7 +4,7 @@ use crate::status::Failure;
 use crate::structs::{AtrousFrameParams, AtrousName, AtrousPass, AtrousResource, AtrousUse, ATROUS_NAME_SIZE};
 use ash::vk;
 use atrous::config::EawWeights;
-use atrous::contract::{Component, Declaration, ImageFormat, Lifetime, ResourceId, Shape, Use, UseFrame};
+use atrous::contract::{Component, Declaration, ImageFormat, Lifetime, Phase, ResourceId, Shape, Use, UseFrame};
 use atrous::{Choice, FrameParams};
 use std::ffi::c_char;
 
@@ -14,7 +14,7 @@ pub(super) fn choice<T: Choice>(field: &str, given: u32) -> Result<T, Failure> {
 }
 
 /// The value of a field that may be 0, none.
-fn choice_or_none<T: Choice>(field: &str, given: u32) -> Result<Option<T>, Failure> {
+pub(super) fn choice_or_none<T: Choice>(field: &str, given: u32) -> Result<Option<T>, Failure> {
     match given {
         0 => Ok(None),
         _ => T::try_from(given - shift::<T>()).map(Some).map_err(|_| unknown(field, given, &allowed_or_none::<T>())),
@@ -34,6 +34,11 @@ pub(super) fn allowed_or_none<T: Choice>() -> String {
 /// A choice that has a number 0 itself is passed as its number plus 1, where 0 is none.
 fn shift<T: Choice>() -> u32 {
     T::ALL.iter().any(|value| value.number() == 0).into()
+}
+
+pub(super) fn phase(given: u32) -> Result<Phase, Failure> {
+    let missing = || unknown("phase", given, "0 (before lighting), 1 (after lighting), 2 (post-process)");
+    Phase::ALL.get(given as usize).copied().ok_or_else(missing)
 }
 
 pub(super) fn flag(field: &str, given: u32) -> Result<bool, Failure> {

@@ -1,14 +1,22 @@
 //! A denoiser with images, barriers and memory of its own: one call for each frame.
 
-use crate::functions::{load, string};
+use crate::device::load;
+use crate::functions::string;
 use crate::handle::{self, AtrousExecutor, ExecutorState};
 use crate::pointers::{check_size, read};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousCreateInfo, AtrousFrameParams, AtrousLentImage};
 use ash::vk::{Buffer, CommandBuffer, Handle, ImageLayout};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, LentImage};
-use atrous::{Counter, Error, ResourceState, Tuning, UseFrame};
+use atrous::{Counter, DebugView, Error, FrameContext, ResourceState, Tuning, UseFrame};
 use std::ffi::{c_char, CStr};
+
+impl ExecutorState {
+    fn newest(&self) -> Result<FrameContext, Failure> {
+        let none = || Failure { status: AtrousStatus::StaleFrame, message: "no frame yet; call atrous_executor_denoise".into() };
+        self.newest.ok_or_else(none)
+    }
+}
 
 /// Creates a denoiser with all images but your inputs. The device has synchronization2 enabled, or `legacy_barriers` is 1.
 ///
@@ -206,9 +214,7 @@ pub unsafe extern "C" fn atrous_executor_record_copy(
             return Err(Failure::argument("command_buffer or buffer is NULL; give one that is recording, and one to copy to"));
         }
         handle::change(executor, |state| {
-            let none =
-                || Failure { status: AtrousStatus::StaleFrame, message: "no frame yet; call atrous_executor_denoise".into() };
-            let frame = state.newest.ok_or_else(none)?;
+            let frame = state.newest()?;
             let needed = state.executor.readback(&name, &frame, UseFrame::Current)?.bytes;
             if buffer_size < needed {
                 let (given, needed) = (format!("{buffer_size} bytes"), format!("at least {needed} bytes"));
@@ -216,6 +222,73 @@ pub unsafe extern "C" fn atrous_executor_record_copy(
             }
             // SAFETY: the command buffer is recording outside a render pass, and the buffer has room.
             unsafe { state.executor.record_copy(command_buffer, &frame, &name, UseFrame::Current, buffer)? };
+            Ok(())
+        })
+    })
+}
+
+/// Draws the resource `debug_view` of the newest frame again, with a different AtrousView, for a submission after that of the frame.
+/// The configuration has `debug_view` 1.
+///
+/// # Safety
+/// Obligations of atrous_executor_denoise: images that were lent to the newest frame are live, and in the states that it left.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_record_debug_view(
+    executor: *mut AtrousExecutor,
+    command_buffer: CommandBuffer,
+    view: u32,
+) -> AtrousStatus {
+    guard(|| {
+        let view: Option<DebugView> = crate::convert::choice_or_none("view", view)?;
+        if command_buffer.is_null() {
+            return Err(Failure::argument("command_buffer is NULL; give one that is recording"));
+        }
+        handle::change(executor, |state| {
+            let frame = FrameContext { debug_view: view, ..state.newest()? };
+            state.executor.denoiser().declaration().find("debug_view").ok_or_else(|| {
+                Failure::argument("there is no debug view; set debug_view of the configuration to 1, and create the executor anew")
+            })?;
+            // SAFETY: the command buffer is recording outside a render pass on a compute queue; what is bound is live and in the state
+            // in which it was left.
+            unsafe { state.executor.record_debug_view(command_buffer, &frame)? };
+            Ok(())
+        })
+    })
+}
+
+/// Captures the inputs of the next `frames` frames as an EXR sequence in a folder, which the tool `atrous-denoise` replays. Lent
+/// inputs need the usage TRANSFER_SRC. A frame is written when its slot comes round again; atrous_executor_finish_capture writes the
+/// last ones, and has the error that ended a capture early.
+///
+/// # Safety
+/// `folder` is null or a null-terminated string, a path in UTF-8.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_capture(
+    executor: *mut AtrousExecutor,
+    folder: *const c_char,
+    frames: u32,
+) -> AtrousStatus {
+    guard(|| {
+        // SAFETY: `folder` is null or a string with a null at its end, which lives through this call.
+        let folder = unsafe { string("folder", folder)? };
+        handle::change(executor, |state| Ok(state.executor.capture(&folder, frames)?))
+    })
+}
+
+/// Writes the recorded frames of a capture, and ends it. `frames`, which may be null, becomes the number of those written.
+///
+/// # Safety
+/// All GPU work recorded with this executor is complete; `frames` is null or points to a number.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_finish_capture(executor: *mut AtrousExecutor, frames: *mut u32) -> AtrousStatus {
+    guard(|| {
+        handle::change(executor, |state| {
+            // SAFETY: all GPU work recorded with the executor is complete.
+            let written = unsafe { state.executor.finish_capture()? };
+            if !frames.is_null() {
+                // SAFETY: not null, so it points to a number that may be written.
+                unsafe { frames.write_unaligned(written) };
+            }
             Ok(())
         })
     })

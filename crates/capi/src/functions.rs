@@ -1,16 +1,16 @@
 //! Functions of the C ABI but recording: creation, declarations, tuning, frames.
 
+use crate::convert::{self, flag};
+use crate::device::load;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::{check_size, read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::*;
 use crate::AtrousConfig;
-use crate::{convert, GetInstanceProcAddr};
-use ash::vk::Handle;
 use atrous::contract::ResourceId;
-use atrous::{Config, Denoiser, Device, LoadedDevice, Tuning, UseFrame};
+use atrous::{Config, Denoiser, Device, Placement, Tuning, UseFrame};
 use std::collections::BTreeMap;
-use std::ffi::{c_char, c_void, CStr};
+use std::ffi::{c_char, CStr};
 
 /// Fills a configuration with defaults for an extent.
 ///
@@ -61,32 +61,13 @@ unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Fail
     let denoiser = unsafe {
         let loaded = load(info)?;
         let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-        Denoiser::new(host, config.declare()?)?
+        let denoiser = Denoiser::new(host, config.declare()?)?;
+        if flag("debug_labels", info.debug_labels)? {
+            denoiser.name_objects(host);
+        }
+        denoiser
     };
     Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames: BTreeMap::new() })
-}
-
-/// The functions of the host's device.
-///
-/// # Safety
-/// Obligations of [`atrous_create`].
-pub(super) unsafe fn load(info: &AtrousCreateInfo) -> Result<LoadedDevice, Failure> {
-    let nulls = [
-        ("instance", info.instance.is_null()),
-        ("physical_device", info.physical_device.is_null()),
-        ("device", info.device.is_null()),
-    ];
-    let missing = nulls.iter().find(|(_, null)| *null).map(|(name, _)| *name);
-    let (None, GetInstanceProcAddr::Some(get_instance_proc_addr)) = (missing, info.get_instance_proc_addr) else {
-        let name = missing.unwrap_or("get_instance_proc_addr");
-        return Err(Failure::argument(format!("info->{name} is NULL; give the host's own")));
-    };
-    // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
-    // the object is destroyed.
-    unsafe {
-        let handles = [info.instance.as_raw(), info.physical_device.as_raw(), info.device.as_raw()];
-        Ok(Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?)
-    }
 }
 
 /// Destroys a denoiser. Your handle is invalid from then on, and stays so.
@@ -195,6 +176,52 @@ pub unsafe extern "C" fn atrous_memory(denoiser: *const AtrousDenoiser, memory: 
             };
             // SAFETY: `memory` is null or points to a struct that begins with its size, writable for that many bytes.
             unsafe { write("memory", memory, || Ok(value)) }
+        })
+    })
+}
+
+/// Places transients in memory of yours, so that those share it whose lives do not overlap. You give resource, size and alignment of
+/// each, as vkGetImageMemoryRequirements has them; you get each offset, and in `size` the bytes needed in all. Create such images
+/// with VK_IMAGE_CREATE_ALIAS_BIT, and call atrous_tracker_alias for each pair that overlaps.
+///
+/// # Safety
+/// `size` is null or points to a number; `placements` points to `count` of them.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_place_transients(
+    denoiser: *const AtrousDenoiser,
+    placements: *mut AtrousPlacement,
+    count: u32,
+    size: *mut u64,
+) -> AtrousStatus {
+    guard(|| {
+        if placements.is_null() || size.is_null() {
+            return Err(Failure::argument("placements or size is NULL; give an array, and a pointer to where the size goes"));
+        }
+        handle::read(denoiser, |state| {
+            let declaration = state.denoiser.declaration();
+            let most = declaration.resources().len();
+            if count as usize > most {
+                return Err(Failure::argument(format!("count is {count}; there are {most} resources")));
+            }
+            // SAFETY: there are `count` of them, and i is below that.
+            let at = |i: usize| unsafe { placements.add(i) };
+            let given = (0..count as usize).map(|i| {
+                // SAFETY: the pointer is that of an element.
+                let AtrousPlacement { resource, size, alignment, .. } = unsafe { at(i).read_unaligned() };
+                match (resource as usize) < most {
+                    true => Ok(Placement { resource: ResourceId(resource), size, alignment, offset: 0 }),
+                    false => Err(Failure::argument(format!("resource {resource} does not exist; there are {most}"))),
+                }
+            });
+            let mut placed = given.collect::<Result<Vec<_>, _>>()?;
+            let total = declaration.place(&mut placed)?;
+            for (i, Placement { resource, size, alignment, offset }) in placed.into_iter().enumerate() {
+                // SAFETY: the pointer is that of an element, which may be written.
+                unsafe { at(i).write_unaligned(AtrousPlacement { resource: resource.0, reserved: 0, size, alignment, offset }) };
+            }
+            // SAFETY: not null, so it points to a number that may be written.
+            unsafe { size.write_unaligned(total) };
+            Ok(())
         })
     })
 }

@@ -4,6 +4,7 @@
 //! take the writer's side.
 
 use crate::status::{AtrousStatus, Failure};
+use crate::tracker::TrackerState;
 use atrous::executor::Executor;
 use atrous::{Denoiser, FrameContext, Tuning};
 use std::collections::BTreeMap;
@@ -17,6 +18,11 @@ pub struct AtrousDenoiser {
 
 /// A denoiser with its images, barriers and memory. Opaque, as AtrousDenoiser is.
 pub struct AtrousExecutor {
+    _private: (),
+}
+
+/// The states of the images and buffers of a denoiser. Opaque, as AtrousDenoiser is.
+pub struct AtrousTracker {
     _private: (),
 }
 
@@ -63,6 +69,15 @@ impl Opaque for AtrousExecutor {
     const NAME: (&'static str, &'static str) = ("executor", "atrous_executor_create");
     fn table() -> &'static RwLock<Table<ExecutorState>> {
         static TABLE: RwLock<Table<ExecutorState>> = RwLock::new(Table::new());
+        &TABLE
+    }
+}
+
+impl Opaque for AtrousTracker {
+    type Object = TrackerState;
+    const NAME: (&'static str, &'static str) = ("tracker", "atrous_tracker_create");
+    fn table() -> &'static RwLock<Table<TrackerState>> {
+        static TABLE: RwLock<Table<TrackerState>> = RwLock::new(Table::new());
         &TABLE
     }
 }

@@ -1,4 +1,4 @@
-//! The C ABI: plain data in, plain data out, opaque handles, no callback into your code.
+//! The C ABI: plain data in, plain data out, opaque handles, no callback into your code but for messages.
 //!
 //! `include/atrous.h` is made from this package by cbindgen, and a test compares the two. Every
 //! function returns an [`AtrousStatus`]; [`atrous_last_error`] has the message. A panic never
@@ -12,23 +12,29 @@
 mod config;
 mod conventions;
 mod convert;
+mod device;
 mod executor;
 mod functions;
 mod handle;
+mod log;
 mod pointers;
 mod record;
 mod status;
 mod structs;
+mod tracker;
 mod version;
 
 pub use config::AtrousConfig;
 pub use conventions::*;
+pub use device::*;
 pub use executor::*;
 pub use functions::*;
-pub use handle::{AtrousDenoiser, AtrousExecutor};
+pub use handle::{AtrousDenoiser, AtrousExecutor, AtrousTracker};
+pub use log::*;
 pub use record::*;
 pub use status::*;
 pub use structs::*;
+pub use tracker::*;
 pub use version::*;
 
 /// `vkGetInstanceProcAddr`, which may be null.

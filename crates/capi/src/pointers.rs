@@ -56,6 +56,7 @@ versioned! {
     AtrousGuides: surface_id;
     AtrousConventionReport: text;
     AtrousLentImage: after_access;
+    AtrousBarriers: images;
 }
 
 /// A struct of the host, with defaults for fields that its header lacks.

@@ -1,11 +1,12 @@
 //! Recording a pass.
 
+use crate::convert::flag;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::read;
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousBinding, AtrousFrame, ATROUS_MAX_USES};
-use ash::vk::{CommandBuffer, Handle};
-use atrous::{Binding, Error, FrameContext};
+use ash::vk::{Buffer, CommandBuffer, Format, Handle, Image, ImageLayout, ImageUsageFlags, ImageView};
+use atrous::{Binding, Error, FrameContext, ImageDescription};
 
 /// Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 ///
@@ -51,7 +52,50 @@ pub unsafe extern "C" fn atrous_record(
     })
 }
 
-fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure> {
+/// Switches checks on (1) or off (0) that tell you mistakes which Vulkan does not see, for some microseconds a frame. They are on
+/// from the start where the library is a debug build. atrous_record then refuses a layout that no shader reads, one image for both
+/// copies of a history, and copies that you do not exchange; atrous_begin_frame names passes that you left out of the previous frame,
+/// and the frame after that drops all history.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_set_checks(denoiser: *mut AtrousDenoiser, on: u32) -> AtrousStatus {
+    guard(|| {
+        let on = flag("on", on)?;
+        handle::change(denoiser, |state| {
+            state.denoiser.checks.on = on;
+            Ok(())
+        })
+    })
+}
+
+/// Describes an image by its view, so that checks compare its format, extent and usage with those declared wherever you bind the
+/// view. Describe a view again if its handle is used for another one.
+///
+/// # Safety
+/// None beyond those of a call through C.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_describe_image(
+    denoiser: *mut AtrousDenoiser,
+    view: ImageView,
+    format: Format,
+    width: u32,
+    height: u32,
+    usage: ImageUsageFlags,
+) -> AtrousStatus {
+    guard(|| {
+        if view.is_null() {
+            return Err(Failure::argument("view is VK_NULL_HANDLE; give the view that you bind"));
+        }
+        handle::change(denoiser, |state| {
+            state.denoiser.checks.images.insert(view, ImageDescription { format, extent: [width, height], usage });
+            Ok(())
+        })
+    })
+}
+
+pub(super) fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure> {
     let stale = |message: String| Failure { status: AtrousStatus::StaleFrame, message };
     if given.generation != state.generation {
         return Err(stale(format!(
@@ -78,6 +122,24 @@ fn check_count(state: &State, pass: u32, count: usize) -> Result<(), Failure> {
         return Err(Error::Bindings { pass: decl.name.clone(), given: count, needed: decl.uses.len() }.into());
     }
     Ok(())
+}
+
+impl From<&Binding> for AtrousBinding {
+    fn from(binding: &Binding) -> Self {
+        let none = Self {
+            image: Image::null(),
+            view: ImageView::null(),
+            layout: ImageLayout::UNDEFINED,
+            buffer: Buffer::null(),
+            offset: 0,
+            range: 0,
+        };
+        match *binding {
+            Binding::Image { view, layout } => Self { view, layout, ..none },
+            Binding::Buffer { buffer, offset, range } => Self { buffer, offset, range, ..none },
+            Binding::Absent => none,
+        }
+    }
 }
 
 /// The binding that a host means, where its handles mean one thing.

@@ -28,6 +28,8 @@ pub enum AtrousStatus {
     VulkanError = 7,
     /// A bug in atrous: it panicked. Destroy your denoiser.
     Panicked = 8,
+    /// Passes of the previous frame were left out: see atrous_set_checks.
+    LeftOut = 9,
 }
 
 /// The reason of a failed call.
@@ -52,7 +54,10 @@ impl From<Error> for Failure {
                 AtrousStatus::OutOfMemory
             }
             Error::Vulkan { .. } => AtrousStatus::VulkanError,
-            Error::Bindings { .. } | Error::NotBound(_) | Error::WrongKind { .. } => AtrousStatus::BadBindings,
+            Error::LeftOut { .. } => AtrousStatus::LeftOut,
+            Error::Binding { .. } | Error::Bindings { .. } | Error::NotBound(_) | Error::WrongKind { .. } => {
+                AtrousStatus::BadBindings
+            }
             _ => AtrousStatus::InvalidArgument,
         };
         Self { status, message: error.to_string() }
@@ -90,7 +95,7 @@ pub extern "C" fn atrous_last_error() -> *const c_char {
 /// The name of a status, for logs; never null.
 #[no_mangle]
 pub extern "C" fn atrous_status_name(status: u32) -> *const c_char {
-    const NAMES: [&CStr; 9] = [
+    const NAMES: [&CStr; 10] = [
         c"ok",
         c"invalid argument",
         c"invalid handle",
@@ -100,6 +105,7 @@ pub extern "C" fn atrous_status_name(status: u32) -> *const c_char {
         c"out of memory",
         c"Vulkan error",
         c"panicked",
+        c"passes left out",
     ];
     NAMES.get(status as usize).copied().unwrap_or(c"unknown status").as_ptr()
 }

@@ -2,8 +2,9 @@
 
 use crate::{AtrousConfig, GetInstanceProcAddr};
 use ash::vk::{
-    AccessFlags, AccessFlags2, Buffer, BufferUsageFlags, Device, Format, Image, ImageLayout, ImageUsageFlags, ImageView, Instance,
-    PhysicalDevice, PipelineCache, PipelineStageFlags, PipelineStageFlags2,
+    AccessFlags, AccessFlags2, Buffer, BufferMemoryBarrier, BufferUsageFlags, DependencyInfo, Device, Format, Image, ImageLayout,
+    ImageMemoryBarrier, ImageUsageFlags, ImageView, Instance, MemoryBarrier, PhysicalDevice, PipelineCache, PipelineStageFlags,
+    PipelineStageFlags2,
 };
 use std::ffi::c_char;
 
@@ -36,7 +37,8 @@ pub struct AtrousCreateInfo {
     pub pipeline_cache: PipelineCache,
     /// Of an executor: 1: barriers by vkCmdPipelineBarrier, for devices without synchronization2.
     pub legacy_barriers: u32,
-    /// Of an executor: 1: labels every pass. VK_EXT_debug_utils is enabled on the instance.
+    /// 1: names every object, and an executor labels every pass. VK_EXT_debug_utils is enabled on the
+    /// instance.
     pub debug_labels: u32,
 }
 
@@ -221,6 +223,46 @@ pub struct AtrousBinding {
     pub range: u64,
 }
 
+/// The last use of an image or buffer, or its next: one side of a barrier.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousState {
+    /// Stages of synchronization2.
+    pub stage: PipelineStageFlags2,
+    /// Accesses of those stages.
+    pub access: AccessFlags2,
+    /// Layout of an image; VK_IMAGE_LAYOUT_UNDEFINED for a buffer, and for content that no one needs.
+    pub layout: ImageLayout,
+    /// Queue family that owns it. VK_QUEUE_FAMILY_IGNORED if ownership never changes.
+    pub queue_family: u32,
+}
+
+/// Barriers for one call. Their lists belong to the tracker, and are valid until the next call on it.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousBarriers {
+    /// sizeof(AtrousBarriers), set by you.
+    pub struct_size: u32,
+    /// Elements of `memory`.
+    pub memory_count: u32,
+    /// Elements of `buffers`.
+    pub buffer_count: u32,
+    /// Elements of `images`.
+    pub image_count: u32,
+    /// For vkCmdPipelineBarrier2. Of a tracker with legacy_barriers: empty.
+    pub dependency_info: DependencyInfo<'static>,
+    /// For vkCmdPipelineBarrier, as all below. Of a tracker without legacy_barriers: empty.
+    pub src_stage: PipelineStageFlags,
+    /// Stages that wait.
+    pub dst_stage: PipelineStageFlags,
+    /// Barriers of all memory.
+    pub memory: *const MemoryBarrier<'static>,
+    /// Barriers of buffers.
+    pub buffers: *const BufferMemoryBarrier<'static>,
+    /// Barriers of images.
+    pub images: *const ImageMemoryBarrier<'static>,
+}
+
 /// Bytes of the declared resources, before you allocate any. Your device may add alignment.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
@@ -235,6 +277,22 @@ pub struct AtrousMemory {
     pub transient_unaliased: u64,
     /// Outputs.
     pub output: u64,
+}
+
+/// A transient that you place in memory of your own.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousPlacement {
+    /// Index of the resource.
+    pub resource: u32,
+    /// 0.
+    pub reserved: u32,
+    /// Bytes that its image needs.
+    pub size: u64,
+    /// Alignment that its image needs.
+    pub alignment: u64,
+    /// Where it goes: set by atrous_place_transients.
+    pub offset: u64,
 }
 
 /// A number of the tuning, for user interfaces.

@@ -69,7 +69,7 @@ fn version() -> String {
 
 /// An enumeration of C. Fields stay numbers of 32 bits, so that their size does not depend on the compiler.
 fn enumeration(name: &str, values: impl Iterator<Item = (String, u32)>) -> String {
-    let camel: String = name.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+    let camel = camel(name);
     let prefix = format!("ATROUS_{}", name.to_uppercase());
     let lines = values.map(|(value, number)| format!("  {prefix}_{} = {number},\n", value.to_uppercase()));
     format!("\ntypedef enum Atrous{camel} {{\n{}}} Atrous{camel};\n", lines.collect::<String>())
@@ -82,22 +82,55 @@ fn or_none<T: Choice>() -> impl Iterator<Item = (String, u32)> {
     std::iter::once(("none".to_owned(), 0)).chain(values)
 }
 
-/// Every choice and counter, from the tables that have their names.
-fn choices() -> String {
-    let mut text = "\n// Choices, by the names of the fields that take them.\n".to_owned();
+/// Every choice, from the tables that have their names.
+fn tables() -> Vec<(String, Vec<(String, u32)>)> {
+    let mut all = Vec::new();
     for field in Conventions::FIELDS.iter().chain(Config::FIELDS) {
         let values = (field.values)();
         if values.iter().any(|(value, _)| *value != "false" && *value != "true") {
-            text += &enumeration(field.name, values.iter().map(|(value, number)| (value.to_string(), *number)));
+            all.push((field.name.to_owned(), values.iter().map(|(value, number)| (value.to_string(), *number)).collect()));
         }
     }
-    text += &enumeration("eaw_weights", (0..).zip(EawWeights::NAMES).map(|(bit, name)| (name.to_string(), 1 << bit)));
-    text += &enumeration("reset", or_none::<ResetReason>());
-    text += &enumeration("view", or_none::<DebugView>());
+    all.push(("eaw_weights".to_owned(), (0..).zip(EawWeights::NAMES).map(|(bit, name)| (name.to_string(), 1 << bit)).collect()));
+    all.push(("reset".to_owned(), or_none::<ResetReason>().collect()));
+    all.push(("view".to_owned(), or_none::<DebugView>().collect()));
+    all
+}
+
+/// Every choice and counter.
+fn choices() -> String {
+    let mut text = "\n// Choices, by the names of the fields that take them.\n".to_owned();
+    for (name, values) in tables() {
+        text += &enumeration(&name, values.into_iter());
+    }
     text += "\n// Indices of atrous_executor_statistics, and of the words in the buffer `statistics`.\n";
     let count = Counter::ALL.len() as u32;
     let counters = Counter::ALL.iter().map(|counter| (counter.name().to_owned(), counter.number()));
     text + &enumeration("counter", counters) + &format!("\n#define ATROUS_COUNTER_COUNT {count}\n")
+}
+
+/// An enumeration of C++ with a scope, of the values of that of C.
+fn scoped(name: &str, values: impl Iterator<Item = (String, u32)>) -> String {
+    let lines =
+        values.map(|(value, _)| format!("    {} = ATROUS_{}_{},\n", camel(&value), name.to_uppercase(), value.to_uppercase()));
+    format!("\nenum class {} : uint32_t {{\n{}}};\n", camel(name), lines.collect::<String>())
+}
+
+fn camel(name: &str) -> String {
+    name.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect()
+}
+
+/// The part of `atrous.hpp` that the tables make.
+fn choices_of_cpp() -> String {
+    let mut text = String::new();
+    for (name, values) in tables() {
+        text += &scoped(&name, values.into_iter());
+        if Conventions::FIELDS.iter().chain(Config::FIELDS).any(|field| field.name == name) && name != "eaw_weights" {
+            let setter = format!("inline void set(AtrousConfig& config, {} value)", camel(&name));
+            text += &format!("{setter} {{ config.{name} = static_cast<uint32_t>(value); }}\n");
+        }
+    }
+    text
 }
 
 /// Names of the inputs, which are those of resources.
@@ -117,15 +150,20 @@ fn header() -> String {
         "AccessFlags",
         "AccessFlags2",
         "Buffer",
+        "BufferMemoryBarrier",
         "BufferUsageFlags",
         "CommandBuffer",
+        "DependencyInfo",
         "Device",
         "Format",
         "Image",
+        "ImageAspectFlags",
         "ImageLayout",
+        "ImageMemoryBarrier",
         "ImageUsageFlags",
         "ImageView",
         "Instance",
+        "MemoryBarrier",
         "PhysicalDevice",
         "PipelineCache",
         "PipelineStageFlags",
@@ -153,8 +191,19 @@ fn header() -> String {
     let made = Path::new(env!("CARGO_TARGET_TMPDIR")).join("config.rs");
     std::fs::write(&made, self::config()).expect("a file");
     let mut builder = cbindgen::Builder::new().with_config(config).with_src(made);
-    for file in ["status.rs", "structs.rs", "handle.rs", "functions.rs", "record.rs", "executor.rs", "conventions.rs", "version.rs"]
-    {
+    for file in [
+        "status.rs",
+        "structs.rs",
+        "handle.rs",
+        "device.rs",
+        "functions.rs",
+        "record.rs",
+        "tracker.rs",
+        "executor.rs",
+        "conventions.rs",
+        "log.rs",
+        "version.rs",
+    ] {
         builder = builder.with_src(root.join(file));
     }
     let mut text = Vec::new();
@@ -173,5 +222,23 @@ fn the_c_header_is_current() {
     assert!(
         stored == made,
         "include/atrous.h is not what src says: ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header"
+    );
+}
+
+#[test]
+fn the_choices_of_cpp_are_current() {
+    const MARKS: [&str; 2] = ["// choices: begin\n", "// choices: end\n"];
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/atrous.hpp");
+    let stored = std::fs::read_to_string(&path).expect("include/atrous.hpp");
+    let (head, rest) = stored.split_once(MARKS[0]).expect("a beginning");
+    let (_, tail) = rest.split_once(MARKS[1]).expect("an end");
+    let made = format!("{head}{}{}{}{tail}", MARKS[0], choices_of_cpp(), MARKS[1]);
+    if std::env::var("ATROUS_UPDATE_HEADER").is_ok_and(|v| v == "1") {
+        std::fs::write(&path, &made).expect("include/atrous.hpp");
+    }
+    let stored = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(
+        stored == made,
+        "include/atrous.hpp is not what the tables say: ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header"
     );
 }

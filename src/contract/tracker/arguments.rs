@@ -39,7 +39,7 @@ impl PhysicalResource {
         Self::Buffer { buffer, offset: 0, size: vk::WHOLE_SIZE }
     }
 
-    /// The binding for a use, in the layout that [`Tracker::layout`](super::Tracker::layout) gives.
+    /// The binding for a use, in the layout that [`Tracker::state`](super::Tracker::state) has.
     pub fn binding(&self, layout: vk::ImageLayout) -> Binding {
         match *self {
             Self::Image { view, .. } => Binding::Image { view, layout },

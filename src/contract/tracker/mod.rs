@@ -165,12 +165,6 @@ impl Tracker {
         copy.is_there.then_some(copy.state)
     }
 
-    /// The current layout of a copy, for its binding; `UNDEFINED` for an input that is left out,
-    /// and for a buffer.
-    pub fn layout(&self, id: ResourceId, copy: usize) -> vk::ImageLayout {
-        self.state(id, copy).map_or(vk::ImageLayout::UNDEFINED, |state| state.layout)
-    }
-
     /// Records for queues of this family from now on, and acquires resources that a different
     /// family owns. `QUEUE_FAMILY_IGNORED`, the initial value, if ownership never changes.
     pub fn set_queue_family(&mut self, queue_family: u32) {

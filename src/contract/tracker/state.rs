@@ -74,7 +74,7 @@ impl ResourceState {
     }
 
     /// Whether a shader may sample the image where it is.
-    pub(super) fn is_sampled_in_place(&self) -> bool {
+    pub(crate) fn is_sampled_in_place(&self) -> bool {
         matches!(
             self.layout,
             vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL

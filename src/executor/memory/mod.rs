@@ -6,7 +6,7 @@ use super::storage::{Object, Storages, StoredImage};
 use super::{AllocatedMemory, ExecutorOptions};
 use crate::contract::{alias, Declaration, Lifetime, ResourceDecl, ResourceId, Shape, Span, WHOLE};
 use crate::error::Error;
-use crate::record::Device;
+use crate::record::{Device, Names};
 use ash::vk;
 use blocks::{Demand, Limits};
 use std::ffi::{CStr, CString};
@@ -18,6 +18,7 @@ pub(crate) struct Memory {
     objects: Objects,
     pub storages: Storages,
     labels: Vec<CString>,
+    names: Names,
 }
 
 /// Vulkan objects with their memory.
@@ -52,6 +53,7 @@ impl Memory {
             limits: unsafe { Limits::new(host, options.largest_block) },
             objects: Objects::default(),
             storages: Storages::new(declaration),
+            names: Names::new(host, options.debug_labels),
             labels: declaration.passes().iter().map(|p| CString::new(p.name.as_str()).unwrap_or_default()).collect(),
         };
         // SAFETY: the device is live, and formats, extents and limits were checked against it. There is nothing yet to replace.
@@ -108,8 +110,32 @@ impl Memory {
             for (waiting, place) in waiting.into_iter().zip(places) {
                 self.place(waiting, self.objects.blocks[place.block], place.offset)?;
             }
+            self.name(declaration);
         }
         Ok(())
+    }
+
+    /// Names what messages of a validation layer are about.
+    ///
+    /// # Safety
+    /// What is stored is live, and no other thread uses it.
+    unsafe fn name(&self, declaration: &Declaration) {
+        for (resource, id) in declaration.resources().iter().zip(0..) {
+            for copy in 0..resource.lifetime.copies() {
+                let name = format!("{}, copy {copy}", resource.name);
+                // SAFETY: live, and not used by other threads.
+                unsafe {
+                    match self.storages.object(ResourceId(id), copy) {
+                        Some(Object::Image(StoredImage { image, view, .. })) => {
+                            self.names.set(*image, &name);
+                            self.names.set(*view, &name);
+                        }
+                        Some(Object::Buffer { buffer, .. }) => self.names.set(*buffer, &name),
+                        None => {}
+                    }
+                }
+            }
+        }
     }
 
     unsafe fn place(&mut self, waiting: Waiting, memory: vk::DeviceMemory, offset: u64) -> Result<(), Error> {

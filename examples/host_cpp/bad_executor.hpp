@@ -1,11 +1,10 @@
-// Gives the functions of an executor everything that they must refuse. They are not in the first header, as those of bad_input.hpp are.
+// Gives the functions of an executor everything that they must refuse.
+#pragma once
 #include "atrous.h"
 #include "bad_input.hpp"
 #include "engine.hpp"
 
-int main() {
-    Engine engine;
-    Refusals refusals;
+inline void refuse_bad_executor(const Engine& engine, Refusals& refusals) {
     AtrousConfig config{sizeof config};
     EXPECT(ATROUS_STATUS_OK, "", atrous_config_default(&config, 8, 8));
     AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
@@ -44,11 +43,22 @@ int main() {
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "0", atrous_executor_resize(executor, 0, 8));
     EXPECT(ATROUS_STATUS_OK, "", atrous_executor_resize(executor, 16, 16));
     EXPECT(ATROUS_STATUS_OK, "", atrous_executor_forget_recorded(executor));
+    EXPECT(ATROUS_STATUS_STALE_FRAME, "no frame yet", atrous_executor_record_debug_view(executor, engine.cmd, ATROUS_VIEW_DEPTH));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "view is 99", atrous_executor_record_debug_view(executor, engine.cmd, 99));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "command_buffer", atrous_executor_record_debug_view(executor, nullptr, ATROUS_VIEW_DEPTH));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "folder is NULL", atrous_executor_capture(executor, nullptr, 1));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "0 frames", atrous_executor_capture(executor, "target", 0));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "/dev/null", atrous_executor_capture(executor, "/dev/null/capture", 1));
+    uint32_t written = 7;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_finish_capture(executor, &written));
+    EXPECT_EQUAL(0, written);
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_finish_capture(executor, nullptr));
     EXPECT(ATROUS_STATUS_OK, "", atrous_executor_destroy(executor));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_destroy(executor));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_resize(executor, 8, 8));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_forget_recorded(executor));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, "executor is NULL", atrous_executor_statistics(nullptr, counters, 2));
-    std::printf("bad executor: %d calls, %d wrong answers\n", refusals.count, refusals.wrong);
-    return refusals.wrong == 0 ? 0 : 1;
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_record_debug_view(executor, engine.cmd, ATROUS_VIEW_DEPTH));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_capture(executor, "target", 1));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_finish_capture(executor, &written));
 }

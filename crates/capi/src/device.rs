@@ -1,0 +1,76 @@
+//! The device of a host: its functions, and whether it can run a configuration.
+
+use crate::convert::flag;
+use crate::pointers::read;
+use crate::status::{guard, AtrousStatus, Failure};
+use crate::structs::AtrousCreateInfo;
+use crate::GetInstanceProcAddr;
+use ash::vk::Handle;
+use atrous::{Device, LoadedDevice, Requirements};
+use std::ffi::c_void;
+
+/// The functions of the host's device.
+///
+/// # Safety
+/// Obligations of [`crate::atrous_create`].
+pub(super) unsafe fn load(info: &AtrousCreateInfo) -> Result<LoadedDevice, Failure> {
+    let get_instance_proc_addr = functions_of(info)?;
+    if info.device.is_null() {
+        return Err(null("device"));
+    }
+    // SAFETY: instance, physical device and device are not null, are live and belong together, and the host keeps them alive until
+    // the object is destroyed.
+    unsafe {
+        let handles = [info.instance.as_raw(), info.physical_device.as_raw(), info.device.as_raw()];
+        Ok(Device::from_raw(get_instance_proc_addr as *const c_void, handles[0], handles[1], handles[2])?)
+    }
+}
+
+fn functions_of(info: &AtrousCreateInfo) -> Result<ash::vk::PFN_vkGetInstanceProcAddr, Failure> {
+    let nulls = [("instance", info.instance.is_null()), ("physical_device", info.physical_device.is_null())];
+    match nulls.iter().find(|(_, is_null)| *is_null) {
+        Some((name, _)) => Err(null(name)),
+        None => GetInstanceProcAddr::ok_or_else(info.get_instance_proc_addr, || null("get_instance_proc_addr")),
+    }
+}
+
+fn null(name: &str) -> Failure {
+    Failure::argument(format!("info->{name} is NULL; give the host's own"))
+}
+
+/// Tells whether a device can run a configuration, and creates nothing. The status is that of success, or of an unsupported device:
+/// then atrous_last_error lists everything that is missing, for example a limit with its value. With a null `device` it looks at the
+/// physical device alone, before you create one. `executor` 1: the needs of an executor as well.
+///
+/// # Safety
+/// Pointers are null or valid with their struct_size set; handles are live and belong together, `device` may be null.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_check_requirements(info: *const AtrousCreateInfo, executor: u32) -> AtrousStatus {
+    guard(|| {
+        // SAFETY: `info` and its `config` are null or point to structs that begin with their size.
+        let (info, config) = unsafe {
+            let info = read("info", info)?;
+            (info, read("info->config", info.config)?.to_config()?)
+        };
+        let legacy = flag("legacy_barriers", info.legacy_barriers)?;
+        let is_executor = flag("executor", executor)? && !legacy;
+        let requirements = Requirements::new(&config.declare()?);
+        let get_instance_proc_addr = functions_of(&info)?;
+        // SAFETY: instance, physical device and, unless it is null, device are live and belong together.
+        unsafe {
+            if info.device.is_null() {
+                let instance = ash::Instance::load(&ash::StaticFn { get_instance_proc_addr }, info.instance);
+                return match is_executor {
+                    true => Ok(requirements.check_executor(&instance, info.physical_device)?),
+                    false => Ok(requirements.check(&instance, info.physical_device)?),
+                };
+            }
+            let loaded = load(&info)?;
+            requirements.check_device(loaded.device())?;
+            if is_executor {
+                requirements.check_executor_device(loaded.device())?;
+            }
+            Ok(())
+        }
+    })
+}
