@@ -60,23 +60,24 @@ fn shaders() -> BTreeMap<String, PathBuf> {
     modules.map(|path| (path.file_stem().expect("a name").to_string_lossy().into_owned(), path)).collect()
 }
 
-/// The counts stand in the documents.
-fn assert_documented(translator: &str, translated: usize, of: usize) {
-    let row = format!("| {translator} | {translated} of {of} |");
+/// The documents say how many shaders are left out. They do not count all, so that a new stage changes none of them.
+fn assert_documented(left_out: usize) {
+    let row = format!("| naga 30 to MSL 2.2 and WGSL | all but {left_out} |");
     assert!(include_str!("../../../docs/lab/hosts.md").contains(&row), "docs/lab/hosts.md must have this row:\n{row}");
-    let share = format!("translates {translated} of {of}");
+    let share = format!("naga translates all but {left_out} to");
     assert!(include_str!("../../../docs/problems.md").contains(&share), "docs/problems.md must say: {share}");
 }
 
 fn spirv_cross_makes_msl_of_every_shader() {
     let shaders = shaders();
+    assert!(shaders.len() > 40, "{shaders:?}");
     for (name, path) in &shaders {
         let output = Command::new("spirv-cross").arg(path).args(["--msl", "--msl-version", "20200"]).output().expect("spirv-cross");
         let errors = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success(), "{name}: {errors}");
         assert!(String::from_utf8_lossy(&output.stdout).contains("kernel void"), "{name} is no kernel: {errors}");
     }
-    assert_documented("SPIRV-Cross to MSL 2.2", shaders.len(), shaders.len());
+    println!("SPIRV-Cross: {} shaders", shaders.len());
 }
 
 /// A shader whose specialisation constants are constants, as wgpu needs it.
@@ -120,5 +121,6 @@ fn naga_makes_msl_and_wgsl_of_all_but_those_that_are_named() {
     }
     let left_out: usize = UNREAD.iter().map(|(_, names)| names.len()).sum();
     assert!(UNREAD.iter().flat_map(|(_, names)| *names).all(|name| shaders.contains_key(*name)), "UNREAD names what is no shader");
-    assert_documented("naga 30 to MSL 2.2 and WGSL", shaders.len() - left_out, shaders.len());
+    println!("naga: {} of {} shaders", shaders.len() - left_out, shaders.len());
+    assert_documented(left_out);
 }
