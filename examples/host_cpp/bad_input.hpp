@@ -160,13 +160,15 @@ inline void refuse_what_is_checked(AtrousDenoiser* denoiser, const AtrousFrame& 
     EXPECT(ATROUS_STATUS_OK, "", atrous_pass(denoiser, last, &pass));
     std::vector<AtrousBinding> bindings = bindings_of(denoiser, pass);
     while (!bindings[at].view) ++at;
+    AtrousResource resource{sizeof resource};
+    EXPECT(ATROUS_STATUS_OK, "", atrous_resource(denoiser, pass.uses[at].resource, &resource));
     EXPECT(ATROUS_STATUS_OK, "", atrous_set_checks(denoiser, 1));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "on is 2", atrous_set_checks(denoiser, 2));
     bindings[at].layout = VK_IMAGE_LAYOUT_UNDEFINED;
     EXPECT(ATROUS_STATUS_BAD_BINDINGS, "layout UNDEFINED", atrous_record(denoiser, &frame, cmd, last, bindings.data(), pass.use_count));
     bindings[at].layout = VK_IMAGE_LAYOUT_GENERAL;
     const auto describe = [&](VkImageView view, uint32_t width) {
-        return atrous_describe_image(denoiser, view, VK_FORMAT_R16G16B16A16_SFLOAT, width, 8, VK_IMAGE_USAGE_SAMPLED_BIT);
+        return atrous_describe_image(denoiser, view, resource.format, width, 8, VK_IMAGE_USAGE_SAMPLED_BIT);
     };
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "view is VK_NULL_HANDLE", describe(VK_NULL_HANDLE, 8));
     EXPECT(ATROUS_STATUS_OK, "", describe(bindings[at].view, 7));
