@@ -2,10 +2,12 @@
 // What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
 // Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
 // In:  guide, surface_motion, statistics; moments, block_percentiles, firefly_limits and irradiance_history per signal, history_confidence,
-//      gradient, noisy radiance per signal and albedo, reflection, visibility_history, each where the graph has it.
+//      gradient, noisy radiance per signal and albedo, reflection, visibility_history, and the ids and transforms by which what is mirrored
+//      moves, each where the graph has it.
 // Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
 // optional: surface_motion, moments_0, moments_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
 // optional: gradient, noisy_1, albedo, reflection, visibility_history, firefly_limits_0, firefly_limits_1
+// optional: specular_hit_id, surface_id, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -50,6 +52,9 @@ const uint REFLECTION = 16u;
 const uint VISIBILITY_HISTORY = 17u;
 const uint FIREFLY_LIMITS_0 = 18u;
 const uint FIREFLY_LIMITS_1 = 19u;
+const uint SPECULAR_HIT_ID = 20u;
+const uint SURFACE_ID = 21u;
+const uint INSTANCE_TRANSFORMS = 22u;
 
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 PACKED_IMAGE(2, guide);
@@ -70,8 +75,11 @@ layout(set = 0, binding = REFLECTION) uniform utexture2D reflection;
 layout(set = 0, binding = VISIBILITY_HISTORY) uniform utexture2D visibility_history;
 layout(set = 0, binding = FIREFLY_LIMITS_0) uniform utexture2D firefly_limits_0;
 layout(set = 0, binding = FIREFLY_LIMITS_1) uniform utexture2D firefly_limits_1;
+layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
+layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
+layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
-#include "virtual_motion.glsl"
+#include "scenery.glsl"
 
 // In the order of DebugView in src/contract/debug_view.rs: the binding without which a view has nothing to show; FRAME: none.
 const uint NEEDED[20] = uint[](MOMENTS_0, HISTORY_0, MOMENTS_0, GRADIENT, HISTORY_CONFIDENCE, MOMENTS_0, BLOCK_PERCENTILES_0,
@@ -214,9 +222,9 @@ vec4 virtual_motion_at(ivec2 p, GuideBits packed) {
     vec2 motion = is_present(SURFACE_MOTION) ? motion_at(p) : vec2(0.0), position;
     Mirror mirror = mirror_at(p, packed, motion);
     Curvature curvature = curvature_at(mirror);
-    MirrorBefore before = mirror_at_rest(mirror, curvature);
-    bool known = r.hit_distance > 0.0
-        && virtual_position(mirror, curvature, before, image_at_rest(r.hit_distance), r.roughness, position);
+    bool lacks_transform;
+    Scenery before = scenery_before(mirror, curvature, r.hit_distance, lacks_transform);
+    bool known = r.hit_distance > 0.0 && virtual_position(mirror, curvature, before.mirror, before.image, r.roughness, position);
     return coloured_motion(known ? position - mirror.surface_position + motion : motion);
 }
 

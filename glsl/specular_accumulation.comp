@@ -67,8 +67,7 @@ layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
 layout(set = 0, binding = SURFACE_ID) uniform utexture2D surface_id;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 
-#include "virtual_motion.glsl"
-#include "instance_transform.glsl"
+#include "scenery.glsl"
 
 // The surface of a pixel, with what is expected of it in the previous frame.
 struct Centre {
@@ -189,44 +188,6 @@ bool sharp_irradiance(Centre c, vec2 position, out vec3 irradiance) {
     return whole;
 }
 
-// A mirror and the thing in it, in the previous frame.
-struct Scenery {
-    MirrorBefore mirror;
-    vec3 thing;
-    vec3 image;  // of the thing, as in virtual_position
-};
-
-Scenery at_rest(Mirror c, Curvature curvature, float hit_distance) {
-    // A direction tells no more of what is farther away.
-    vec3 thing = c.position + reflect(c.sight, c.normal) * min(hit_distance, 1e4 * guide_depth(c.packed));
-    return Scenery(mirror_at_rest(c, curvature), thing, image_at_rest(hit_distance));
-}
-
-// Both as their instances carry them. The surface of the thing is that of the pixel's own path.
-Scenery scenery_before(Mirror c, Curvature curvature, float hit_distance) {
-    Scenery rest = at_rest(c, curvature, hit_distance);
-    if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(hit_distance > 0.0)) return rest;
-    uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, c.p, 0).x : 0u;
-    vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * hit_distance, 1.0), to;
-    Scenery before = rest;
-    bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);
-    if (thing_moves) thing = to;
-    else if (thing_id != 0u) count_bad(BAD_HIT_ID);
-    vec3 normal = c.normal;
-    bool mirror_moves = mirror_id != 0u && instance_rows(mirror_id, rows) && carried(rows, vec4(c.position, 1.0), to);
-    if (mirror_moves) {
-        vec3 sight = normalize(turned(rows, c.sight)), across = turned(rows, curvature.across);
-        across = normalize(across - dot(across, sight) * sight);
-        before.mirror = MirrorBefore(to.xyz, sight, cross(sight, across), across);
-        normal = normalize(turned(rows, c.normal));
-    }
-    vec3 way = reflect(thing.xyz - before.mirror.position, normal);
-    before.image = vec3(dot(way, before.mirror.along), dot(way, before.mirror.across), dot(way, before.mirror.sight));
-    before.thing = thing.xyz;
-    // Behind the mirror there was nothing to be seen in it; a transform that makes no turn of axes has no such place either.
-    return (thing_moves || mirror_moves) && before.image.z > 0.0 && is_finite(before.image) ? before : rest;
-}
-
 // Whether the surface at a pixel of the previous frame mirrored the same thing: the lobe there holds the direction to it.
 bool is_in_lobe(vec2 position, vec3 thing, float roughness) {
     ivec2 q = ivec2(floor(position + 0.5));
@@ -304,7 +265,9 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     float tolerance = 0.5 + 0.5 * lobe_radius(c.depth, Reflection(mirror_image_distance(hit_distance, curvature.mean), roughness));
     vec2 position = c.mirror.surface_position;
     Past image = nothing();
-    Scenery before = scenery_before(c.mirror, curvature, hit_distance);
+    bool lacks_transform;
+    Scenery before = scenery_before(c.mirror, curvature, hit_distance, lacks_transform);
+    if (lacks_transform) count_bad(BAD_HIT_ID);
     bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, before.mirror, before.image, roughness, position);
     steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;
     if (found && is_in_lobe(position, before.thing, roughness)) image = past_at(c, position);
@@ -314,9 +277,9 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
         vec3 image_there = vec3(before.image.xy, hit_distance_of(c.depth, image.nearness));
         bool known = virtual_position(c.mirror, curvature, before.mirror, image_there, roughness, remembered);
         image.frames = worth(image.frames, known ? distance(position, remembered) : 0.0, tolerance);
-        // Another thing is seen there now, or another finish of the surface.
-        float change = abs(nearness_of(c.depth, before.image.z) - image.nearness) * share / (0.05 + lobe_width(roughness));
-        change += abs(roughness - image.roughness) * 8.0;
+        // Another thing is seen there now, or another finish of the surface. Of a thing that was followed, lobes and outlines change the distance.
+        float change = abs(roughness - image.roughness) * 8.0;
+        if (!before.followed) change += abs(nearness_of(c.depth, before.image.z) - image.nearness) * share / (0.05 + lobe_width(roughness));
         image.frames = worth(image.frames, change, 2.0);
     }
     float a = surface.frames * surface.frames, b = image.frames * image.frames;

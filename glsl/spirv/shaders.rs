@@ -179,6 +179,9 @@ pub(crate) static DEBUG_VIEW: Shader = Shader {
         ShaderBinding { number: 17, name: Cow::Borrowed("visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 18, name: Cow::Borrowed("firefly_limits_0"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
         ShaderBinding { number: 19, name: Cow::Borrowed("firefly_limits_1"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 20, name: Cow::Borrowed("specular_hit_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 21, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 22, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("view"), offset: 0, scalar: Scalar::Uint },

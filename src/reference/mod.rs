@@ -42,6 +42,7 @@ pub(crate) mod reflection;
 pub(crate) mod render_rect;
 pub(crate) mod reprojection;
 pub(crate) mod rules;
+pub(crate) mod scenery;
 pub(crate) mod specular_albedo;
 mod stage;
 pub(crate) mod statistics;

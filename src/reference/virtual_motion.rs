@@ -158,6 +158,7 @@ mod tests {
     use super::*;
     use crate::reference::guide::pack_guide;
     use crate::reference::projection::view_position;
+    use crate::reference::scenery::Instances;
     use crate::reference::test_scene::{camera, frame_with};
     use crate::Config;
 
@@ -233,6 +234,37 @@ mod tests {
                 let given = motion.image_position(&mirror, &curvature, &before, image_at_rest(4.0), 0.0).expect("before the eye");
                 let error = given.distance(expected);
                 assert!(error < 0.06, "{p}, {axes}, {eye}: {given} for {expected}, {} of the surface", surface.distance(expected));
+            }
+        }
+    }
+
+    /// The thing moves, with the eye and alone.
+    #[test]
+    fn what_moves_before_a_round_mirror_was_where_the_eye_saw_it() {
+        let pillar = Vec3::new(1.0, 0.0, 1.0);
+        for (axes, eye, way) in [
+            (Vec3::ONE, Vec3::ZERO, Vec3::X),
+            (Vec3::ONE, Vec3::Y, Vec3::X),
+            (pillar, Vec3::ZERO, Vec3::X),
+            (pillar, Vec3::X, Vec3::Y),
+        ] {
+            let (eye, way) = (0.3 * eye, 0.3 * way);
+            let round = Round::new(axes, eye);
+            let motion = VirtualMotion::new(&round.frame, &round.guide);
+            let carried = [[1.0, 0.0, 0.0, way.x], [0.0, 1.0, 0.0, way.y], [0.0, 0.0, 1.0, way.z]];
+            let (hit_id, transforms) = (Image::new(EXTENT, 1), [carried; 2]);
+            let instances = Instances { hit_id: Some(&hit_id), surface_id: None, transforms: Some(&transforms) };
+            for p in PIXELS {
+                let mirror = motion.mirror(p, [0.0; 2]);
+                let thing = mirror.position + 4.0 * mirror.sight.reflect(mirror.surface.unit_normal());
+                let start = round.on_surface(mirror.position);
+                let [expected, rest] = [thing + way, thing]
+                    .map(|thing| motion.previous_pixel_position(round.mirroring_point(start, eye, thing)).expect("before the eye"));
+                let curvature = motion.curvature(&mirror);
+                let before = instances.scenery_before(&round.frame, &mirror, &curvature, 4.0);
+                let given = motion.image_position(&mirror, &curvature, &before.mirror, before.image, 0.0).expect("before the eye");
+                let error = given.distance(expected);
+                assert!(error < 0.06, "{p}, {axes}, {eye}: {given} for {expected}, {} at rest", rest.distance(expected));
             }
         }
     }

@@ -132,9 +132,14 @@ impl Passes {
         for (name, shape, optional) in inputs(self.runner.declaration()) {
             let is_image = matches!(shape, Shape::Image { .. });
             let transforms = frame.instance_transforms.as_ref().filter(|_| name == TRANSFORMS);
-            match (name.as_str(), &frame.surface_id, frame.images.get(name.as_str()), transforms) {
-                ("surface_id", Some(ids), ..) => self.runner.upload_ids(&name, ids)?,
-                (_, _, Some(texels), _) if is_image => self.runner.upload(&name, texels)?,
+            let ids = match name.as_str() {
+                "surface_id" => frame.surface_id.as_ref(),
+                "specular_hit_id" => frame.hit_id.as_ref(),
+                _ => None,
+            };
+            match (ids, frame.images.get(name.as_str()), transforms) {
+                (Some(ids), ..) => self.runner.upload_ids(&name, ids)?,
+                (_, Some(texels), _) if is_image => self.runner.upload(&name, texels)?,
                 (.., Some(transforms)) => self.runner.upload_buffer(&name, bytemuck::cast_slice(transforms))?,
                 // A required one that is absent is named when the frame runs.
                 _ if optional => self.runner.unbind(&name)?,

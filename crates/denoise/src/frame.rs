@@ -43,6 +43,8 @@ pub struct FrameInputs {
     pub instance_transforms: Option<Vec<InstanceTransform>>,
     /// Surface ids.
     pub surface_id: Option<Vec<u32>>,
+    /// Surface ids of what is seen in the surfaces.
+    pub hit_id: Option<Vec<u32>>,
     /// The noisy radiance with everything in it, for scores and pictures.
     pub noisy: Vec<[f32; 3]>,
     /// Alpha of the beauty, which is passed through.
@@ -83,7 +85,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         *texels = smooth(texels, setup.config.allocated_extent[0] as usize);
     }
     let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
-    let surface_id = channels.ids(&images);
+    let (surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
     let reference = channels.vectors(Role::Reference).map(rgb);
@@ -109,6 +111,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         instance_transforms: transforms(&files.colour)?,
         images,
         surface_id,
+        hit_id,
         noisy,
         alpha,
         reference,

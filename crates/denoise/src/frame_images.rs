@@ -234,24 +234,34 @@ impl Channels<'_> {
         Some(motion)
     }
 
-    /// Ids with 0 for the background. Only this project's data sets keep 0 free for it.
-    pub fn ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
-        let name = self.setup.mapping.roles.get(&Role::Id)?.first()?;
-        let mut ids = match self.samples.remove(name)? {
-            Samples::Uint(ids) => ids,
+    /// Ids of the surfaces, with 0 for the background.
+    pub fn surface_ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
+        let far = self.setup.config.conventions.background_depth;
+        self.ids(Role::Id, images.get("depth")?, |depth| depth > 0.0 && depth < far)
+    }
+
+    /// Ids of what is seen in the surfaces, with 0 where nothing was hit.
+    pub fn hit_ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
+        self.ids(Role::HitId, images.get("specular_hit_distance")?, |distance| distance > 0.0)
+    }
+
+    /// Only this project's data sets keep 0 free for what has no id, which is told by its distance elsewhere.
+    fn ids(&mut self, role: Role, distances: &Texels, has_id: impl Fn(f32) -> bool) -> Option<Vec<u32>> {
+        let name = self.setup.mapping.roles.get(&role)?.first()?;
+        let mut ids = match self.samples.get(name)? {
+            Samples::Uint(ids) => ids.clone(),
             Samples::Float(ids) => {
                 let bad = ids.iter().filter(|v| !v.is_finite()).count();
                 if bad > 0 {
-                    self.replaced.insert(Role::Id, bad);
+                    self.replaced.insert(role, bad);
                 }
                 // The cast saturates, and NaN becomes 0.
-                ids.into_iter().map(|v| v.round() as u32).collect()
+                ids.iter().map(|v| v.round() as u32).collect()
             }
         };
         if self.setup.mapping.layout != Layout::Atrous {
-            let far = self.setup.config.conventions.background_depth;
-            for (id, depth) in ids.iter_mut().zip(images.get("depth")?) {
-                *id = if depth[0] > 0.0 && depth[0] < far { id.saturating_add(1) } else { 0 };
+            for (id, distance) in ids.iter_mut().zip(distances) {
+                *id = if has_id(distance[0]) { id.saturating_add(1) } else { 0 };
             }
         }
         Some(ids)

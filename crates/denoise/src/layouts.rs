@@ -90,6 +90,7 @@ pub const ENTRIES: &[Entry] = &[
     of(Role::Specular, Input::NOISY_SPECULAR, RGB),
     of(Role::SpecularAlbedo, Input::SPECULAR_ALBEDO, RGB),
     of(Role::HitDistance, Input::SPECULAR_HIT_DISTANCE, DEPTH),
+    of(Role::HitId, Input::SPECULAR_HIT_ID, ID),
     entry(Role::DemodulatedSpecularDirect, &[Blender], &["glossdir", "glossy direct"], RGB),
     entry(Role::DemodulatedSpecularIndirect, &[Blender], &["glossind", "glossy indirect"], RGB),
     entry(Role::SpecularAlbedo, &[Blender], &["glosscol", "glossy color"], RGB),

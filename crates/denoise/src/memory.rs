@@ -68,7 +68,7 @@ impl Need {
     pub fn new(setup: &Setup, demands: &Demands, queue: usize) -> Result<Self> {
         let pixels = setup.pixels() as u64;
         let has = |role: Role| u64::from(setup.mapping.has(role));
-        let frame = TEXEL * images(setup) + COLOUR * (1 + has(Role::Reference)) + 4 * (has(Role::Id) + has(Role::Alpha));
+        let frame = TEXEL * images(setup) + COLOUR * (1 + has(Role::Reference)) + 4 * (ids(setup) + has(Role::Alpha));
         let planes = 4 * setup.mapping.roles.values().map(|names| names.len() as u64).sum::<u64>();
         // What roles are made of, one after the other.
         let pieces = 7 * (TEXEL + 1);
@@ -182,11 +182,16 @@ fn images(setup: &Setup) -> u64 {
         + alone.iter().map(|role| any(&[*role])).sum::<u64>()
 }
 
+/// Images of ids: see [`crate::frame::FrameInputs`].
+fn ids(setup: &Setup) -> u64 {
+    [Role::Id, Role::HitId].map(|role| u64::from(setup.mapping.has(role))).iter().sum()
+}
+
 /// Inputs, history and images between passes.
 fn filter(setup: &Setup, demands: &Demands) -> Result<u64> {
     let declaration = Config { debug_view: demands.views, ..setup.config }.declare()?;
     let pixels = setup.pixels() as u64;
-    let inputs = (TEXEL * images(setup) + 4) * pixels;
+    let inputs = (TEXEL * images(setup) + 4 * ids(setup)) * pixels;
     let memory = declaration.memory();
     // Results on their way out: as bytes, as floats, and as colours.
     let passing = (2 * TEXEL + COLOUR) * pixels;

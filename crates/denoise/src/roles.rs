@@ -25,6 +25,8 @@ pub enum Role {
     SpecularAlbedo,
     /// Distance from the first hit to what is seen in it.
     HitDistance,
+    /// [`Role::Id`] of what is seen in it.
+    HitId,
     /// Emitters and environment seen directly, without noise.
     Emission,
     /// A further emission that is added to the first (Blender's `Env`).
@@ -124,6 +126,7 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::DemodulatedSpecularIndirect, "demodulated_specular_indirect", Kind::Colour, ""),
     (Role::SpecularAlbedo, "specular_albedo", Kind::Colour, ""),
     (Role::HitDistance, "hit_distance", Kind::Scalar, ""),
+    (Role::HitId, "hit_id", Kind::Id, ""),
     (Role::Emission, "emission", Kind::Colour, "lights and sky are filtered with everything else instead of passing through"),
     (Role::Environment, "environment", Kind::Colour, ""),
     (Role::DemodulatedDirect, "demodulated_direct", Kind::Colour, ""),

@@ -24,6 +24,8 @@ pub struct DenoiserOptions {
     pub config: Config,
     /// Whether fog has motion of its own; else it moves as the surfaces behind it.
     pub volume_motion: bool,
+    /// Reflections follow the thing in them by its id; else only the eye and the surface.
+    pub hit_ids: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
     /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart and no medium lies before
@@ -46,6 +48,7 @@ impl DenoiserOptions {
         Self {
             config: Config { preset, signals, post_process: PostProcess::ToneMap, ..Config::new([1; 2]) },
             volume_motion: true,
+            hit_ids: true,
             sample_eye: None,
             graph: None,
             tuning: Tuning::for_preset(preset),
@@ -342,6 +345,9 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
             ("roughness", &outputs.roughness),
         ]),
         _ => inputs.push(("noisy_radiance", &outputs.scattered)),
+    }
+    if options.config.signals == Signals::Specular && options.hit_ids {
+        inputs.push(("specular_hit_id", &outputs.hit_id));
     }
     if let Some(volume) = tracer.volume() {
         inputs.push(("noisy_volume", &volume.noisy_volume));

@@ -1,5 +1,6 @@
 //! Motion vectors and camera matrices agree.
 
+use atrous_engine::scene::mirror_moving::{MIRROR, MOVERS};
 use atrous_engine::testing::{built_in, render, tracer, Validated, SMALL};
 use atrous_engine::{Camera, SceneOptions, TracerOptions};
 use glam::{Mat4, Vec3, Vec4};
@@ -71,4 +72,31 @@ fn still_pictures_have_no_motion_at_all() {
     render(&gpu, &mut tracer, 5);
     let motion = gpu.0.read_image(&tracer.outputs().motion).expect("motion");
     assert!(motion.iter().all(|m| m[0] == 0.0 && m[1] == 0.0));
+}
+
+/// The hit distance along the mirrored line of sight leads to the ball whose id the pixel has, as far as the lobe is narrow.
+#[test]
+fn hit_ids_and_distances_lead_to_the_thing_in_a_mirror() {
+    let Some(gpu) = Validated::new() else { return };
+    let scene = built_in("mirror_moving", SceneOptions::default());
+    let mut tracer = tracer(&gpu, &scene, TracerOptions::default());
+    let (mut met, mut mirrored) = (0, 0);
+    for frame in 1..12 {
+        render(&gpu, &mut tracer, frame);
+        let (camera, outputs) = (tracer.camera(frame), tracer.outputs());
+        let [depth, normal, distance] =
+            [&outputs.depth, &outputs.normal, &outputs.hit_distance].map(|image| gpu.0.read_image(image).expect("texels"));
+        let [ids, hits] = [&outputs.surface_id, &outputs.hit_id].map(|image| gpu.0.read_image_u32(image).expect("ids"));
+        let eye = matrices(&camera).0.inverse().transform_point3(Vec3::ZERO);
+        let ball = Vec3::from(scene.transforms(scene.moment(frame).object_time)[MOVERS[0] as usize - 1].translation);
+        for pixel in (0..ids.len()).filter(|pixel| ids[*pixel] == MIRROR && hits[*pixel] == MOVERS[0]) {
+            let world = unproject(&camera, pixel, depth[pixel][0]);
+            let direction = (world - eye).normalize().reflect(Vec3::from_slice(&normal[pixel]));
+            let thing = world + direction * distance[pixel][0];
+            mirrored += 1;
+            met += u32::from((thing.distance(ball) - 0.35).abs() < 0.1);
+        }
+    }
+    assert!(mirrored > 24, "{mirrored} pixels show the ball, so little was tested");
+    assert!(10 * met >= 9 * mirrored, "{met} of {mirrored} lead to the ball");
 }

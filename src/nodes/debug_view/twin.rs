@@ -16,8 +16,9 @@ use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::unpack_moments;
 use crate::reference::projection::pixel_size;
 use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unpack_reflection, SeenReflection};
+use crate::reference::scenery::Instances;
 use crate::reference::surface_motion::unpack_surface_motion;
-use crate::reference::virtual_motion::{image_at_rest, MirrorBefore, VirtualMotion};
+use crate::reference::virtual_motion::VirtualMotion;
 use crate::reference::visibility::{unpack_visibility, VisibilityHistory};
 use crate::reference::{Image, Moments};
 use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
@@ -64,6 +65,8 @@ pub(crate) struct DebugViewInputs<'a> {
     pub visibility_history: Option<&'a Image<u32>>,
     /// Albedo of the host.
     pub albedo: Option<&'a Image<[f32; 4]>>,
+    /// By which instances mirrors and the things in them move.
+    pub instances: Instances<'a>,
 }
 
 /// rgb: display-referred, linear 0 to 1; alpha: the number behind the colour. Half precision.
@@ -78,7 +81,7 @@ pub(crate) fn debug_view(frame: &FrameConstants, tuning: &Tuning, inputs: &Debug
         } else if unpack_guide(inputs.guide.at(p)).is_background() {
             ([0.0; 3], 0.0)
         } else if let Some(of) = &virtual_motion {
-            motion(inputs.virtual_motion(of, p))
+            motion(inputs.virtual_motion(frame, of, p))
         } else {
             inputs.shown(frame, tuning, view, p)
         };
@@ -177,13 +180,15 @@ impl DebugViewInputs<'_> {
     }
 
     /// Of the image behind a surface; of the surface, where nothing is known of it.
-    fn virtual_motion(&self, of: &VirtualMotion, p: IVec2) -> [f32; 2] {
+    fn virtual_motion(&self, frame: &FrameConstants, of: &VirtualMotion, p: IVec2) -> [f32; 2] {
         let surface = self.surface_motion_at(p);
         let seen = self.reflection.map(|reflection| unpack_reflection(reflection.at(p))).filter(|seen| seen.hit_distance > 0.0);
         let mirror = of.mirror(p, surface);
         let curvature = of.curvature(&mirror);
-        let (before, image) = (MirrorBefore::at_rest(&mirror, &curvature), |seen: SeenReflection| image_at_rest(seen.hit_distance));
-        let position = seen.and_then(|seen| of.image_position(&mirror, &curvature, &before, image(seen), seen.roughness));
+        let position = seen.and_then(|seen| {
+            let before = self.instances.scenery_before(frame, &mirror, &curvature, seen.hit_distance);
+            of.image_position(&mirror, &curvature, &before.mirror, before.image, seen.roughness)
+        });
         position.map_or(surface, |position| (position - mirror.surface_position + Vec2::from(surface)).into())
     }
 

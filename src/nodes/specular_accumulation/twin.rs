@@ -9,8 +9,8 @@ use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::texel_luminance;
 use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
-use crate::reference::reprojection::InstanceTransform;
 use crate::reference::rules::{pixels, rule, STATISTICS};
+use crate::reference::scenery::Instances;
 use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::virtual_motion::{Mirror, VirtualMotion};
@@ -19,7 +19,6 @@ use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
 
 mod past;
-mod scenery;
 #[cfg(test)]
 mod tests;
 
@@ -59,12 +58,8 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
     pub is_sharp: bool,
     /// x: roughness of the host.
     pub roughness: Option<&'a Image<[f32; 4]>>,
-    /// Ids of the instances that the specular paths hit.
-    pub hit_id: Option<&'a Image<u32>>,
-    /// Ids of the instances that are mirrors.
-    pub surface_id: Option<&'a Image<u32>>,
-    /// Transforms of the instances.
-    pub instance_transforms: Option<&'a [InstanceTransform]>,
+    /// By which instances mirrors and the things in them move.
+    pub instances: Instances<'a>,
     /// Confidence in the history.
     pub history_confidence: Option<&'a Image<f32>>,
     /// The previous frame, which is not read in a reset frame.
@@ -154,7 +149,7 @@ impl Scene<'_> {
         }
         let best = self.best_past(&c, &mut seen);
         let (texel, moments) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
-        let is_bad = self.lacks_transform(&c.mirror, seen.hit_distance);
+        let is_bad = self.inputs.instances.lacks_transform(self.frame, &c.mirror, seen.hit_distance);
         (texel, moments, seen, best.map(|best| best.image_share), is_bad)
     }
 
@@ -228,9 +223,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         is_sharp: b.is_on("SHARP")?,
         roughness: b.optional_colour("roughness")?,
         history_confidence: b.optional_scalar("history_confidence")?,
-        hit_id: b.optional_uint("specular_hit_id")?,
-        surface_id: b.optional_uint("surface_id")?,
-        instance_transforms: transforms.as_deref(),
+        instances: Instances {
+            hit_id: b.optional_uint("specular_hit_id")?,
+            surface_id: b.optional_uint("surface_id")?,
+            transforms: transforms.as_deref(),
+        },
         previous: PreviousSpecular {
             guide: b.packed("previous_guide")?,
             history: b.colour("history")?,

@@ -21,6 +21,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("every_source_of_gradients_is_replayed", every_source_of_gradients_is_replayed),
     ("volumes_are_replayed", volumes_are_replayed),
     ("transforms_and_changing_tunables_are_replayed", transforms_and_changing_tunables_are_replayed),
+    ("hit_ids_are_replayed", hit_ids_are_replayed),
 ];
 
 const EXTENT: [u32; 2] = [48, 27];
@@ -34,8 +35,14 @@ pub fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, c
     s.capture(folder, FRAMES).expect("a capture");
     let mut pictures = Vec::new();
     for i in 0..FRAMES {
-        let mut inputs =
-            Inputs { guides: scene.frame(i, i), params: scene.params(i), tuning: *tuning, images: Vec::new(), transforms: None };
+        let mut inputs = Inputs {
+            guides: scene.frame(i, i),
+            params: scene.params(i),
+            tuning: *tuning,
+            images: Vec::new(),
+            transforms: None,
+            hit_ids: None,
+        };
         change(i, &mut inputs);
         upload(&mut s, &inputs.guides);
         for (name, texels) in &inputs.images {
@@ -44,6 +51,9 @@ pub fn capture(folder: &Path, config: &Config, tuning: &Tuning, scene: &Scene, c
         if let Some(transforms) = &inputs.transforms {
             s.upload_buffer("instance_transforms", bytemuck::cast_slice(transforms)).expect("transforms");
             s.unbind("motion").expect("unbound");
+        }
+        if let Some(ids) = &inputs.hit_ids {
+            s.upload_ids("specular_hit_id", ids).expect("hit ids");
         }
         if s.executor().denoiser().declaration().find("emission").is_some() && config.signals == Signals::Together {
             let emission: Picture = inputs.guides.clean.iter().map(|c| [c[0] * 0.1, 0.0, 0.03, 1.0]).collect();
@@ -73,6 +83,7 @@ pub struct Inputs {
     tuning: Tuning,
     images: Vec<(&'static str, Vec<[f32; 4]>)>,
     transforms: Option<Vec<InstanceTransform>>,
+    hit_ids: Option<Vec<u32>>,
 }
 
 pub fn load(folder: &Path) -> (Setup, Vec<frame::FrameInputs>) {
@@ -282,4 +293,22 @@ fn transforms_and_changing_tunables_are_replayed() {
     });
     let alphas: Vec<f32> = (0..4).map(|i| setup.tuning(i).expect("tunables").alpha).collect();
     assert_eq!(alphas, [0.1, 0.3, 0.1, 0.7]);
+}
+
+/// A thing that moves in the surfaces: what the frames give depends on its ids.
+fn hit_ids_are_replayed() {
+    let config = Config { signals: Signals::Specular, ..Config::new(EXTENT) };
+    let frames = |folder: &Path, ids: bool| {
+        let scene = Scene { speed: 0.05, ..Scene::new(EXTENT) };
+        capture(folder, &config, &Tuning::default(), &scene, |i, inputs| {
+            let mut moved = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+            moved[0][3] = 0.3;
+            inputs.transforms = Some(vec![moved; 8]);
+            inputs.hit_ids = ids.then(|| (0..EXTENT[0] * EXTENT[1]).map(|k| (k / 7 + i) % 8).collect());
+        })
+    };
+    let [with, without] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
+    let pictures = frames(with.path(), true);
+    assert!(pictures != frames(without.path(), false), "ids change nothing, so nothing was tested");
+    assert_replays(with.path(), &pictures);
 }

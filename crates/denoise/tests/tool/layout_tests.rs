@@ -145,7 +145,8 @@ fn own_data_sets_with_specular_light() {
         .flat("specular.R specular.G specular.B", Type::Half, 0.5)
         .flat("specular_albedo.R specular_albedo.G specular_albedo.B", Type::Half, 0.75)
         .flat("roughness.Y", Type::Half, 0.25)
-        .flat("hitdist.D", Type::Float, 3.5);
+        .flat("hitdist.D", Type::Float, 3.5)
+        .flat("hit_id.I", Type::Uint, 7.0);
     let (_folder, setup, inputs) = good(&sample);
     assert_eq!((setup.config.signals, setup.config.conventions.roughness), (Signals::Specular, RoughnessEncoding::Alpha));
     let expected = [
@@ -158,6 +159,7 @@ fn own_data_sets_with_specular_light() {
     for (name, value) in expected {
         assert_eq!(inputs.images[name][3][0], value, "{name}");
     }
+    assert_eq!(inputs.hit_id.map(|ids| ids[3]), Some(7));
 }
 
 #[test]

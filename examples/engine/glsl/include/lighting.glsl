@@ -1,7 +1,7 @@
 // Lighting at one path per pixel, from the pixel's visibility sample and seed: path_trace.comp, and path_trace_reshaded.comp with RESHADE.
 // In: visibility, seed. Out: direct (scattered once), indirect (scattered twice), emission (seen directly; no noise):
 // linear radiance, whose sum is the picture; scattered: direct + indirect. The same as diffuse + specular, with hit_distance: how far
-// away is what is seen in the surface, scene units, 0: beyond the scene.
+// away is what is seen in the surface, scene units, 0: beyond the scene; and hit_id: its surface_id, 0: none.
 #ifndef LIGHTING_GLSL
 #define LIGHTING_GLSL
 #include "pixel_sample.glsl"
@@ -16,6 +16,7 @@ layout(set = 1, binding = 5, rgba32f) uniform writeonly image2D scattered_image;
 layout(set = 1, binding = 6, rgba32f) uniform writeonly image2D diffuse_image;
 layout(set = 1, binding = 7, rgba32f) uniform writeonly image2D specular_image;
 layout(set = 1, binding = 8, r32f) uniform writeonly image2D hit_distance_image;
+layout(set = 1, binding = 9, r32ui) uniform writeonly uimage2D hit_id_image;
 
 vec3 seen_emission(Surface s) { return s.emission * medium_transmittance(distance(frame.camera.eye.xyz, s.position)); }
 
@@ -23,7 +24,7 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, ivec2(frame.extent_frame_seed.xy)))) return;
     PixelSample pixel_sample = fetch_pixel_sample(pixel);
-    Lighting lighting = Lighting(vec3(0.0), vec3(0.0), vec3(0.0), NOWHERE);
+    Lighting lighting = Lighting(vec3(0.0), vec3(0.0), vec3(0.0), NOTHING_SEEN);
     vec3 emission;
     if (pixel_sample.visibility.instance == NO_INSTANCE) {
         emission = environment(normalize(ray_direction(frame.camera, vec2(pixel) + 0.5 + frame.jitter_epsilon_weight.xy)));
@@ -45,7 +46,8 @@ void main() {
     imageStore(scattered_image, pixel, vec4(scattered, 1.0));
     imageStore(diffuse_image, pixel, vec4(max(scattered - lighting.specular, 0.0), 1.0));
     imageStore(specular_image, pixel, vec4(lighting.specular, 1.0));
-    imageStore(hit_distance_image, pixel, vec4(lighting.hit_distance < 1.0e9 ? lighting.hit_distance : 0.0));
+    imageStore(hit_distance_image, pixel, vec4(lighting.seen.distance < 1.0e9 ? lighting.seen.distance : 0.0));
+    imageStore(hit_id_image, pixel, uvec4(lighting.seen.surface_id));
 }
 
 #endif

@@ -10,7 +10,17 @@ struct LightSample {
     float distance;
     vec3 radiance;  // divided by the density in solid angle (by the probability of choosing it for a point or a sun)
     float density;  // solid angle; 0: only light sampling finds it
+    uint surface_id;  // 0: no mesh
 };
+
+// What is seen in a surface.
+struct Seen {
+    float distance;  // scene units; NOWHERE: beyond the scene
+    uint surface_id; // 0: nothing, or no mesh
+};
+
+const float NOWHERE = 1.0e30;
+const Seen NOTHING_SEEN = Seen(NOWHERE, 0u);
 
 uint select_light(inout float u) {
     uint low = 0u;
@@ -46,18 +56,18 @@ LightSample sample_triangle(Light light, vec3 from, vec2 u) {
     Material material = load_material(floatBitsToUint(light.radiance_material.w));
     float cosine = -light.radiance_material.x * dot(face, direction) / max(twice_area, 1.0e-20);
     cosine = material.two_sided_emission ? abs(cosine) : cosine;
-    if (cosine <= 1.0e-5 || distance2 <= 0.0) return LightSample(direction, 0.0, vec3(0.0), 0.0);
+    if (cosine <= 1.0e-5 || distance2 <= 0.0) return LightSample(direction, 0.0, vec3(0.0), 0.0, 0u);
     float density = light.edge2_probability.w * distance2 / (cosine * 0.5 * twice_area);
     vec3 radiance = material.emission;
     if (material.emission_texture != NO_TEXTURE) radiance = emitted_radiance(material, light_uv(light, barycentrics));
-    return LightSample(direction, distance, radiance / density, density);
+    return LightSample(direction, distance, radiance / density, density, floatBitsToUint(light.radiance_material.y));
 }
 
 LightSample sample_sun(Light light, vec2 u) {
     float r = sqrt(u.x) * light.edge2_probability.x;
     float phi = 2.0 * PI * u.y;
     vec3 direction = normalize(basis(light.position_kind.xyz) * vec3(r * cos(phi), r * sin(phi), sqrt(1.0 - r * r)));
-    return LightSample(direction, 1.0e30, light.radiance_material.rgb / light.edge2_probability.w, 0.0);
+    return LightSample(direction, NOWHERE, light.radiance_material.rgb / light.edge2_probability.w, 0.0, 0u);
 }
 
 LightSample sample_point(Light light, vec3 from) {
@@ -68,7 +78,7 @@ LightSample sample_point(Light light, vec3 from) {
     vec2 cone = light.edge2_probability.xy;
     float spot = clamp((-dot(direction, light.edge1_cdf.xyz) - cone.y) / max(cone.x - cone.y, 1.0e-4), 0.0, 1.0);
     float falloff = cone.y <= -1.0 ? 1.0 : spot * spot;
-    return LightSample(direction, distance, light.radiance_material.rgb * (falloff / distance2 / light.edge2_probability.w), 0.0);
+    return LightSample(direction, distance, light.radiance_material.rgb * (falloff / distance2 / light.edge2_probability.w), 0.0, 0u);
 }
 
 // Density in solid angle with which light sampling finds an emitter that a sampled direction has hit.
@@ -93,14 +103,14 @@ bool sample_light(vec3 from, vec2 u, uint left_out, out LightSample found) {
     return found.distance > 0.0;
 }
 
-// Reflected radiance from one sampled light, and how far away that is. `weighted`: sampled directions find area lights, too.
-Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, uint left_out, out float distance) {
+// Reflected radiance from one sampled light, and what that is. `weighted`: sampled directions find area lights, too.
+Reflected next_event(Surface s, vec3 view, vec2 u, bool weighted, uint left_out, out Seen light) {
     const Reflected nothing = Reflected(vec3(0.0), vec3(0.0));
     vec3 origin = ray_origin(s);
     LightSample found;
-    distance = 0.0;
+    light = NOTHING_SEEN;
     if (!sample_light(origin, u, left_out, found)) return nothing;
-    distance = found.distance;
+    light = Seen(found.distance, found.surface_id);
     float density;
     vec3 arriving = found.radiance * medium_transmittance(found.distance);
     Reflected reflected = scaled(evaluate_bsdf(s, view, found.direction, density), arriving);

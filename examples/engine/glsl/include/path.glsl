@@ -11,16 +11,17 @@ const float REGULARISED_ROUGHNESS = 0.5;
 struct Lighting {
     vec3 direct;
     vec3 indirect;
-    vec3 specular;       // the part of both that the coat or metal of the surface reflects
-    float hit_distance;  // to what is seen in it, scene units; NOWHERE: beyond the scene
+    vec3 specular;  // the part of both that the coat or metal of the surface reflects
+    Seen seen;
 };
 
-const float NOWHERE = 1.0e30;
-
-// Distance of what two parts of the light come from: the one that counts more has more to say, and infinity says 0.
-float mean_distance(vec3 light_a, float distance_a, vec3 light_b, float distance_b) {
+// What two parts of the light come from: the one that counts more has more to say of the distance, infinity says 0; and it alone gives the id.
+Seen seen_of(vec3 light_a, Seen seen_a, vec3 light_b, Seen seen_b) {
     float a = luminance(light_a), b = luminance(light_b);
-    return a + b > 0.0 ? (a + b) / max(a / distance_a + b / distance_b, 1.0 / NOWHERE) : distance_b;
+    // A ray that met a surface which no light reached by chance still tells what is seen.
+    if (!(b > 0.0) && (!(a > 0.0) || seen_b.distance < NOWHERE)) return seen_b;
+    float distance = (a + b) / max(a / seen_a.distance + b / seen_b.distance, 1.0 / NOWHERE);
+    return Seen(distance, a > b ? seen_a.surface_id : seen_b.surface_id);
 }
 
 // Weight of an emitter that a sampled direction has hit.
@@ -33,7 +34,7 @@ float hit_weight(Surface emitter, vec3 direction, float distance, float bsdf_den
 // Light scattered at the end of the bounce towards its start.
 vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
     s.roughness = max(s.roughness, REGULARISED_ROUGHNESS);
-    float unused;
+    Seen unused;
     vec3 radiance = next_event(s, view, random2(rng), false, NO_LIGHT, unused).all;
     vec2 u = random2(rng);
     if (frame.sky_zenith.a > 0.0) {
@@ -48,19 +49,19 @@ vec3 second_vertex(Surface s, vec3 view, inout Rng rng) {
 
 // As it leaves the surface towards the eye, but for what one light gives it directly.
 Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
-    Lighting result = Lighting(vec3(0.0), vec3(0.0), vec3(0.0), NOWHERE);
+    Lighting result = Lighting(vec3(0.0), vec3(0.0), vec3(0.0), NOTHING_SEEN);
     vec3 view = normalize(eye - s.position);
     vec2 light_u = random2(rng);
-    float light_distance = NOWHERE;
+    Seen light = NOTHING_SEEN;
     Reflected reflected = Reflected(vec3(0.0), vec3(0.0));
     if (frame.counts.y != LIGHT_SAMPLING_BSDF)
-        reflected = next_event(s, view, light_u, frame.counts.y == LIGHT_SAMPLING_MIS, left_out, light_distance);
+        reflected = next_event(s, view, light_u, frame.counts.y == LIGHT_SAMPLING_MIS, left_out, light);
     result.direct = reflected.all;
     result.specular = reflected.specular;
     Reflected weight;
     float density;
     vec3 direction = sample_bsdf(s, view, random2(rng), weight, density);
-    if (light_distance > 0.0) result.hit_distance = light_distance;
+    result.seen = light;
     if (luminance(weight.all) <= 0.0) return result;
     vec3 origin = ray_origin(s);
     Hit hit = closest_hit(origin, direction);
@@ -68,7 +69,7 @@ Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
         vec3 sky = environment(direction) * medium_transmittance(NOWHERE);
         result.direct += weight.all * sky;
         result.specular += weight.specular * sky;
-        result.hit_distance = mean_distance(reflected.specular, max(light_distance, 1.0e-6), weight.specular * sky, NOWHERE);
+        result.seen = seen_of(reflected.specular, light, weight.specular * sky, NOTHING_SEEN);
         return result;
     }
     weight = scaled(weight, vec3(medium_transmittance(hit.distance)));
@@ -80,7 +81,7 @@ Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
     result.indirect = weight.all * scattered;
     vec3 specular = weight.specular * (emitted + scattered);
     result.specular += specular;
-    result.hit_distance = mean_distance(reflected.specular, max(light_distance, 1.0e-6), specular, hit.distance);
+    result.seen = seen_of(reflected.specular, light, specular, Seen(hit.distance, second.surface_id));
     return result;
 }
 
@@ -88,7 +89,7 @@ Lighting surface_lighting(Surface s, vec3 eye, uint left_out, inout Rng rng) {
 Lighting trace_path(Surface s, vec3 eye, uint left_out, inout Rng rng) {
     Lighting lighting = surface_lighting(s, eye, left_out, rng);
     float seen = medium_transmittance(distance(eye, s.position));
-    return Lighting(lighting.direct * seen, lighting.indirect * seen, lighting.specular * seen, lighting.hit_distance);
+    return Lighting(lighting.direct * seen, lighting.indirect * seen, lighting.specular * seen, lighting.seen);
 }
 
 #endif

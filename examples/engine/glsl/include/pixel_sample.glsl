@@ -29,11 +29,11 @@ PixelSample fetch_pixel_sample(ivec2 pixel) {
 // What was shaded, for the next frame: the surface as the visibility pass has it, a place on a triangle, which moves along with its object;
 // and x: the seed, yzw: the eye that saw it, world space. The sample is shaded for this frame's eye, so that it is a sample of this frame's
 // picture, and a highlight that moves with the eye is a change of light; or, with `kept_eye`, for its own: then only the scene can differ.
-layout(set = 1, binding = 9) uniform utexture2D gradient_samples;
-layout(set = 1, binding = 10) uniform utexture2D previous_surfaces;
-layout(set = 1, binding = 11) uniform utexture2D previous_seeds;
-layout(set = 1, binding = 12, rgba32ui) uniform writeonly uimage2D surfaces;
-layout(set = 1, binding = 13, rgba32ui) uniform writeonly uimage2D seeds;
+layout(set = 1, binding = 10) uniform utexture2D gradient_samples;
+layout(set = 1, binding = 11) uniform utexture2D previous_surfaces;
+layout(set = 1, binding = 12) uniform utexture2D previous_seeds;
+layout(set = 1, binding = 13, rgba32ui) uniform writeonly uimage2D surfaces;
+layout(set = 1, binding = 14, rgba32ui) uniform writeonly uimage2D seeds;
 layout(push_constant) uniform Push {
     int stratum_size;
     uint kept_eye;

@@ -51,7 +51,7 @@ struct Light {
     vec4 position_kind;      // triangle: first corner; sun: direction to it; point: position. w: kind, and the triangle from bit 2 on
     vec4 edge1_cdf;          // triangle: first edge; point: spot direction. w: upper bound in the cumulated distribution
     vec4 edge2_probability;  // triangle: second edge; sun: x sine of its radius; point: xy cosines of the spot's cone. w: selection probability
-    vec4 radiance_material;  // triangle: x: -1 when the instance is mirrored; sun: irradiance; point: intensity. w: material index (triangle only)
+    vec4 radiance_material;  // triangle: x: -1 when the instance is mirrored, y: surface_id; sun: irradiance; point: intensity. w: material index (triangle only)
 };
 
 const uint LIGHT_SAMPLING_MIS = 0u;

@@ -17,6 +17,7 @@ mod material;
 mod medium;
 mod mesh;
 mod mirror;
+pub mod mirror_moving;
 mod pillars;
 mod shapes;
 mod tiles;
@@ -34,7 +35,8 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 10] = ["cornell", "pillars", "glossy", "mirror", "hall", "fog", "leaves", "lamps", "tiles", "door"];
+pub const BUILT_IN: [&str; 11] =
+    ["cornell", "pillars", "glossy", "mirror", "mirror_moving", "hall", "fog", "leaves", "lamps", "tiles", "door"];
 
 /// Parts of the animation that stand still.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -149,6 +151,7 @@ impl Scene {
             "pillars" => pillars::scene(),
             "glossy" => glossy::scene(),
             "mirror" => mirror::scene(),
+            "mirror_moving" => mirror_moving::scene(),
             "hall" => hall::scene(),
             "fog" => fog::scene(),
             "leaves" => leaves::scene(),

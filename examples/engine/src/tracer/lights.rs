@@ -51,7 +51,7 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], f
     let mut data = Vec::new();
     let mut weights = Vec::new();
     let mut sun = 0;
-    for (instance, transform) in scene.instances.iter().zip(transforms) {
+    for ((instance, transform), id) in scene.instances.iter().zip(transforms).zip(1u32..) {
         let material = &materials[instance.material];
         let weight = material.emission_weight[3].abs();
         if weight <= 0.0 {
@@ -72,7 +72,12 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], f
                 position_kind: with(a, f32::from_bits(tag)),
                 edge1_cdf: with(b - a, 0.0),
                 edge2_probability: with(c - a, 0.0),
-                radiance_material: [if mirrored { -1.0 } else { 1.0 }, 0.0, 0.0, f32::from_bits(instance.material as u32)],
+                radiance_material: [
+                    if mirrored { -1.0 } else { 1.0 },
+                    f32::from_bits(id),
+                    0.0,
+                    f32::from_bits(instance.material as u32),
+                ],
             });
         }
     }

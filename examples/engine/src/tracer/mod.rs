@@ -110,7 +110,7 @@ impl PathTracer {
         let kinds = bound.map(Bound::kind);
         let scene_layout = SetLayout::new(gpu, &kinds)?;
         let gbuffer_layout = SetLayout::new(gpu, &storage_images(11))?;
-        let lighting_layout = SetLayout::new(gpu, &storage_images(9))?;
+        let lighting_layout = SetLayout::new(gpu, &storage_images(LIT_IMAGES))?;
         let mut tracer = Self {
             scene_set: DescriptorSet::of_buffers(gpu, &scene_layout, &bound)?,
             gbuffer_set: DescriptorSet::of_images(gpu, &gbuffer_layout, &outputs.gbuffer().map(|image| image.view))?,
@@ -292,8 +292,10 @@ impl PathTracer {
     }
 }
 
+const LIT_IMAGES: usize = 10;
+
 /// What the lighting pass reads and writes, in the order of its bindings.
-fn lit_images(outputs: &Outputs) -> [&Image; 9] {
-    let [direct, indirect, emission, scattered, diffuse, specular, hit_distance] = outputs.lighting();
-    [&outputs.visibility, &outputs.seed, direct, indirect, emission, scattered, diffuse, specular, hit_distance]
+fn lit_images(outputs: &Outputs) -> [&Image; LIT_IMAGES] {
+    let [direct, indirect, emission, scattered, diffuse, specular, hit_distance, hit_id] = outputs.lighting();
+    [&outputs.visibility, &outputs.seed, direct, indirect, emission, scattered, diffuse, specular, hit_distance, hit_id]
 }

@@ -46,6 +46,8 @@ pub struct Outputs {
     pub specular: Image,
     /// `R32_SFLOAT`: distance from the surface to what is seen in it, scene units; 0: beyond the scene.
     pub hit_distance: Image,
+    /// `R32_UINT`: `surface_id` of the thing that is seen in the surface; 0: none, beyond the scene, or a light without a mesh.
+    pub hit_id: Image,
 }
 
 impl Outputs {
@@ -70,6 +72,7 @@ impl Outputs {
             diffuse: image("diffuse", vk::Format::R32G32B32A32_SFLOAT)?,
             specular: image("specular", vk::Format::R32G32B32A32_SFLOAT)?,
             hit_distance: image("hit_distance", vk::Format::R32_SFLOAT)?,
+            hit_id: image("hit_id", vk::Format::R32_UINT)?,
         })
     }
 
@@ -91,7 +94,16 @@ impl Outputs {
     }
 
     /// What the lighting pass writes, in the order of its bindings.
-    pub fn lighting(&self) -> [&Image; 7] {
-        [&self.direct, &self.indirect, &self.emission, &self.scattered, &self.diffuse, &self.specular, &self.hit_distance]
+    pub fn lighting(&self) -> [&Image; 8] {
+        [
+            &self.direct,
+            &self.indirect,
+            &self.emission,
+            &self.scattered,
+            &self.diffuse,
+            &self.specular,
+            &self.hit_distance,
+            &self.hit_id,
+        ]
     }
 }

@@ -8,7 +8,7 @@ use ash::vk;
 use clap::ValueEnum;
 
 use super::barriers::general_barrier;
-use super::{lit_images, shaders, PathTracer};
+use super::{lit_images, shaders, PathTracer, LIT_IMAGES};
 use crate::error::Result;
 use crate::gpu::{storage_images, DescriptorSet, Image, Pipeline, SetLayout};
 
@@ -58,7 +58,7 @@ impl PathTracer {
         let image = |name| Image::new(gpu, name, vk::Format::R32G32B32A32_UINT, extent);
         let copy = || -> Result<[Image; 2]> { Ok([image("sample_surfaces")?, image("sample_seeds")?]) };
         let samples = [copy()?, copy()?];
-        let mut kinds = storage_images(9);
+        let mut kinds = storage_images(LIT_IMAGES);
         kinds.extend([vk::DescriptorType::SAMPLED_IMAGE; 3]);
         kinds.extend(storage_images(2));
         let layout = SetLayout::new(gpu, &kinds)?;

@@ -14,6 +14,7 @@ pub(crate) const RULES: &[Rule] = &[pixels("debug_view", PICTURE)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
     let inputs = DebugViewInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
@@ -29,6 +30,11 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         reflection: b.has("reflection").then(|| b.uint("reflection")).transpose()?,
         visibility_history: b.has("visibility_history").then(|| b.uint("visibility_history")).transpose()?,
         albedo: b.optional_colour("albedo")?,
+        instances: Instances {
+            hit_id: b.optional_uint("specular_hit_id")?,
+            surface_id: b.optional_uint("surface_id")?,
+            transforms: transforms.as_deref(),
+        },
     };
     let picture = debug_view(b.frame, b.tuning, &inputs, b.view);
     b.write("debug_view", picture)

@@ -25,6 +25,7 @@ fn bare<'a>(guides: &'a Guides, statistics: &'a Statistics) -> DebugViewInputs<'
         reflection: None,
         visibility_history: None,
         albedo: None,
+        instances: Instances::default(),
     }
 }
 
@@ -159,6 +160,24 @@ fn virtual_motion_is_that_of_the_image_behind_the_mirror() {
     for (hit_distance, roughness, depth) in [(4.0, 0.0, 8.0), (12.0, 0.0, 16.0), (0.0, 0.0, 4.0), (4.0, 1.0, 4.0)] {
         let (given, wanted) = (length(hit_distance, roughness), pixels(depth));
         assert!((given - wanted).abs() < 0.02, "{hit_distance}, roughness {roughness}: {given} for {wanted}");
+    }
+}
+
+/// Before a mirror at rest a thing moves, and its image with it.
+#[test]
+fn virtual_motion_follows_the_thing_in_the_mirror() {
+    let still = camera(EXTENT, Vec3::ZERO);
+    let (frame, guides) = (frame_with(&Config::new(EXTENT), &still, &still), guides(EXTENT, |_, _| surface(4.0)));
+    let mut transforms = [[[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]]; 3];
+    transforms[2][0][3] = 2.0;
+    let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 4.0, roughness: 0.0 }, None));
+    for (id, wanted) in [(1, 0.0), (2, 2.0 * 7.0 / 8.0)] {
+        let hit_id = Image::new(EXTENT, id);
+        let instances = Instances { hit_id: Some(&hit_id), surface_id: None, transforms: Some(&transforms) };
+        let statistics = Statistics::default();
+        let inputs = DebugViewInputs { reflection: Some(&reflection), instances, ..bare(&guides, &statistics) };
+        let given = debug_view(&frame, &Tuning::default(), &inputs, DebugView::VirtualMotion).at(IVec2::new(8, 7))[3];
+        assert!((given - wanted).abs() < 0.02, "id {id}: {given} for {wanted}");
     }
 }
 

@@ -108,7 +108,7 @@ impl Scene<'_> {
         let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(seen.roughness));
         let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature.mean), ..*seen };
         let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
-        let before = self.scenery_before(&c.mirror, &curvature, seen.hit_distance);
+        let before = self.inputs.instances.scenery_before(self.frame, &c.mirror, &curvature, seen.hit_distance);
         let position_of = |image| self.motion.image_position(&c.mirror, &curvature, &before.mirror, image, seen.roughness);
         let position = Some(before.image).filter(|_| seen.hit_distance > 0.0).and_then(position_of);
         let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));
@@ -121,8 +121,12 @@ impl Scene<'_> {
         if let (Some(past), Some(position)) = (&mut image, position) {
             let remembered = position_of(before.image.with_z(hit_distance_of(depth, past.nearness))).unwrap_or(position);
             past.frames = worth(past.frames, position.distance(remembered), tolerance);
-            let distance = (nearness(depth, before.image.z) - past.nearness).abs();
-            let change = distance * share / (0.05 + lobe_width(seen.roughness)) + (seen.roughness - past.roughness).abs() * 8.0;
+            let mut change = (seen.roughness - past.roughness).abs() * 8.0;
+            // Of a thing that was followed, lobes and outlines change the distance.
+            if !before.followed {
+                let distance = (nearness(depth, before.image.z) - past.nearness).abs();
+                change += distance * share / (0.05 + lobe_width(seen.roughness));
+            }
             past.frames = worth(past.frames, change, 2.0);
         }
         let image_share = image_share(surface, image);

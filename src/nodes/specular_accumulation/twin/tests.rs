@@ -2,7 +2,8 @@ use super::*;
 use crate::nodes::temporal_accumulation::twin::{temporal_accumulation, PreviousFrame, TemporalAccumulationInputs};
 use crate::reference::guide::pack_guide;
 use crate::reference::nearest_history::SignalHistory;
-use crate::reference::reflection::{mirror_share, unpack_reflection};
+use crate::reference::reflection::{mirror_share, unpack_image_share, unpack_reflection};
+use crate::reference::reprojection::InstanceTransform;
 use crate::reference::surface_motion::pack_surface_motion;
 use crate::reference::test_scene::*;
 use crate::reference::virtual_motion::VirtualMotion;
@@ -64,9 +65,11 @@ impl Wall {
             is_sharp: self.is_sharp,
             roughness: Some(&self.roughness),
             history_confidence: None,
-            hit_id: self.ids.as_ref().map(|[hit, _]| hit),
-            surface_id: self.ids.as_ref().map(|[_, mirror]| mirror),
-            instance_transforms: Some(&self.transforms),
+            instances: Instances {
+                hit_id: self.ids.as_ref().map(|[hit, _]| hit),
+                surface_id: self.ids.as_ref().map(|[_, mirror]| mirror),
+                transforms: Some(&self.transforms),
+            },
             previous: PreviousSpecular {
                 guide: &self.guides.guide,
                 history: &self.history,
@@ -319,6 +322,18 @@ fn what_moves_in_a_mirror_is_where_the_plane_mirrored_it() {
         assert!((wall.shift() - expected).abs() < 0.012, "{mirror:?}, {thing:?}: {} for {expected}", wall.shift());
         assert_eq!(wall.run().statistics, Statistics::default());
     }
+}
+
+/// Another thing may be seen there now, unless its instance tells that it is the same.
+#[test]
+fn the_distance_of_a_followed_thing_may_change() {
+    let still = moved(0.0, Vec3::ZERO);
+    let share = |wall: Wall| {
+        let reflection = Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance: 6.0, roughness: 0.0 }, None));
+        unpack_image_share(Wall { reflection, ..wall }.run().reflection.at(IVec2::new(15, 8))).expect("a past")
+    };
+    assert!(share(Wall::new(0.0, 4.0, 0.0)) < 0.1);
+    assert!((share(wall_before(still, still)) - 0.5).abs() < 0.01);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod findings;
 mod flicker;
 mod ghost;
 mod other;
+mod reflection;
 mod resolution;
 mod sparse;
 mod still;
@@ -39,9 +40,10 @@ pub struct Experiment {
 }
 
 /// All of them, in the order of the report.
-pub const ALL: [Experiment; 11] = [
+pub const ALL: [Experiment; 12] = [
     Experiment { name: "flicker", is_quick: true, run: flicker::run },
     Experiment { name: "ghost", is_quick: false, run: ghost::run },
+    Experiment { name: "reflection", is_quick: false, run: reflection::run },
     Experiment { name: "still", is_quick: false, run: still::run },
     Experiment { name: "variance", is_quick: true, run: variance::run },
     Experiment { name: "strata", is_quick: false, run: strata::run },

@@ -1,0 +1,50 @@
+// A mirror and the thing in it, where their instances were in the previous frame. Twin: src/reference/scenery.rs.
+// Needs the inputs specular_hit_id, surface_id and instance_transforms at the bindings SPECULAR_HIT_ID, SURFACE_ID and INSTANCE_TRANSFORMS.
+#ifndef SCENERY_GLSL
+#define SCENERY_GLSL
+#include "virtual_motion.glsl"
+#include "instance_transform.glsl"
+
+// A mirror and the thing in it, in the previous frame.
+struct Scenery {
+    MirrorBefore mirror;
+    vec3 thing;
+    vec3 image;     // of the thing, as in virtual_position
+    bool followed;  // the thing, by its instance
+};
+
+Scenery at_rest(Mirror c, Curvature curvature, float hit_distance) {
+    // A direction tells no more of what is farther away.
+    vec3 thing = c.position + reflect(c.sight, c.normal) * min(hit_distance, 1e4 * guide_depth(c.packed));
+    return Scenery(mirror_at_rest(c, curvature), thing, image_at_rest(hit_distance), false);
+}
+
+// Both as their instances carry them. The surface of the thing is that of the pixel's own path. `lacks_transform`: the thing should have one that
+// can be used, and has none.
+Scenery scenery_before(Mirror c, Curvature curvature, float hit_distance, out bool lacks_transform) {
+    lacks_transform = false;
+    Scenery rest = at_rest(c, curvature, hit_distance);
+    if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(hit_distance > 0.0)) return rest;
+    uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, c.p, 0).x : 0u;
+    vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * hit_distance, 1.0), to;
+    Scenery before = rest;
+    bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);
+    if (thing_moves) thing = to;
+    lacks_transform = thing_id != 0u && !thing_moves;
+    vec3 normal = c.normal;
+    bool mirror_moves = mirror_id != 0u && instance_rows(mirror_id, rows) && carried(rows, vec4(c.position, 1.0), to);
+    if (mirror_moves) {
+        vec3 sight = normalize(turned(rows, c.sight)), across = turned(rows, curvature.across);
+        across = normalize(across - dot(across, sight) * sight);
+        before.mirror = MirrorBefore(to.xyz, sight, cross(sight, across), across);
+        normal = normalize(turned(rows, c.normal));
+    }
+    vec3 way = reflect(thing.xyz - before.mirror.position, normal);
+    before.image = vec3(dot(way, before.mirror.along), dot(way, before.mirror.across), dot(way, before.mirror.sight));
+    before.thing = thing.xyz;
+    before.followed = thing_moves;
+    // Behind the mirror there was nothing to be seen in it; a transform that makes no turn of axes has no such place either.
+    return (thing_moves || mirror_moves) && before.image.z > 0.0 && is_finite(before.image) ? before : rest;
+}
+
+#endif
