@@ -223,7 +223,7 @@ vec4 virtual_motion_at(ivec2 p, GuideBits packed) {
     Mirror mirror = mirror_at(p, packed, motion);
     Curvature curvature = curvature_at(mirror);
     bool lacks_transform;
-    Scenery before = scenery_before(mirror, curvature, r.hit_distance, lacks_transform);
+    Scenery before = scenery_before(mirror, curvature, r, lacks_transform);
     bool known = r.hit_distance > 0.0 && virtual_position(mirror, curvature, before.mirror, before.image, r.roughness, position);
     return coloured_motion(known ? position - mirror.surface_position + motion : motion);
 }

@@ -266,7 +266,7 @@ Past best_past(Centre c, float roughness, inout float hit_distance, out float im
     vec2 position = c.mirror.surface_position;
     Past image = nothing();
     bool lacks_transform;
-    Scenery before = scenery_before(c.mirror, curvature, hit_distance, lacks_transform);
+    Scenery before = scenery_before(c.mirror, curvature, Reflection(hit_distance, roughness), lacks_transform);
     if (lacks_transform) count_bad(BAD_HIT_ID);
     bool found = hit_distance > 0.0 && virtual_position(c.mirror, curvature, before.mirror, before.image, roughness, position);
     steadiness = found ? share * steadiness_of(c, radius, position) : 0.0;

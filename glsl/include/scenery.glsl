@@ -5,6 +5,9 @@
 #include "virtual_motion.glsl"
 #include "instance_transform.glsl"
 
+// Pixels that a lobe may cover whose thing is followed: in a wider one each pixel draws another thing, and their ids would tear its light apart.
+const float NARROW_LOBE = 1.0;
+
 // A mirror and the thing in it, in the previous frame.
 struct Scenery {
     MirrorBefore mirror;
@@ -21,12 +24,12 @@ Scenery at_rest(Mirror c, Curvature curvature, float hit_distance) {
 
 // Both as their instances carry them. The surface of the thing is that of the pixel's own path. `lacks_transform`: the thing should have one that
 // can be used, and has none.
-Scenery scenery_before(Mirror c, Curvature curvature, float hit_distance, out bool lacks_transform) {
+Scenery scenery_before(Mirror c, Curvature curvature, Reflection seen, out bool lacks_transform) {
     lacks_transform = false;
-    Scenery rest = at_rest(c, curvature, hit_distance);
-    if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(hit_distance > 0.0)) return rest;
+    Scenery rest = at_rest(c, curvature, seen.hit_distance);
+    if (!is_present(SPECULAR_HIT_ID) || !is_present(INSTANCE_TRANSFORMS) || !(seen.hit_distance > 0.0)) return rest;
     uint thing_id = texelFetch(specular_hit_id, c.p, 0).x, mirror_id = is_present(SURFACE_ID) ? texelFetch(surface_id, c.p, 0).x : 0u;
-    vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * hit_distance, 1.0), to;
+    vec4 rows[3], thing = vec4(c.position + reflect(c.sight, c.normal) * seen.hit_distance, 1.0), to;
     Scenery before = rest;
     bool thing_moves = thing_id != 0u && instance_rows(thing_id, rows) && carried(rows, thing, to);
     if (thing_moves) thing = to;
@@ -44,7 +47,8 @@ Scenery scenery_before(Mirror c, Curvature curvature, float hit_distance, out bo
     before.thing = thing.xyz;
     before.followed = thing_moves;
     // Behind the mirror there was nothing to be seen in it; a transform that makes no turn of axes has no such place either.
-    return (thing_moves || mirror_moves) && before.image.z > 0.0 && is_finite(before.image) ? before : rest;
+    bool usable = (thing_moves || mirror_moves) && before.image.z > 0.0 && is_finite(before.image);
+    return usable && lobe_radius(guide_depth(c.packed), seen) <= NARROW_LOBE ? before : rest;
 }
 
 #endif

@@ -1,11 +1,16 @@
 //! A mirror and the thing in it, as their instances carry them to the previous frame.
 
 use super::curvature::Curvature;
+use super::reflection::{lobe_radius, SeenReflection};
 use super::reprojection::{about_eye, carried, turned, InstanceTransform};
 use super::virtual_motion::{image_at_rest, Mirror, MirrorBefore};
 use super::Image;
 use crate::FrameConstants;
 use glam::Vec3;
+
+/// Pixels that a lobe may cover whose thing is followed: in a wider one each pixel draws another thing, and their ids would tear its light
+/// apart.
+const NARROW_LOBE: f32 = 1.0;
 
 /// By which instances mirrors and the things in them move.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,15 +41,17 @@ impl Instances<'_> {
         frame: &FrameConstants,
         mirror: &Mirror,
         curvature: &Curvature,
-        hit_distance: f32,
+        seen: SeenReflection,
     ) -> Scenery {
+        let (hit_distance, depth) = (seen.hit_distance, mirror.surface.linear_depth);
         let direction = mirror.sight.reflect(mirror.surface.unit_normal());
         let at = |reach: f32| mirror.position + direction * reach;
         // A direction tells no more of what is farther away.
-        let thing = at(hit_distance.min(1e4 * mirror.surface.linear_depth));
+        let thing = at(hit_distance.min(1e4 * depth));
         let image = image_at_rest(hit_distance);
         let rest = Scenery { mirror: MirrorBefore::at_rest(mirror, curvature), thing, image, followed: false };
-        let moved = if hit_distance > 0.0 { self.moved(frame, mirror, curvature, at(hit_distance)) } else { None };
+        let is_followed = hit_distance > 0.0 && lobe_radius(frame, depth, seen) <= NARROW_LOBE;
+        let moved = if is_followed { self.moved(frame, mirror, curvature, at(hit_distance)) } else { None };
         moved.unwrap_or(rest)
     }
 

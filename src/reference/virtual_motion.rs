@@ -158,6 +158,7 @@ mod tests {
     use super::*;
     use crate::reference::guide::pack_guide;
     use crate::reference::projection::view_position;
+    use crate::reference::reflection::SeenReflection;
     use crate::reference::scenery::Instances;
     use crate::reference::test_scene::{camera, frame_with};
     use crate::Config;
@@ -261,7 +262,12 @@ mod tests {
                 let [expected, rest] = [thing + way, thing]
                     .map(|thing| motion.previous_pixel_position(round.mirroring_point(start, eye, thing)).expect("before the eye"));
                 let curvature = motion.curvature(&mirror);
-                let before = instances.scenery_before(&round.frame, &mirror, &curvature, 4.0);
+                let before = instances.scenery_before(
+                    &round.frame,
+                    &mirror,
+                    &curvature,
+                    SeenReflection { hit_distance: 4.0, roughness: 0.0 },
+                );
                 let given = motion.image_position(&mirror, &curvature, &before.mirror, before.image, 0.0).expect("before the eye");
                 let error = given.distance(expected);
                 assert!(error < 0.06, "{p}, {axes}, {eye}: {given} for {expected}, {} at rest", rest.distance(expected));

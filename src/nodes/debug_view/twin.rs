@@ -186,7 +186,7 @@ impl DebugViewInputs<'_> {
         let mirror = of.mirror(p, surface);
         let curvature = of.curvature(&mirror);
         let position = seen.and_then(|seen| {
-            let before = self.instances.scenery_before(frame, &mirror, &curvature, seen.hit_distance);
+            let before = self.instances.scenery_before(frame, &mirror, &curvature, seen);
             of.image_position(&mirror, &curvature, &before.mirror, before.image, seen.roughness)
         });
         position.map_or(surface, |position| (position - mirror.surface_position + Vec2::from(surface)).into())

@@ -108,7 +108,7 @@ impl Scene<'_> {
         let (curvature, share) = (self.motion.curvature(&c.mirror), mirror_share(seen.roughness));
         let curved = SeenReflection { hit_distance: mirror_image_distance(seen.hit_distance, curvature.mean), ..*seen };
         let tolerance = 0.5 + 0.5 * lobe_radius(self.frame, depth, curved);
-        let before = self.inputs.instances.scenery_before(self.frame, &c.mirror, &curvature, seen.hit_distance);
+        let before = self.inputs.instances.scenery_before(self.frame, &c.mirror, &curvature, *seen);
         let position_of = |image| self.motion.image_position(&c.mirror, &curvature, &before.mirror, image, seen.roughness);
         let position = Some(before.image).filter(|_| seen.hit_distance > 0.0).and_then(position_of);
         let steadiness = position.map_or(0.0, |position| share * self.steadiness(c, radius, position));

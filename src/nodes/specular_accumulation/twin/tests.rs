@@ -336,6 +336,19 @@ fn the_distance_of_a_followed_thing_may_change() {
     assert!((share(wall_before(still, still)) - 0.5).abs() < 0.01);
 }
 
+/// Its pixels draw different things.
+#[test]
+fn in_a_wide_lobe_no_thing_is_followed() {
+    let moving = wall_before(moved(0.0, Vec3::ZERO), moved(0.0, Vec3::new(1.05, 0.0, 0.4)));
+    let given = [0.0, 0.6].map(|roughness| {
+        let Wall { ids, transforms, .. } = &moving;
+        let (ids, transforms) = (ids.clone(), transforms.clone());
+        let wall = Wall { ids, transforms, ..Wall::new(0.0, 4.0, roughness) };
+        wall.run().accumulated == Wall::new(0.0, 4.0, roughness).run().accumulated
+    });
+    assert_eq!(given, [false, true]);
+}
+
 #[test]
 fn a_thing_without_a_usable_transform_is_at_rest_and_counted() {
     let pixels = EXTENT[0] * EXTENT[1];
