@@ -1,7 +1,7 @@
 #version 450
 // How far the light of this frame departs from its own history, block by block: mean and deviation of the paired differences.
 // Source: ours, in the place of the percentile rule of [PSVGF], which sees no light that comes on (src/nodes/block_difference/specification.md).
-// In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance, irradiance_history, moments (previous).
+// In:  guide (current, previous), surface_motion, depth_gradient, noisy irradiance, irradiance_history, luminance_history (previous).
 //      Pixels without a sample (alpha -1) do not count.
 // Out: block_difference, one texel a block: mean, deviation, pixels, noise, mean luminance of the brighter side.
 #extension GL_EXT_samplerless_texture_functions : require
@@ -12,7 +12,7 @@ layout(push_constant) uniform Push {
 } push;
 
 #include "frame.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "nearest_history.glsl"
 #include "blocks.glsl"
@@ -25,7 +25,7 @@ layout(set = 0, binding = 3) uniform utexture2D surface_motion;
 layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
 layout(set = 0, binding = 5, rgba16f) uniform restrict readonly image2D irradiance;
 layout(set = 0, binding = 6, rgba16f) uniform restrict readonly image2D history;
-layout(set = 0, binding = 7) uniform utexture2D previous_moments;
+layout(set = 0, binding = 7) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D block_difference;
 
 struct Sums {
@@ -51,9 +51,9 @@ Sums sums_of(ivec2 pixel) {
     vec4 texel = imageLoad(irradiance, p);
     float now = luminance(texel.rgb);
     float before = min(luminance(imageLoad(history, tap).rgb) * frame.exposure_ratio, 65504.0);
-    Moments moments = unpack_moments(texelFetch(previous_moments, tap, 0));
-    float deviation = moments.deviation * frame.exposure_ratio;
-    float uncertainty = 1.0 / max(moments.history_length, 1.0);
+    LuminanceHistory luminance_history = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0));
+    float deviation = luminance_history.deviation * frame.exposure_ratio;
+    float uncertainty = 1.0 / max(luminance_history.history_length, 1.0);
     Sums of_sample = Sums(1.0, now, before, (now - before) * (now - before), uncertainty, 0.0, 0.0, deviation * deviation);
     if (counts && p == pixel && texel.a >= 0.0) return of_sample;
     return NONE;

@@ -1,11 +1,11 @@
 #version 450
 // What the denoiser knows of a pixel, as a picture: one view, chosen per frame. No stage reads it.
 // Source: none. False colours: Viridis (van der Walt, Smith 2015) at nine places.
-// In:  guide, surface_motion, statistics; moments, block_percentiles, firefly_limits and irradiance_history per signal, history_confidence,
+// In:  guide, surface_motion, statistics; luminance_history, block_percentiles, firefly_limits and irradiance_history per signal, history_confidence,
 //      gradient, noisy radiance per signal and albedo, reflection, visibility_history, and the ids and transforms by which what is mirrored
 //      moves, each where the graph has it.
 // Out: debug_view. rgb: display-referred, linear 0..1; a: the number behind it. Constants: STRATUM_SIZE.
-// optional: surface_motion, moments_0, moments_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
+// optional: surface_motion, luminance_history_0, luminance_history_1, block_percentiles_0, block_percentiles_1, history_0, history_1, history_confidence
 // optional: gradient, noisy_1, albedo, reflection, visibility_history, firefly_limits_0, firefly_limits_1
 // optional: specular_hit_id, surface_id, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
@@ -26,7 +26,7 @@ layout(push_constant) uniform Push {
 #include "optional.glsl"
 #include "finite.glsl"
 #include "surface_motion.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "demodulation.glsl"
 #include "blocks.glsl"
@@ -59,8 +59,8 @@ const uint INSTANCE_TRANSFORMS = 22u;
 layout(set = 0, binding = 1, std430) readonly buffer Statistics { uint counts[12]; } statistics;
 PACKED_IMAGE(2, guide);
 layout(set = 0, binding = SURFACE_MOTION) uniform utexture2D surface_motion;
-layout(set = 0, binding = MOMENTS_0) uniform utexture2D moments_0;
-layout(set = 0, binding = MOMENTS_1) uniform utexture2D moments_1;
+layout(set = 0, binding = MOMENTS_0) uniform utexture2D luminance_history_0;
+layout(set = 0, binding = MOMENTS_1) uniform utexture2D luminance_history_1;
 layout(set = 0, binding = BLOCK_PERCENTILES_0) uniform utexture2D block_percentiles_0;
 layout(set = 0, binding = BLOCK_PERCENTILES_1) uniform utexture2D block_percentiles_1;
 layout(set = 0, binding = HISTORY_0) uniform texture2D history_0;
@@ -136,14 +136,14 @@ float compressed(float x) { return x / (1.0 + x); }
 
 float change_at(ivec2 p) { return is_present(HISTORY_CONFIDENCE) ? 1.0 - texelFetch(history_confidence, p, 0).x : 0.0; }
 
-float history_length_at(ivec2 p) { return unpack_moments(texelFetch(moments_0, p, 0)).history_length; }
+float history_length_at(ivec2 p) { return unpack_luminance_history(texelFetch(luminance_history_0, p, 0)).history_length; }
 
 // The signals add up: their means, and as independent ones their variances.
 vec2 mean_and_deviation(ivec2 p) {
-    Moments m = unpack_moments(texelFetch(moments_0, p, 0));
+    LuminanceHistory m = unpack_luminance_history(texelFetch(luminance_history_0, p, 0));
     vec2 sum = vec2(m.mean, m.deviation * m.deviation);
     if (is_present(MOMENTS_1)) {
-        m = unpack_moments(texelFetch(moments_1, p, 0));
+        m = unpack_luminance_history(texelFetch(luminance_history_1, p, 0));
         sum += vec2(m.mean, m.deviation * m.deviation);
     }
     return vec2(sum.x, sqrt(sum.y));
@@ -259,7 +259,7 @@ vec4 shown(ivec2 p, GuideBits packed, uint view) {
     case VIEW_PERCENTILES: return percentiles_at(p);
     case VIEW_FIREFLIES: return fireflies_at(p);
     case VIEW_DISOCCLUSION: {
-        uint reason = min(texelFetch(moments_0, p, 0).w, REASON_RESET);
+        uint reason = min(texelFetch(luminance_history_0, p, 0).w, REASON_RESET);
         return vec4(from_srgb(REASON_COLOURS[reason]), float(reason));
     }
     case VIEW_MOTION: return coloured_motion(motion_at(p));

@@ -5,7 +5,7 @@
 // In:  guide (current, previous), surface_motion, depth_gradient; noisy: specular irradiance, hit distance; roughness of the host; history and
 //      moments of the previous frame, and its reflection; history_confidence as in temporal_accumulation.comp; by which instances the mirror
 //      and the thing in it move: specular_hit_id, surface_id, instance_transforms.
-// Out: statistics; accumulated: irradiance, history length; new_moments; reflection: filtered hit distance (scene units), roughness, which past was taken.
+// Out: statistics; accumulated: irradiance, history length; new_luminance; reflection: filtered hit distance (scene units), roughness, which past was taken.
 // Constants: FILTERED: what is accumulated was filtered, so that what is kept longer is blurred more often.
 // SHARP: irradiance by the cubic of Catmull and Rom (1974) over 4x4 taps, so that motion does not blur it.
 // optional: roughness, history_confidence, specular_hit_id, surface_id, instance_transforms
@@ -34,7 +34,7 @@ layout(push_constant) uniform Push {
 #include "statistics.glsl"
 #include "packed_image.glsl"
 #include "surface_motion.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "history_blend.glsl"
 #include "surface_test.glsl"
@@ -57,10 +57,10 @@ layout(set = 0, binding = 5) uniform texture2D noisy;
 layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
 layout(set = 0, binding = 8) uniform texture2D history;
-layout(set = 0, binding = 9) uniform utexture2D previous_moments;
+layout(set = 0, binding = 9) uniform utexture2D previous_luminance_history;
 layout(set = 0, binding = 10) uniform utexture2D previous_reflection;
 layout(set = 0, binding = 11, rgba16f) uniform writeonly image2D accumulated;
-layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_moments;
+layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D new_luminance;
 layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D reflection;
 PACKED_IMAGE(17, guide);
 layout(set = 0, binding = SPECULAR_HIT_ID) uniform utexture2D specular_hit_id;
@@ -74,7 +74,7 @@ struct Centre {
     Mirror mirror;
     float depth;
     Expected expected;  // of the surface in the previous frame, at its position
-    float origin;       // of moments: moments_origin
+    float origin;       // of luminance_history: luminance_origin
 };
 
 // Pixels: a picture that moves by as much from frame to frame does not stand still.
@@ -158,7 +158,7 @@ Past past_at(Centre c, vec2 position) {
         ivec2 tap = ivec2(centre);
         float weight = tent.x * tent.y;
         if (!(weight > 0.0) || !is_same_surface(c, tap)) continue;
-        Moments m = unpack_moments(texelFetch(previous_moments, tap, 0));
+        LuminanceHistory m = unpack_luminance_history(texelFetch(previous_luminance_history, tap, 0));
         Reflection r = unpack_reflection(texelFetch(previous_reflection, tap, 0).x);
         weights += weight;
         sum.frames += weight * m.history_length;
@@ -312,27 +312,27 @@ void main() {
     float rough = roughness_of(is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0);
     bool background = guide_depth(packed) == 0.0;
     float worth = sample_worth(value.a);
-    Moments moments = first_moments(value.rgb, worth, background ? REASON_NONE : REASON_RESET);
+    LuminanceHistory luminance_history = first_luminance(value.rgb, worth, background ? REASON_NONE : REASON_RESET);
     Reflection seen = Reflection(0.0, rough);
     vec3 irradiance = value.rgb;
     float image_share = NO_PAST;
     if (!background) {
-        Centre c = centre_of(p, packed, moments_origin(value.rgb));
+        Centre c = centre_of(p, packed, luminance_origin(value.rgb));
         seen.hit_distance = hit_distance_now(c, max(value.a, 0.0), rough);
         if (!has_flag(FLAG_RESET)) {
             float share, steadiness;
             Past past = best_past(c, rough, seen.hit_distance, share, steadiness);
-            moments = first_moments(value.rgb, worth, REASON_DEPTH);
+            luminance_history = first_luminance(value.rgb, worth, REASON_DEPTH);
             if (past.found) {
                 image_share = share;
                 float change = change_at(p);
                 vec2 floors = vec2(push.alpha, push.alpha_moments) * mix(1.0, STEADY_ALPHA, clamp(steadiness, 0.0, 1.0));
                 float history_length = length_with(past.frames, worth, adapted(floors.x, change));
-                irradiance = blend(irradiance, past.light, history_length, worth, adapted(floors * worth, change), moments);
+                irradiance = blend(irradiance, past.light, history_length, worth, adapted(floors * worth, change), luminance_history);
             }
         }
     }
-    imageStore(accumulated, p, vec4(storable(irradiance), length_or_reason(moments)));
-    imageStore(new_moments, p, uvec4(pack_luminance_moments(moments)));
+    imageStore(accumulated, p, vec4(storable(irradiance), length_or_reason(luminance_history)));
+    imageStore(new_luminance, p, uvec4(pack_new_luminance(luminance_history)));
     imageStore(reflection, p, uvec4(pack_reflection(seen, image_share)));
 }

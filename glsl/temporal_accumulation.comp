@@ -1,9 +1,9 @@
 #version 450
 // Blends every pixel with its own past: back-projected by motion, tap by tap tested against depth, normal and id.
 // Source: [SVGF] 4.1. Deviations: alpha is at least 1/N; moments are kept as mean and deviation.
-// In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and moments of the previous frame; object normals in the
+// In:  guide (current, previous), surface_motion, depth_gradient, irradiance_history and luminance_history of the previous frame; object normals in the
 //      place of those of the guide; history_confidence: [ASVGF] 3.5, alpha by pixel; light_ratio per stratum: ours, history follows the light.
-// In place: irradiance, from noisy to accumulated with the history length in alpha, own pixel only. Out: new_moments.
+// In place: irradiance, from noisy to accumulated with the history length in alpha, own pixel only. Out: new_luminance.
 // Counts in statistics: surfaces with a history of their own, and those without by reason.
 // Constants: VOLUME: [PSVGF], along volume_motion; no test but that of the depth of the surface behind, and that less strict; no background.
 // REPAIR: [PSVGF], disocclusion repair: a wider search, motion cut at the border of the image. SHARP: irradiance by the cubic of Catmull and
@@ -34,7 +34,7 @@ layout(push_constant) uniform Push {
 #include "frame.glsl"
 #include "optional.glsl"
 #include "surface_motion.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "history_blend.glsl"
 #include "packed_image.glsl"
@@ -61,17 +61,17 @@ layout(set = 0, binding = PREVIOUS_OBJECT_NORMAL) uniform utexture2D previous_ob
 layout(set = 0, binding = HISTORY_CONFIDENCE) uniform texture2D history_confidence;
 layout(set = 0, binding = LIGHT_RATIO) uniform texture2D light_ratio;
 layout(set = 0, binding = 10) uniform texture2D history_0;
-PACKED_IMAGE(11, previous_moments_0);
+PACKED_IMAGE(11, previous_luminance_history_0);
 layout(set = 0, binding = 12, rgba16f) uniform image2D irradiance_0;
-layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D new_moments_0;
+layout(set = 0, binding = 13, r32ui) uniform writeonly uimage2D new_luminance_0;
 #if SIGNALS == 2
 layout(set = 0, binding = 14) uniform texture2D history_1;
-PACKED_IMAGE(15, previous_moments_1);
+PACKED_IMAGE(15, previous_luminance_history_1);
 layout(set = 0, binding = 16, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_moments_1;
+layout(set = 0, binding = 17, r32ui) uniform writeonly uimage2D new_luminance_1;
 #endif
 
-// What moments are taken about, of each signal: moments_origin of the pixel.
+// What moments are taken about, of each signal: luminance_origin of the pixel.
 float origins[SIGNALS];
 
 struct Gathered {
@@ -99,12 +99,12 @@ uint refusal(ivec2 tap, Expected expected, float slack) {
 }
 
 void add_tap(inout Gathered sum, ivec2 tap, float weight) {
-    Moments m = unpack_moments(packed_at(previous_moments_0, tap));
+    LuminanceHistory m = unpack_luminance_history(packed_at(previous_luminance_history_0, tap));
     sum.weight += weight;
     sum.history_lengths[0] += weight * m.history_length;
     add_history(sum.signals[0], texelFetch(history_0, tap, 0).rgb, m, origins[0], weight);
 #if SIGNALS == 2
-    Moments m_1 = unpack_moments(packed_at(previous_moments_1, tap));
+    LuminanceHistory m_1 = unpack_luminance_history(packed_at(previous_luminance_history_1, tap));
     sum.history_lengths[1] += weight * m_1.history_length;
     add_history(sum.signals[1], texelFetch(history_1, tap, 0).rgb, m_1, origins[1], weight);
 #endif
@@ -258,7 +258,7 @@ void main() {
 #if SIGNALS == 2
     texels[1] = imageLoad(irradiance_1, p);
 #endif
-    for (int i = 0; i < SIGNALS; ++i) origins[i] = moments_origin(texels[i].rgb);
+    for (int i = 0; i < SIGNALS; ++i) origins[i] = luminance_origin(texels[i].rgb);
     Gathered sum = nothing();
     uint reason = background ? REASON_NONE : REASON_RESET;
     if (!background && !reset) {
@@ -278,24 +278,24 @@ void main() {
     float inverse = sum.weight > 0.0 ? 1.0 / sum.weight : 0.0;
     float change = change_at(p), longest = longest_history(change);
     vec3 irradiance[SIGNALS];
-    Moments moments[SIGNALS];
+    LuminanceHistory luminance_history[SIGNALS];
     vec3 ratio = light_ratio_at(p);
     for (int i = 0; i < SIGNALS; ++i) {
         irradiance[i] = texels[i].rgb;
         float worth = sample_worth(texels[i].a);
-        moments[i] = first_moments(irradiance[i], worth, reason);
+        luminance_history[i] = first_luminance(irradiance[i], worth, reason);
         if (sum.weight > 0.0) {
             float history_length = min(sum.history_lengths[i] * inverse + worth, longest);
             History h = sum.signals[i];
             h = History(h.irradiance * inverse, h.mean * inverse, h.second_moment * inverse);
             vec2 least = adapted(vec2(push.alpha, push.alpha_moments) * worth, change);
-            irradiance[i] = blend(irradiance[i], in_light(h, origins[i], ratio, light_scale(ratio)), history_length, worth, least, moments[i]);
+            irradiance[i] = blend(irradiance[i], in_light(h, origins[i], ratio, light_scale(ratio)), history_length, worth, least, luminance_history[i]);
         }
     }
-    imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(moments[0])));
-    imageStore(new_moments_0, p, uvec4(pack_luminance_moments(moments[0])));
+    imageStore(irradiance_0, p, vec4(storable(irradiance[0]), length_or_reason(luminance_history[0])));
+    imageStore(new_luminance_0, p, uvec4(pack_new_luminance(luminance_history[0])));
 #if SIGNALS == 2
-    imageStore(irradiance_1, p, vec4(storable(irradiance[1]), length_or_reason(moments[1])));
-    imageStore(new_moments_1, p, uvec4(pack_luminance_moments(moments[1])));
+    imageStore(irradiance_1, p, vec4(storable(irradiance[1]), length_or_reason(luminance_history[1])));
+    imageStore(new_luminance_1, p, uvec4(pack_new_luminance(luminance_history[1])));
 #endif
 }

@@ -1,7 +1,7 @@
 #version 450
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
-// In:  guide, depth_gradient, new_moments. In place: irradiance, accumulated, its alpha from history length to deviation, own
+// In:  guide, depth_gradient, new_luminance. In place: irradiance, accumulated, its alpha from history length to deviation, own
 //      pixel only. Out: moments, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
@@ -27,19 +27,19 @@ layout(push_constant) uniform Push {
 
 #include "frame.glsl"
 #include "centre_geometry.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 #include "luminance.glsl"
 #include "packed_image.glsl"
 
 PACKED_IMAGE(1, guide);
 layout(set = 0, binding = 2) uniform utexture2D depth_gradient;
-PACKED_IMAGE_32(3, new_moments_0);
+PACKED_IMAGE_32(3, new_luminance_0);
 layout(set = 0, binding = 4, rgba16f) uniform image2D irradiance_0;
-layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D moments_0;
+layout(set = 0, binding = 5, rgba16ui) uniform writeonly uimage2D luminance_history_0;
 #if SIGNALS == 2
-PACKED_IMAGE_32(6, new_moments_1);
+PACKED_IMAGE_32(6, new_luminance_1);
 layout(set = 0, binding = 7, rgba16f) uniform image2D irradiance_1;
-layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D moments_1;
+layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D luminance_history_1;
 #endif
 
 const bool FADE = ESTIMATOR == 1u;
@@ -51,7 +51,7 @@ const float BACKGROUND_DEVIATION = -1.0 / 16384.0;
 
 const int RADIUS = FADE ? 2 : 3;
 
-// Moments are taken about the mean of the centre: the difference of squares would cancel otherwise.
+// LuminanceHistory are taken about the mean of the centre: the difference of squares would cancel otherwise.
 struct Window {
     vec2 origins;
     vec2 sums[2];
@@ -59,7 +59,7 @@ struct Window {
 };
 
 void add_moments(inout vec2 sum, uint packed, float origin, float weight) {
-    vec2 m = unpack_new_moments(packed);
+    vec2 m = unpack_new_luminance(packed);
     float difference = m.x - origin;
     sum += weight * vec2(difference, m.y * m.y + difference * difference);
 }
@@ -70,9 +70,9 @@ void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
     float weight = offset == ivec2(0) ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
     weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
     window.weight += weight;
-    add_moments(window.sums[0], packed_at(new_moments_0, tap).x, window.origins.x, weight);
+    add_moments(window.sums[0], packed_at(new_luminance_0, tap).x, window.origins.x, weight);
 #if SIGNALS == 2
-    add_moments(window.sums[1], packed_at(new_moments_1, tap).x, window.origins.y, weight);
+    add_moments(window.sums[1], packed_at(new_luminance_1, tap).x, window.origins.y, weight);
 #endif
 }
 
@@ -167,7 +167,7 @@ const float DOUBT = 3.0;
 const float SEEN_NOISE = 1.75;
 
 // Standard deviation of the accumulated mean: never below the noise of neighbouring means.
-float deviation_of_mean(Moments m, Surroundings around) {
+float deviation_of_mean(LuminanceHistory m, Surroundings around) {
     float frames = max(m.history_length, 1.0), share = min(push.spatial_variance_frames / frames, 1.0);
     float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     float of_sample = mix(m.deviation * m.deviation, spatial, share);
@@ -183,13 +183,13 @@ void main() {
     GuideBits packed = GuideBits(packed_at(guide, p));
     bool background = !is_filtered(packed);
     vec4 value_0 = imageLoad(irradiance_0, p);
-    Moments m = moments_of(packed_at(new_moments_0, p).x, value_0.a);
-    imageStore(moments_0, p, pack_moments(m));
+    LuminanceHistory m = luminance_history_of(packed_at(new_luminance_0, p).x, value_0.a);
+    imageStore(luminance_history_0, p, pack_luminance_history(m));
     vec2 means = vec2(m.mean), deviations = vec2(m.deviation), lengths = vec2(m.history_length);
 #if SIGNALS == 2
     vec4 value_1 = imageLoad(irradiance_1, p);
-    Moments m_1 = moments_of(packed_at(new_moments_1, p).x, value_1.a);
-    imageStore(moments_1, p, pack_moments(m_1));
+    LuminanceHistory m_1 = luminance_history_of(packed_at(new_luminance_1, p).x, value_1.a);
+    imageStore(luminance_history_1, p, pack_luminance_history(m_1));
     means.y = m_1.mean;
     deviations.y = m_1.deviation;
     lengths.y = m_1.history_length;
@@ -200,10 +200,10 @@ void main() {
         float weights[PIXELS];
         weigh(p, packed, weights);
         vec2 moments[PIXELS];
-        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_moments(packed_at(new_moments_0, pixel_of(p, i)).x);
+        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
         deviations.x = deviation_of_mean(m, surroundings_of(moments, weights));
 #if SIGNALS == 2
-        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_moments(packed_at(new_moments_1, pixel_of(p, i)).x);
+        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
         deviations.y = deviation_of_mean(m_1, surroundings_of(moments, weights));
 #endif
     } else if (needs_neighbours(min(lengths.x, lengths.y))) {

@@ -76,7 +76,9 @@ fn another_shader_changes_the_output_and_keeps_the_history() {
         assert!(whole.iter().any(|t| t[0] > 0.1));
         assert!(!halved.iter().zip(&whole).any(differs), "frame {i} is not {factor} times what it was");
     }
-    let lengths = |s: &mut Session| s.download("moments_direct").or_else(|_| s.download("moments")).expect("moments");
+    let lengths = |s: &mut Session| {
+        s.download("luminance_history_direct").or_else(|_| s.download("luminance_history")).expect("luminance_history")
+    };
     assert_eq!(lengths(&mut changed), lengths(&mut same));
     assert_valid();
 }

@@ -77,7 +77,7 @@ fn without_history(s: &mut Session, tuning: &Tuning) -> usize {
     for i in 0..2 {
         frame(s, &scene.frame(i, i), &scene.params(i), tuning);
     }
-    s.download("moments").expect("moments").iter().filter(|m| m[3] != 0.0).count()
+    s.download("luminance_history").expect("luminance_history").iter().filter(|m| m[3] != 0.0).count()
 }
 
 fn repair_finds_history_where_svgf_finds_none() {

@@ -202,7 +202,7 @@ fn the_render_extent_may_change_from_frame_to_frame() {
         let scene = Scene { allocated, ..Scene::new(extent) };
         frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
         if i == 3 {
-            let lengths = s.download("moments").expect("moments");
+            let lengths = s.download("luminance_history").expect("luminance_history");
             let kept = lengths.iter().filter(|m| half::f16::from_bits(m[2] as u16).to_f32() > 1.0).count();
             let surface = scene.frame(0, i).surface_id.iter().filter(|&&id| id != 0).count();
             assert!(kept * 100 > surface * 98, "history of {kept} pixels of {surface} only survived a change of resolution");

@@ -4,7 +4,7 @@
 use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session};
 use atrous::config::{Preset, Sampling, Signals};
 use atrous::executor::Session;
-use atrous::reference::unpack_moments;
+use atrous::reference::unpack_luminance_history;
 use atrous::{Config, Tuning, UseFrame};
 use atrous_harness::DeviceTest;
 
@@ -57,10 +57,10 @@ fn error(config: &Config, change: impl Fn(u32, &mut super::support::scene::Guide
 
 /// The mean history length of each of two signals, frames.
 fn history_lengths(mut s: Session) -> [f32; 2] {
-    ["moments_direct", "moments_indirect"].map(|name| {
+    ["luminance_history_direct", "luminance_history_indirect"].map(|name| {
         let bytes = s.download_bytes(name, UseFrame::Current).expect(name);
         let texels: &[[u16; 4]] = bytemuck::cast_slice(&bytes);
-        texels.iter().map(|texel| unpack_moments(*texel).history_length).sum::<f32>() / texels.len() as f32
+        texels.iter().map(|texel| unpack_luminance_history(*texel).history_length).sum::<f32>() / texels.len() as f32
     })
 }
 

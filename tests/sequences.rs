@@ -59,7 +59,7 @@ fn noise_goes_under_a_moving_camera() {
 
 fn reasons(s: &mut atrous::executor::Session) -> [usize; 6] {
     let mut counts = [0; 6];
-    for m in s.download("moments").expect("moments") {
+    for m in s.download("luminance_history").expect("luminance_history") {
         counts[m[3] as usize] += 1;
     }
     counts

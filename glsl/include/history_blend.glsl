@@ -4,9 +4,9 @@
 #include "frame.glsl"
 #include "holes.glsl"
 #include "luminance.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 
-// Moments about a luminance that is the same for all that is added: a difference of squares would cancel otherwise.
+// LuminanceHistory about a luminance that is the same for all that is added: a difference of squares would cancel otherwise.
 struct History {
     vec3 irradiance;
     float mean;
@@ -14,9 +14,9 @@ struct History {
 };
 
 // The luminance of this frame's sample in the light of the previous one: what cancels by it is little beside the difference of the two.
-float moments_origin(vec3 irradiance) { return min(luminance(irradiance) / max(frame.exposure_ratio, 1e-20), 65504.0); }
+float luminance_origin(vec3 irradiance) { return min(luminance(irradiance) / max(frame.exposure_ratio, 1e-20), 65504.0); }
 
-void add_history(inout History sum, vec3 irradiance, Moments m, float origin, float weight) {
+void add_history(inout History sum, vec3 irradiance, LuminanceHistory m, float origin, float weight) {
     float difference = m.mean - origin;
     sum.irradiance += weight * irradiance;
     sum.mean += weight * difference;
@@ -38,21 +38,21 @@ History in_light(History history, float origin, vec3 ratio, float scale) {
 }
 
 // Of a pixel without a history; without a sample either, its next one is its first.
-Moments first_moments(vec3 irradiance, float worth, uint reason) {
+LuminanceHistory first_luminance(vec3 irradiance, float worth, uint reason) {
     bool sampled = worth > 0.0;
-    return Moments(luminance(irradiance), 0.0, sampled ? 1.0 : 0.0, sampled ? reason : REASON_NONE);
+    return LuminanceHistory(luminance(irradiance), 0.0, sampled ? 1.0 : 0.0, sampled ? reason : REASON_NONE);
 }
 
 // `worth`: frames that this one counts for; 0: there is no sample, and the history stays. `least`: smallest weights of this frame, in the
 // irradiance and in its moments.
-vec3 blend(vec3 irradiance, History history, float history_length, float worth, vec2 least, out Moments moments) {
+vec3 blend(vec3 irradiance, History history, float history_length, float worth, vec2 least, out LuminanceHistory luminance_history) {
     vec2 weights = worth > 0.0 ? max(least, worth / history_length) : vec2(0.0);
     float alpha_moments = weights.y;
     float difference = luminance(irradiance) - history.mean;
-    moments.mean = history.mean + alpha_moments * difference;
-    moments.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
-    moments.history_length = history_length;
-    moments.reason = REASON_NONE;
+    luminance_history.mean = history.mean + alpha_moments * difference;
+    luminance_history.deviation = sqrt((1.0 - alpha_moments) * (history.second_moment + alpha_moments * difference * difference));
+    luminance_history.history_length = history_length;
+    luminance_history.reason = REASON_NONE;
     float alpha = weights.x;
     // What is dropped leaves no rounding error behind.
     return alpha < 1.0 ? mix(history.irradiance, irradiance, alpha) : irradiance;

@@ -16,7 +16,7 @@ const uint BAD_ROUGHNESS = 8u;
 const uint BAD_HIT_DISTANCE = 9u;
 const uint BAD_VISIBILITY = 10u;
 const uint BAD_OCCLUDER_DISTANCE = 11u;
-// The first of five: one for each reason of moments.glsl from REASON_NONE, history was kept, to REASON_NORMAL.
+// The first of five: one for each reason of luminance_history.glsl from REASON_NONE, history was kept, to REASON_NORMAL.
 const uint HISTORY_KEPT = 12u;
 
 // Light that a half float cannot hold, where it comes into the filter or goes out of it.

@@ -3,7 +3,7 @@
 #ifndef SURFACE_TEST_GLSL
 #define SURFACE_TEST_GLSL
 #include "frame.glsl"
-#include "moments.glsl"
+#include "luminance_history.glsl"
 #include "surface_motion.glsl"
 
 // Below this sum of bilinear weights a reprojection rests on next to nothing.

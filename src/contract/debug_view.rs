@@ -70,7 +70,7 @@ impl DebugView {
     /// The binding of the shader without which there is nothing to show, as `NEEDED` in `glsl/debug_view.comp`.
     const fn needs(self) -> Option<&'static str> {
         match self {
-            Self::HistoryLength | Self::MeanAndDeviation | Self::Alpha | Self::Disocclusion => Some("moments_0"),
+            Self::HistoryLength | Self::MeanAndDeviation | Self::Alpha | Self::Disocclusion => Some("luminance_history_0"),
             Self::Percentiles => Some("block_percentiles_0"),
             Self::Fireflies => Some("firefly_limits_0"),
             Self::Deviation => Some("history_0"),

@@ -26,7 +26,7 @@
 //! ```
 //!
 //! Names of resources and passes are those of the node, followed by the label of the signal: for
-//! example, `noisy_direct` gives `moments_direct`. Put a node that appears twice for the same
+//! example, `noisy_direct` gives `luminance_history_direct`. Put a node that appears twice for the same
 //! signal into a [`Graph::scope`], whose name follows the label.
 
 mod check;

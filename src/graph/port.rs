@@ -224,9 +224,9 @@ pub struct Guides {
 #[derive(Clone, Copy, Debug)]
 pub struct History {
     pub(crate) colour: [Image; 2],
-    pub(crate) moments: [Image; 2],
+    pub(crate) luminance_history: [Image; 2],
     /// Mean and deviation of this frame, until the node `variance` puts them into the history.
-    pub(crate) new_moments: [Image; 2],
+    pub(crate) new_luminance: [Image; 2],
     pub(crate) count: usize,
 }
 
@@ -238,12 +238,12 @@ impl History {
 
     /// Mean and deviation of luminance, history length and the reason of a loss, of every signal; four times 16 bits. The node
     /// `variance` writes them.
-    pub fn moments(&self) -> &[Image] {
-        &self.moments[..self.count]
+    pub fn luminance_history(&self) -> &[Image] {
+        &self.luminance_history[..self.count]
     }
 
-    pub(crate) fn new_moments(&self) -> &[Image] {
-        &self.new_moments[..self.count]
+    pub(crate) fn new_luminance(&self) -> &[Image] {
+        &self.new_luminance[..self.count]
     }
 }
 

@@ -19,7 +19,7 @@ pub(crate) const CONFIDENCE: ImageFormat = ImageFormat::Exactly(vk::Format::R32_
 
 impl Graph {
     /// Your linear HDR radiance. The name after `noisy_` is the label of the signal: for example,
-    /// `noisy_direct` gives `moments_direct`; `noisy_radiance`, and a name without that prefix,
+    /// `noisy_direct` gives `luminance_history_direct`; `noisy_radiance`, and a name without that prefix,
     /// none.
     pub fn radiance(&mut self, name: &str) -> Radiance {
         let image = self.host_colour(name);
@@ -58,7 +58,7 @@ impl Graph {
     /// Makes the history that an accumulation of these signals leaves for the next frame. Make it before the nodes that read the
     /// previous one.
     pub fn history<K>(&mut self, of: &Port<K>, feedback: Feedback) -> History {
-        let (mut colour, mut moments, mut new_moments) = (of.images().to_vec(), Vec::new(), Vec::new());
+        let (mut colour, mut luminance_history, mut new_luminance) = (of.images().to_vec(), Vec::new(), Vec::new());
         for image in &mut colour {
             let label = self.label(*image).to_owned();
             match feedback {
@@ -69,11 +69,16 @@ impl Graph {
                 // The accumulation works in place: what it leaves is what the next frame reads.
                 Feedback::Accumulated => self.promote_to_history(*image, &label),
             }
-            moments.push(self.history_in_place("moments", &label, PACKED_64, "give it to the node `variance`"));
-            new_moments.push(self.named_image("new_moments", &label, PACKED_32, 1, Lifetime::Transient));
+            luminance_history.push(self.history_in_place("luminance_history", &label, PACKED_64, "give it to the node `variance`"));
+            new_luminance.push(self.named_image("new_luminance", &label, PACKED_32, 1, Lifetime::Transient));
         }
         let both = |images: &[Image]| [images[0], images[images.len() - 1]];
-        History { colour: both(&colour), moments: both(&moments), new_moments: both(&new_moments), count: of.signals() }
+        History {
+            colour: both(&colour),
+            luminance_history: both(&luminance_history),
+            new_luminance: both(&new_luminance),
+            count: of.signals(),
+        }
     }
 
     /// A history with one copy. `writer` names the node that writes it.

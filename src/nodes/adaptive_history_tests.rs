@@ -21,7 +21,10 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
     let irradiance = one_sample(4).map(|t| t.map(|v| v * now));
     let history = Image::new(EXTENT, [before; 4]);
-    let moments = Image::new(EXTENT, pack_moments(&Moments { mean: before, deviation: before, history_length: 8.0, reason: 0 }));
+    let luminance_history = Image::new(
+        EXTENT,
+        pack_luminance_history(&LuminanceHistory { mean: before, deviation: before, history_length: 8.0, reason: 0 }),
+    );
     let guides = HistoryGuides {
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,
@@ -31,7 +34,7 @@ fn confidence(before: f32, now: f32) -> (f32, f32) {
     let percentiles =
         block_percentiles(&frame, &tuning, &BlockPercentilesInputs { guide: Some(guides.guide), irradiance: &irradiance });
     let published = percentile_rule(&frame, &tuning, &PercentileRuleInputs { guides, signals: &[(&percentiles, &history)] });
-    let history = SignalHistory { irradiance: &history, moments: &moments };
+    let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
     let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
     let test = change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence;
     let mean = |image: &Image<f32>| image.texels().iter().sum::<f32>() / image.texels().len() as f32;
@@ -61,7 +64,8 @@ fn only_the_test_sees_a_light_that_comes_on() {
 #[test]
 fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
     let (frame, tuning, guides) = (frame(EXTENT), svgf_tuning(), guides(EXTENT, |_, _| surface(2.0)));
-    let moments = Image::new(EXTENT, pack_moments(&Moments { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 }));
+    let luminance_history =
+        Image::new(EXTENT, pack_luminance_history(&LuminanceHistory { mean: 1.0, deviation: 0.0, history_length: 8.0, reason: 0 }));
     let history = Image::new(EXTENT, [1.0; 4]);
     let guides = HistoryGuides {
         guide: &guides.guide,
@@ -70,7 +74,7 @@ fn a_change_that_is_certain_but_small_is_not_worth_the_history() {
         previous_guide: &guides.guide,
     };
     let confidence = |now: f32| {
-        let history = SignalHistory { irradiance: &history, moments: &moments };
+        let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
         let irradiance = Image::new(EXTENT, [now; 4]);
         let difference = block_difference(&frame, &tuning, &BlockDifferenceInputs { guides, irradiance: &irradiance, history });
         change_test(&frame, &tuning, EXTENT, &[&difference]).history_confidence.texels()[700]
@@ -122,9 +126,9 @@ fn light_without_noise_loses_the_history_of_what_changed() {
         })
     };
     let confidence = |noise: f32, past_noise: f32| {
-        let moments = Moments { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0 };
-        let (history, moments) = (shadow(16, 0.0), Image::new(EXTENT, pack_moments(&moments)));
-        let history = SignalHistory { irradiance: &history, moments: &moments };
+        let luminance_history = LuminanceHistory { mean: 1.0, deviation: past_noise, history_length: 8.0, reason: 0 };
+        let (history, luminance_history) = (shadow(16, 0.0), Image::new(EXTENT, pack_luminance_history(&luminance_history)));
+        let history = SignalHistory { irradiance: &history, luminance_history: &luminance_history };
         let guides = HistoryGuides {
             guide: &guides.guide,
             surface_motion: &guides.surface_motion,

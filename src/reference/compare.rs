@@ -3,7 +3,7 @@
 use super::binary16::from_half_bits;
 use super::blocks::{BLOCK_SIZE, CELL_SIZE};
 use super::guide::unpack_guide;
-use super::moments::unpack_moments;
+use super::luminance_history::unpack_luminance_history;
 use super::octahedral::octahedral10_to_normal;
 use super::reflection::{unpack_image_share, unpack_reflection};
 use super::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
@@ -48,7 +48,7 @@ pub(crate) enum Reading {
     /// A packed normal.
     Normal,
     /// Mean, deviation, history length and reason.
-    Moments,
+    LuminanceHistory,
     /// Mean of `visibility_history`.
     Visibility,
     /// Hit distance and roughness of `reflection*`.
@@ -201,8 +201,8 @@ impl Reading {
                 padded([m.motion[0], m.motion[1], m.depth_ratio])
             }
             Self::PreviousNormal => padded(unpack_surface_motion(texel).previous_normal),
-            Self::Moments => {
-                let m = unpack_moments(texel);
+            Self::LuminanceHistory => {
+                let m = unpack_luminance_history(texel);
                 padded([m.mean, m.deviation, m.history_length, m.reason.into()])
             }
             Self::BlockDifference => {

@@ -32,7 +32,7 @@ mod image;
 pub(crate) mod kept_radiance;
 pub(crate) mod light_ratio;
 pub(crate) mod luminance;
-pub(crate) mod moments;
+pub(crate) mod luminance_history;
 pub(crate) mod nearest_history;
 pub(crate) mod octahedral;
 pub(crate) mod outgoing;
@@ -59,7 +59,7 @@ pub use bindings::{Bindings, Twin};
 pub use engine::Engine;
 pub use image::Image;
 pub use luminance::luminance;
-pub use moments::{unpack_moments, Moments, Reason};
+pub use luminance_history::{unpack_luminance_history, LuminanceHistory, Reason};
 pub use octahedral::decode_normal;
 pub use pass::TwinOutputs;
 pub use projection::Projections;
@@ -71,7 +71,7 @@ pub use texels::Texels;
 pub(crate) use {
     binary16::{round_image_to_half, round_to_half, LARGEST_HALF},
     guide::{pack_guide, unpack_guide, Surface},
-    moments::pack_moments,
+    luminance_history::pack_luminance_history,
     nearest_history::{HistoryGuides, SignalHistory},
     reflection::{pack_reflection, SeenReflection, FARTHEST_HIT},
     strata::{pack_gradient_sample, unpack_gradient_sample, GradientSample},

@@ -15,8 +15,8 @@ use glam::{IVec2, Vec2};
 pub(crate) struct SignalHistory<'a> {
     /// rgb: irradiance, as written by level 0 of `atrous`.
     pub irradiance: &'a Image<[f32; 4]>,
-    /// The image `moments` of the previous frame.
-    pub moments: &'a Image<[u16; 4]>,
+    /// The image `luminance_history` of the previous frame.
+    pub luminance_history: &'a Image<[u16; 4]>,
 }
 
 /// Guides of two frames; images have the allocated extent.

@@ -219,7 +219,7 @@ fn glsl_sources() -> Vec<(String, String)> {
     paths.map(|path| (path.display().to_string(), std::fs::read_to_string(&path).expect("text"))).collect()
 }
 
-/// The unpacker around each fetch of an image, and the image: `unpack_moments(texelFetch(previous_moments, ...))`.
+/// The unpacker around each fetch of an image, and the image: `unpack_luminance_history(texelFetch(previous_luminance_history, ...))`.
 fn unpacked_fetches(text: &str) -> impl Iterator<Item = (&str, &str)> {
     let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
     ["texelFetch(", "packed_at(", "texel_at(", "imageLoad("].into_iter().flat_map(move |fetch| {

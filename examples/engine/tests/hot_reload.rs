@@ -172,8 +172,8 @@ fn pipelines_are_replaced_between_frames_and_the_history_goes_on() {
         denoiser.render(tracer).expect("a frame");
         let mean = |texels: &[[f32; 4]]| texels.iter().map(|t| t[1]).sum::<f32>() / texels.len() as f32;
         let longest = denoiser
-            .read("moments")
-            .expect("moments")
+            .read("luminance_history")
+            .expect("luminance_history")
             .iter()
             .map(|t| half::f16::from_bits(t[2] as u16).to_f32())
             .fold(0.0, f32::max);

@@ -85,7 +85,7 @@ impl Shelf {
                 let irradiance = self.port(choices, &self.irradiance)?;
                 let history = g.history(&irradiance, choices.one_of(&[Feedback::Filtered, Feedback::Accumulated]));
                 self.histories.push(history);
-                self.images.extend(history.colour().iter().chain(history.moments()));
+                self.images.extend(history.colour().iter().chain(history.luminance_history()));
             }
             4 => {
                 let (irradiance, history) = (self.port(choices, &self.irradiance)?, any(choices, &self.histories)?);

@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// Images for a level of the à-trous filter.
 struct Images {
     guide: Image,
-    moments: Image,
+    luminance_history: Image,
     input: Image,
     output: Image,
     slopes: Image,
@@ -20,7 +20,7 @@ impl Images {
     fn new(g: &mut Graph) -> Self {
         Self {
             guide: g.input_image("guide", PACKED_64, 1, false),
-            moments: g.input_image("moments", PACKED_64, 1, false),
+            luminance_history: g.input_image("luminance_history", PACKED_64, 1, false),
             input: g.input_image("from", HDR, 1, false),
             output: g.named_image("to", "", HDR, 1, Lifetime::Transient),
             slopes: g.input_image("depth_gradient", PACKED_32, 1, false),
@@ -133,8 +133,8 @@ fn an_image_that_does_not_fit_is_named_with_what_the_shader_has() {
     problem(output, "output_0", &["cannot be `guide`", "R16G16B16A16_SFLOAT"]);
     let maybe = rebound("filtered_0", |pass, i| pass.bind("filtered_0", i.maybe));
     problem(|_, i| maybe(i.modulation(), i), "filtered_0", &["cannot be `maybe`", "cannot do without"]);
-    let previous = rebound("guide", |pass, i| pass.previous("guide", i.moments));
-    problem(previous, "guide", &["cannot be `moments`", "frame before"]);
+    let previous = rebound("guide", |pass, i| pass.previous("guide", i.luminance_history));
+    problem(previous, "guide", &["cannot be `luminance_history`", "frame before"]);
 }
 
 #[test]

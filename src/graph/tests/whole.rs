@@ -51,7 +51,7 @@ fn signals_name_their_resources_and_passes() {
         g.output(&format!("{name}_accumulated"), &radiance);
     }
     let declaration = g.finish().expect("two signals do not collide");
-    for name in ["moments", "moments_ao", "irradiance_history", "irradiance_history_ao"] {
+    for name in ["luminance_history", "luminance_history_ao", "irradiance_history", "irradiance_history_ao"] {
         assert!(declaration.find(name).is_some(), "{name}");
     }
     assert!(declaration.passes().iter().any(|p| p.name == "temporal_accumulation_ao"));
@@ -104,7 +104,7 @@ fn a_history_that_nothing_writes_is_refused() {
     let (mut g, guides, accumulated, _) = self::accumulated(Feedback::Accumulated);
     let denoised = g.modulate(&guides, &accumulated.into(), Modulate::default());
     g.output("denoised_radiance", &denoised);
-    assert_names(&refusal(g), &["node `temporal_accumulation`", "port `moments`", "`variance`"]);
+    assert_names(&refusal(g), &["node `temporal_accumulation`", "port `luminance_history`", "`variance`"]);
     let (mut g, guides, ..) = begun(Feedback::Accumulated);
     let noisy = g.radiance("noisy_radiance");
     g.gradient(&guides, &noisy, Gradients::Reshaded { stratum_size: 3 });

@@ -155,9 +155,9 @@ impl Graph {
         from
     }
 
-    /// Moments with the content that they have now.
+    /// LuminanceHistory with the content that they have now.
     pub(super) fn current_moments(&self, history: &History) -> Vec<Image> {
-        history.moments().iter().map(|image| self.refreshed(*image)).collect()
+        history.luminance_history().iter().map(|image| self.refreshed(*image)).collect()
     }
 }
 

@@ -16,7 +16,7 @@ impl Graph {
         for (i, (input, output)) in irradiance.images().iter().zip(difference.images()).enumerate() {
             let label = self.label(*input).to_owned();
             let node = self.node("block_difference", &label);
-            let (Some(colour), Some(moments)) = (history.colour().get(i), history.moments().get(i)) else {
+            let (Some(colour), Some(luminance_history)) = (history.colour().get(i), history.luminance_history().get(i)) else {
                 self.fail(
                     &node,
                     "history",
@@ -32,7 +32,7 @@ impl Graph {
                 .bind("depth_gradient", guides.depth_gradient)
                 .bind("irradiance", *input)
                 .previous("history", *colour)
-                .previous("previous_moments", *moments)
+                .previous("previous_luminance_history", *luminance_history)
                 .bind("block_difference", *output);
             self.add(pass);
         }

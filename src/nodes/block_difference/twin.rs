@@ -5,7 +5,7 @@ use crate::reference::bindings::Bindings;
 use crate::reference::blocks::{allocated_blocks, Blocks};
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::luminance::texel_luminance;
-use crate::reference::moments::unpack_moments;
+use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::nearest_history::HistoryGuides;
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::rules::{rule, HALF};
@@ -70,12 +70,12 @@ pub(crate) fn block_difference(frame: &FrameConstants, tuning: &Tuning, inputs: 
         let pairs = Blocks::pixels(block, frame.render_extent).filter_map(|p| {
             let tap = inputs.guides.nearest(frame, tuning, p).filter(|_| inputs.irradiance.at(p)[3] >= 0.0)?;
             let before = (texel_luminance(inputs.history.irradiance.at(tap)) * frame.exposure_ratio).min(LARGEST_HALF);
-            let moments = unpack_moments(inputs.history.moments.at(tap));
-            let deviation = moments.deviation * frame.exposure_ratio;
+            let luminance_history = unpack_luminance_history(inputs.history.luminance_history.at(tap));
+            let deviation = luminance_history.deviation * frame.exposure_ratio;
             let now = texel_luminance(inputs.irradiance.at(p));
             Some((
                 (p.y, p.x),
-                Pair { now, before, uncertainty: 1.0 / moments.history_length.max(1.0), variance: deviation * deviation },
+                Pair { now, before, uncertainty: 1.0 / luminance_history.history_length.max(1.0), variance: deviation * deviation },
             ))
         });
         pack_difference(&difference_of(&pairs.collect()))
@@ -122,7 +122,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
     let inputs = BlockDifferenceInputs {
         guides: HistoryGuides::of(b)?,
         irradiance: b.colour("irradiance")?,
-        history: SignalHistory { irradiance: b.colour("history")?, moments: b.packed("previous_moments")? },
+        history: SignalHistory { irradiance: b.colour("history")?, luminance_history: b.packed("previous_luminance_history")? },
     };
     let differences = block_difference(b.frame, b.tuning, &inputs);
     b.write("block_difference", differences)

@@ -13,14 +13,14 @@ use crate::reference::blocks::block_of;
 use crate::reference::guide::{pcg, unpack_guide};
 use crate::reference::kept_radiance::exposed;
 use crate::reference::luminance::texel_luminance;
-use crate::reference::moments::unpack_moments;
+use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::projection::pixel_size;
 use crate::reference::reflection::{lobe_width, nearness, unpack_image_share, unpack_reflection, SeenReflection};
 use crate::reference::scenery::Instances;
 use crate::reference::surface_motion::unpack_surface_motion;
 use crate::reference::virtual_motion::VirtualMotion;
 use crate::reference::visibility::{unpack_visibility, VisibilityHistory};
-use crate::reference::{Image, Moments};
+use crate::reference::{Image, LuminanceHistory};
 use crate::{Counter, DebugView, FrameConstants, Statistics, Tuning};
 use glam::{IVec2, Vec2};
 
@@ -43,8 +43,8 @@ pub(crate) struct DebugViewInputs<'a> {
     pub surface_motion: &'a Image<[u16; 4]>,
     /// Counters of the frame.
     pub statistics: &'a Statistics,
-    /// `moments*` of every signal.
-    pub moments: &'a [&'a Image<[u16; 4]>],
+    /// `luminance_history*` of every signal.
+    pub luminance_history: &'a [&'a Image<[u16; 4]>],
     /// `irradiance_history*` of every signal; alpha: standard deviation.
     pub irradiance_history: &'a [&'a Image<[f32; 4]>],
     /// Share of the history that is kept.
@@ -95,7 +95,7 @@ impl DebugViewInputs<'_> {
     fn has(&self, view: DebugView) -> bool {
         match view {
             DebugView::HistoryLength | DebugView::MeanAndDeviation | DebugView::Alpha | DebugView::Disocclusion => {
-                !self.moments.is_empty()
+                !self.luminance_history.is_empty()
             }
             DebugView::Deviation => !self.irradiance_history.is_empty(),
             DebugView::Gradient => self.gradient.is_some(),
@@ -134,7 +134,7 @@ impl DebugViewInputs<'_> {
                 coloured(pixels / WIDE_PENUMBRA, pixels)
             }
             DebugView::HistoryLength => {
-                let frames = self.moments_at(0, p).history_length;
+                let frames = self.luminance_history_at(0, p).history_length;
                 coloured(frames / LONG_HISTORY, frames)
             }
             DebugView::Deviation => {
@@ -142,14 +142,15 @@ impl DebugViewInputs<'_> {
                 coloured(deviation / (MIDDLE_DEVIATION + deviation), deviation)
             }
             DebugView::MeanAndDeviation => {
-                let each = || (0..self.moments.len()).map(|i| self.moments_at(i, p));
+                let each = || (0..self.luminance_history.len()).map(|i| self.luminance_history_at(i, p));
                 let (mean, deviation) = (each().map(|m| m.mean).sum(), root_of_squares(each().map(|m| m.deviation)));
                 ([compressed(mean), compressed(deviation), 0.0], mean)
             }
             DebugView::Gradient => self.gradient_at(p),
             DebugView::Lambda => coloured(change, change),
             DebugView::Alpha => {
-                let alpha = (tuning.alpha + change * (1.0 - tuning.alpha)).max(1.0 / self.moments_at(0, p).history_length);
+                let alpha =
+                    (tuning.alpha + change * (1.0 - tuning.alpha)).max(1.0 / self.luminance_history_at(0, p).history_length);
                 coloured(alpha, alpha)
             }
             DebugView::Percentiles => {
@@ -162,7 +163,7 @@ impl DebugViewInputs<'_> {
                 coloured(share, share)
             }
             DebugView::Disocclusion => {
-                let reason = self.moments_at(0, p).reason.min(5);
+                let reason = self.luminance_history_at(0, p).reason.min(5);
                 (from_srgb(REASON_COLOURS[usize::from(reason)].map(f32::from)), f32::from(reason))
             }
             DebugView::Motion | DebugView::VirtualMotion => motion(self.surface_motion_at(p)),
@@ -196,8 +197,8 @@ impl DebugViewInputs<'_> {
         self.visibility_history.map_or(VisibilityHistory::default(), |history| unpack_visibility(history.at(p)))
     }
 
-    fn moments_at(&self, signal: usize, p: IVec2) -> Moments {
-        unpack_moments(self.moments[signal].at(p))
+    fn luminance_history_at(&self, signal: usize, p: IVec2) -> LuminanceHistory {
+        unpack_luminance_history(self.luminance_history[signal].at(p))
     }
 
     fn gradient_at(&self, p: IVec2) -> ([f32; 3], f32) {

@@ -87,10 +87,10 @@ impl Graph {
             .bind_some("surface_id", self.given(Input::SURFACE_ID))
             .bind("instance_transforms", self.input(Input::INSTANCE_TRANSFORMS))
             .previous("history", history.colour()[0])
-            .previous("previous_moments", history.moments()[0])
+            .previous("previous_luminance_history", history.luminance_history()[0])
             .previous("previous_reflection", reflection)
             .bind("accumulated", accumulated.image())
-            .bind("new_moments", history.new_moments()[0])
+            .bind("new_luminance", history.new_luminance()[0])
             .bind("reflection", reflection);
         self.add(pass);
         AccumulatedSpecular {

@@ -7,7 +7,7 @@ use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
 use crate::reference::luminance::texel_luminance;
-use crate::reference::moments::{pack_moments, split_moments, Moments, Reason};
+use crate::reference::luminance_history::{pack_luminance_history, split_luminance_history, LuminanceHistory, Reason};
 use crate::reference::reflection::{hit_distance_of, lobe_radius, nearness, pack_reflection, roughness_of, SeenReflection};
 use crate::reference::rules::{pixels, rule, STATISTICS};
 use crate::reference::scenery::Instances;
@@ -35,8 +35,8 @@ pub(crate) struct PreviousSpecular<'a> {
     pub guide: &'a Image<[u16; 4]>,
     /// rgb: irradiance.
     pub history: &'a Image<[f32; 4]>,
-    /// See [`crate::reference::unpack_moments`].
-    pub moments: &'a Image<[u16; 4]>,
+    /// See [`crate::reference::unpack_luminance_history`].
+    pub luminance_history: &'a Image<[u16; 4]>,
     /// The image `reflection`, see [`crate::reference::unpack_reflection`].
     pub reflection: &'a Image<u32>,
 }
@@ -71,8 +71,8 @@ pub(crate) struct SpecularAccumulationInputs<'a> {
 pub(crate) struct SpecularAccumulationOutputs {
     /// rgb: accumulated irradiance, half precision; alpha 0.
     pub accumulated: Image<[f32; 4]>,
-    /// See [`crate::reference::unpack_moments`].
-    pub moments: Image<[u16; 4]>,
+    /// See [`crate::reference::unpack_luminance_history`].
+    pub luminance_history: Image<[u16; 4]>,
     /// See [`crate::reference::unpack_reflection`].
     pub reflection: Image<u32>,
     /// Ids without a transform.
@@ -110,7 +110,7 @@ pub(crate) fn specular_accumulation(
     SpecularAccumulationOutputs {
         statistics,
         accumulated: texels.map(|t| t.0),
-        moments: texels.map(|t| pack_moments(&t.1)),
+        luminance_history: texels.map(|t| pack_luminance_history(&t.1)),
         reflection: texels.map(|t| pack_reflection(&t.2, t.3)),
     }
 }
@@ -133,12 +133,12 @@ impl<'a> Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn accumulated(&self, p: IVec2) -> ([f32; 4], Moments, SeenReflection, Option<f32>, bool) {
+    fn accumulated(&self, p: IVec2) -> ([f32; 4], LuminanceHistory, SeenReflection, Option<f32>, bool) {
         let [r, g, b, own_distance] = self.inputs.noisy.at(p);
         let roughness = roughness_of(self.frame, self.inputs.roughness.map_or(1.0, |image| image.at(p)[0]));
         let surface = self.motion.surfaces.at(p);
         let noisy = [r, g, b, own_distance];
-        let with = |(texel, moments), seen, share| (texel, moments, seen, share, false);
+        let with = |(texel, luminance_history), seen, share| (texel, luminance_history, seen, share, false);
         if surface.is_background() {
             return with(fresh(noisy, Reason::None), SeenReflection { hit_distance: 0.0, roughness }, None);
         }
@@ -148,9 +148,9 @@ impl Scene<'_> {
             return with(fresh(noisy, Reason::Reset), seen, None);
         }
         let best = self.best_past(&c, &mut seen);
-        let (texel, moments) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
+        let (texel, luminance_history) = best.as_ref().map_or(fresh(noisy, Reason::Depth), |best| self.blend(p, noisy, best));
         let is_bad = self.inputs.instances.lacks_transform(self.frame, &c.mirror, seen.hit_distance);
-        (texel, moments, seen, best.map(|best| best.image_share), is_bad)
+        (texel, luminance_history, seen, best.map(|best| best.image_share), is_bad)
     }
 
     fn centre(&self, p: IVec2, surface: Surface) -> Centre {
@@ -183,7 +183,7 @@ impl Scene<'_> {
         }
     }
 
-    fn blend(&self, p: IVec2, noisy: [f32; 4], best: &BestPast) -> ([f32; 4], Moments) {
+    fn blend(&self, p: IVec2, noisy: [f32; 4], best: &BestPast) -> ([f32; 4], LuminanceHistory) {
         let past = &best.past;
         let confidence = self.inputs.history_confidence;
         let change = confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
@@ -192,7 +192,8 @@ impl Scene<'_> {
         let tuning = Tuning { alpha: alpha * scale, alpha_moments: alpha_moments * scale, ..*self.tuning };
         let bounds = AlphaBounds::new(&tuning, confidence.is_some(), false, change);
         let deviation = (past.second_moment - past.mean * past.mean).max(0.0).sqrt();
-        let before = Moments { mean: best.origin + past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
+        let before =
+            LuminanceHistory { mean: best.origin + past.mean, deviation, history_length: past.frames, reason: Reason::None as u16 };
         blend(self.frame, noisy, past.irradiance, &before, bounds, [1.0; 3])
     }
 }
@@ -206,7 +207,7 @@ const TRACKED: Tolerance = Tolerance { relative: 3e-3, absolute: 1e-3, outliers:
 pub(crate) const RULES: &[Rule] = &[
     STATISTICS,
     pixels("accumulated", TRACKED),
-    rule("new_moments", Unit::Pixel, Reading::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
+    rule("new_luminance", Unit::Pixel, Reading::Halves, Tolerance { absolute: 3e-3, ..TRACKED }),
     rule("reflection", Unit::Pixel, Reading::Reflection, REFLECTED),
     rule("reflection", Unit::Pixel, Reading::ImageShare, Tolerance { absolute: 0.05, ..TRACKED }),
 ];
@@ -231,14 +232,14 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         previous: PreviousSpecular {
             guide: b.packed("previous_guide")?,
             history: b.colour("history")?,
-            moments: b.packed("previous_moments")?,
+            luminance_history: b.packed("previous_luminance_history")?,
             reflection: b.uint("previous_reflection")?,
         },
     };
     let outputs = specular_accumulation(b.frame, b.tuning, &inputs);
     b.count(&outputs.statistics)?;
-    let (accumulated, new_moments) = split_moments(&outputs.accumulated, &outputs.moments);
+    let (accumulated, new_luminance) = split_luminance_history(&outputs.accumulated, &outputs.luminance_history);
     b.write("accumulated", accumulated)?;
-    b.write("new_moments", new_moments)?;
+    b.write("new_luminance", new_luminance)?;
     b.write("reflection", outputs.reflection)
 }

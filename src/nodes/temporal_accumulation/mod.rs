@@ -62,9 +62,9 @@ impl Graph {
             .bind("surface_motion", guides.surface_motion)
             .bind("depth_gradient", guides.depth_gradient)
             .each_previous("history", history.colour())
-            .each_previous("previous_moments", history.moments())
+            .each_previous("previous_luminance_history", history.luminance_history())
             .each("irradiance", irradiance.images())
-            .each("new_moments", history.new_moments())
+            .each("new_luminance", history.new_luminance())
             .bind_some("history_confidence", accumulation.confidence.map(|confidence| confidence.image()));
         if let Some(ratio) = accumulation.light_ratio {
             pass = pass.constant("STRATUM_SIZE", ratio.stratum_size).bind("light_ratio", ratio.image);
@@ -96,9 +96,9 @@ impl Graph {
             .previous("previous_guide", guides.guide)
             .bind("volume_motion", motion.image())
             .each_previous("history", history.colour())
-            .each_previous("previous_moments", history.moments())
+            .each_previous("previous_luminance_history", history.luminance_history())
             .each("irradiance", radiance.images())
-            .each("new_moments", history.new_moments());
+            .each("new_luminance", history.new_luminance());
         self.add(pass);
         self.renewed(radiance).cast()
     }

@@ -2,7 +2,7 @@
 
 use crate::reference::conventions::is_reset;
 use crate::reference::guide::{unpack_guide, Surface};
-use crate::reference::moments::{pack_moments, unpack_moments, Moments, Reason};
+use crate::reference::luminance_history::{pack_luminance_history, unpack_luminance_history, LuminanceHistory, Reason};
 use crate::reference::nearest_history::SignalHistory;
 use crate::reference::octahedral::octahedral10_to_normal;
 use crate::reference::projection::extent_ratio;
@@ -84,8 +84,8 @@ pub(crate) struct TemporalAccumulationInputs<'a> {
 pub(crate) struct TemporalAccumulationOutputs {
     /// rgb: accumulated irradiance, half precision; alpha 0.
     pub irradiance: Vec<Image<[f32; 4]>>,
-    /// See [`unpack_moments`].
-    pub moments: Vec<Image<[u16; 4]>>,
+    /// See [`unpack_luminance_history`].
+    pub luminance_history: Vec<Image<[u16; 4]>>,
     /// Surfaces with a history of their own, and those without by reason.
     pub statistics: Statistics,
 }
@@ -147,7 +147,7 @@ pub(crate) fn temporal_accumulation(
         }
     });
     let mut outputs =
-        TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new(), statistics: Statistics::default() };
+        TemporalAccumulationOutputs { irradiance: Vec::new(), luminance_history: Vec::new(), statistics: Statistics::default() };
     histories.texels().iter().filter_map(History::counter).for_each(|counter| outputs.statistics[counter] += 1);
     for (i, irradiance) in inputs.irradiance.iter().enumerate() {
         let signal = previous.and_then(|previous| previous.signals.get(i));
@@ -155,11 +155,11 @@ pub(crate) fn temporal_accumulation(
             let change = inputs.history_confidence.map_or(0.0, |confidence| 1.0 - confidence.at(p));
             let bounds = AlphaBounds::new(tuning, inputs.history_confidence.is_some(), inputs.repair, change);
             let ratio = inputs.light_ratio.map_or([1.0; 3], |ratio| light::ratio_at(frame, ratio, p));
-            let (c, moments) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
-            (c, pack_moments(&moments))
+            let (c, luminance_history) = accumulate(frame, irradiance.at(p), histories.at(p), bounds, signal, ratio);
+            (c, pack_luminance_history(&luminance_history))
         });
         outputs.irradiance.push(texels.map(|t| t.0));
-        outputs.moments.push(texels.map(|t| t.1));
+        outputs.luminance_history.push(texels.map(|t| t.1));
     }
     outputs
 }
@@ -309,7 +309,7 @@ fn accumulate(
     bounds: AlphaBounds,
     signal: Option<&SignalHistory>,
     ratio: [f32; 3],
-) -> ([f32; 4], Moments) {
+) -> ([f32; 4], LuminanceHistory) {
     let (taps, longest, signal) = match (history, signal) {
         (History::Background, _) => return fresh(c, Reason::None),
         (History::Disoccluded(reason), _) => return fresh(c, reason),
@@ -321,25 +321,27 @@ fn accumulate(
     if let History::Sharp(_, cubic) = history {
         irradiance = [0, 1, 2].map(|i| cubic.iter().map(|(q, weight)| weight * signal.irradiance.at(*q)[i]).sum::<f32>().max(0.0));
     }
-    let before = Moments { history_length: before.history_length.min(longest), ..before };
+    let before = LuminanceHistory { history_length: before.history_length.min(longest), ..before };
     blend(frame, c, irradiance, &before, bounds, ratio)
 }
 
 /// The weighted mean of irradiance and of μ1, σ² + μ1² and N. The second moment is taken about the mean, which is the same and does
 /// not cancel.
-fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 3], Moments) {
+fn weighted_history(taps: &[(IVec2, f32); 9], signal: &SignalHistory) -> ([f32; 3], LuminanceHistory) {
     let valid = || taps.iter().filter(|tap| tap.1 > 0.0);
     let (mut irradiance, mut mean, mut history_length) = ([0.0; 3], 0.0, 0.0);
     for &(q, weight) in valid() {
-        let (c, moments) = (signal.irradiance.at(q), unpack_moments(signal.moments.at(q)));
+        let (c, luminance_history) = (signal.irradiance.at(q), unpack_luminance_history(signal.luminance_history.at(q)));
         (0..3).for_each(|i| irradiance[i] += weight * c[i]);
-        mean += weight * moments.mean;
-        history_length += weight * moments.history_length;
+        mean += weight * luminance_history.mean;
+        history_length += weight * luminance_history.history_length;
     }
     let mut variance = 0.0;
     for &(q, weight) in valid() {
-        let moments = unpack_moments(signal.moments.at(q));
-        variance += weight * (moments.deviation * moments.deviation + (moments.mean - mean) * (moments.mean - mean));
+        let luminance_history = unpack_luminance_history(signal.luminance_history.at(q));
+        variance += weight
+            * (luminance_history.deviation * luminance_history.deviation
+                + (luminance_history.mean - mean) * (luminance_history.mean - mean));
     }
-    (irradiance, Moments { mean, deviation: variance.sqrt(), history_length, reason: 0 })
+    (irradiance, LuminanceHistory { mean, deviation: variance.sqrt(), history_length, reason: 0 })
 }

@@ -64,9 +64,9 @@ impl Graph {
     }
 
     fn add_estimate<K, L>(&mut self, pass: Pass, accumulated: &Port<K>, history: &History) -> Port<L> {
-        let new_moments: Vec<Image> = history.new_moments().iter().map(|image| self.refreshed(*image)).collect();
-        let pass = pass.each("irradiance", accumulated.images()).each("new_moments", &new_moments);
-        self.add(pass.each("moments", history.moments()));
+        let new_luminance: Vec<Image> = history.new_luminance().iter().map(|image| self.refreshed(*image)).collect();
+        let pass = pass.each("irradiance", accumulated.images()).each("new_luminance", &new_luminance);
+        self.add(pass.each("luminance_history", history.luminance_history()));
         self.renewed(accumulated).cast()
     }
 }

@@ -5,7 +5,7 @@ use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
-use crate::reference::moments::{join_moments, unpack_moments, Moments};
+use crate::reference::luminance_history::{join_moments, unpack_luminance_history, LuminanceHistory};
 use crate::reference::rules::{pixels, rule, EXACT, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
@@ -38,7 +38,7 @@ pub(crate) struct VarianceInputs<'a> {
     pub depth_gradient: &'a Image<u32>,
     /// rgb: accumulated irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
-    /// Moments of this frame, of every signal.
+    /// LuminanceHistory of this frame, of every signal.
     pub moments: &'a [&'a Image<[u16; 4]>],
 }
 
@@ -49,7 +49,7 @@ pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &Varianc
     estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, deviation)
 }
 
-fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<LuminanceHistory>, p: IVec2) -> f32 {
     let centre = moments.at(p);
     if centre.history_length >= tuning.spatial_variance_frames {
         return centre.deviation;
@@ -58,7 +58,13 @@ fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, momen
 }
 
 /// The estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
-fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> f32 {
+fn faded_deviation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    moments: &Image<LuminanceHistory>,
+    p: IVec2,
+) -> f32 {
     let centre = moments.at(p);
     let share = (tuning.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
     let spatial = spatial_variance(frame, tuning, geometry, moments, p, FADING_RADIUS);
@@ -66,7 +72,7 @@ fn faded_deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry,
 }
 
 /// The deviation of a surface pixel.
-type Deviation = fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32;
+type Deviation = fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32;
 
 fn estimate(
     frame: &FrameConstants,
@@ -74,10 +80,10 @@ fn estimate(
     geometry: &Geometry,
     irradiance: &[&Image<[f32; 4]>],
     moments: &[&Image<[u16; 4]>],
-    deviation: impl Fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32 + Sync,
+    deviation: impl Fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32 + Sync,
 ) -> Vec<Image<[f32; 4]>> {
     let signal = |(irradiance, moments): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
-        let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_moments(moments.at(p)));
+        let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_luminance_history(moments.at(p)));
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p);
             let estimated = || store(deviation(frame, tuning, geometry, &moments, p));
@@ -92,19 +98,19 @@ fn spatial_variance(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<Moments>,
+    moments: &Image<LuminanceHistory>,
     p: IVec2,
     radius: i32,
 ) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
-    let mut window = [(0.0, Moments::default()); SIDE * SIDE];
+    let mut window = [(0.0, LuminanceHistory::default()); SIDE * SIDE];
     for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, radius, 1)) {
         *tap = (geometry.weight(p, q), moments.at(q));
     }
     let sum: f32 = window.iter().map(|tap| tap.0).sum();
     let mean = window.iter().map(|(weight, m)| weight * m.mean).sum::<f32>() / sum;
     // μ2 − μ1² of the window, taken about the mean, so that it does not cancel.
-    let second = |m: &Moments| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
+    let second = |m: &LuminanceHistory| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
     let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
     // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
     variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
@@ -113,12 +119,12 @@ fn spatial_variance(
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
-/// Moments pass through to the history as they came.
+/// LuminanceHistory pass through to the history as they came.
 pub(crate) const RULES: &[Rule] = &[
     pixels("irradiance_0", ESTIMATED),
     pixels("irradiance_1", ESTIMATED),
-    rule("moments_0", Unit::Pixel, Reading::Moments, EXACT),
-    rule("moments_1", Unit::Pixel, Reading::Moments, EXACT),
+    rule("luminance_history_0", Unit::Pixel, Reading::LuminanceHistory, EXACT),
+    rule("luminance_history_1", Unit::Pixel, Reading::LuminanceHistory, EXACT),
 ];
 
 /// Runs the stage on the bindings of a pass.
@@ -135,9 +141,9 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         3 => deviation_of_mean,
         _ => |_, _, _, moments, p| moments.at(p).deviation,
     };
-    let (irradiance, new_moments) = (b.colours("irradiance")?, b.uints("new_moments")?);
-    let moments: Vec<_> = irradiance.iter().zip(new_moments).map(|(irradiance, new)| join_moments(irradiance, new)).collect();
+    let (irradiance, new_luminance) = (b.colours("irradiance")?, b.uints("new_luminance")?);
+    let moments: Vec<_> = irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_moments(irradiance, new)).collect();
     let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &moments.iter().collect::<Vec<_>>(), deviation);
     b.write_signals("irradiance", estimated)?;
-    b.write_signals("moments", moments)
+    b.write_signals("luminance_history", moments)
 }

@@ -19,7 +19,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
         statistics: &b.statistics()?,
-        moments: &if b.has("moments_0") { b.packed_signals("moments")? } else { Vec::new() },
+        luminance_history: &if b.has("luminance_history_0") { b.packed_signals("luminance_history")? } else { Vec::new() },
         irradiance_history: &if b.has("history_0") { b.colours("history")? } else { Vec::new() },
         history_confidence: b.optional_scalar("history_confidence")?,
         gradient: b.optional_colour("gradient")?,

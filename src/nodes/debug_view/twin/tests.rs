@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_moments, pack_reflection, pack_surface_motion, pack_visibility, Reason};
+use crate::reference::{pack_luminance_history, pack_reflection, pack_surface_motion, pack_visibility, Reason};
 use crate::Config;
 use glam::Vec3;
 
@@ -14,7 +14,7 @@ fn bare<'a>(guides: &'a Guides, statistics: &'a Statistics) -> DebugViewInputs<'
         guide: &guides.guide,
         surface_motion: &guides.surface_motion,
         statistics,
-        moments: &[],
+        luminance_history: &[],
         irradiance_history: &[],
         history_confidence: None,
         gradient: None,
@@ -30,16 +30,16 @@ fn bare<'a>(guides: &'a Guides, statistics: &'a Statistics) -> DebugViewInputs<'
 }
 
 /// A plane whose left half is background.
-fn view(view: DebugView, moments: &Moments, statistics: &Statistics) -> Image<[f32; 4]> {
+fn view(view: DebugView, luminance_history: &LuminanceHistory, statistics: &Statistics) -> Image<[f32; 4]> {
     let guides = guides(EXTENT, |x, _| if x < 8 { surface(0.0) } else { surface(3.0) });
-    let moments = Image::new(EXTENT, pack_moments(moments));
-    let inputs = DebugViewInputs { moments: &[&moments], ..bare(&guides, statistics) };
+    let luminance_history = Image::new(EXTENT, pack_luminance_history(luminance_history));
+    let inputs = DebugViewInputs { luminance_history: &[&luminance_history], ..bare(&guides, statistics) };
     debug_view(&frame(EXTENT), &Tuning { alpha: 0.2, ..svgf_tuning() }, &inputs, view)
 }
 
 #[test]
 fn alpha_holds_the_number_and_the_background_is_black() {
-    let moments = Moments { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: Reason::Depth as u16 };
+    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 0.5, history_length: 4.0, reason: Reason::Depth as u16 };
     for (shown, number) in [
         (DebugView::HistoryLength, 4.0),
         (DebugView::MeanAndDeviation, 1.0),
@@ -47,7 +47,7 @@ fn alpha_holds_the_number_and_the_background_is_black() {
         (DebugView::Disocclusion, 3.0),
         (DebugView::Depth, 3.0),
     ] {
-        let image = view(shown, &moments, &Statistics::default());
+        let image = view(shown, &luminance_history, &Statistics::default());
         assert_eq!(image.get(12, 3).map(|t| t[3]), Some(number), "{shown:?}");
         assert_eq!(image.get(2, 3), Some(&[0.0; 4]), "{shown:?}");
     }
@@ -56,7 +56,7 @@ fn alpha_holds_the_number_and_the_background_is_black() {
 #[test]
 fn what_the_preset_lacks_is_a_chequer() {
     for shown in [DebugView::Deviation, DebugView::Lambda, DebugView::Gradient, DebugView::Fireflies] {
-        let image = view(shown, &Moments::default(), &Statistics::default());
+        let image = view(shown, &LuminanceHistory::default(), &Statistics::default());
         let at = |x, y| image.get(x, y).map(|t| t[0]).expect("inside");
         assert!(at(0, 0) < at(8, 0) && at(0, 0) == at(8, 8) && at(8, 0) < 0.1, "{shown:?}");
     }
@@ -65,7 +65,7 @@ fn what_the_preset_lacks_is_a_chequer() {
 #[test]
 fn bars_grow_with_the_number_of_bad_values() {
     let lit = |count: u32| {
-        let image = view(DebugView::BadValues, &Moments::default(), &counted(&[(Counter::Depth, count)]));
+        let image = view(DebugView::BadValues, &LuminanceHistory::default(), &counted(&[(Counter::Depth, count)]));
         assert_eq!(image.get(0, 0).map(|t| t[3]), Some(count as f32));
         (0..EXTENT[0] as i32).filter(|&x| image.get(x, 0).is_some_and(|t| t[0] > 0.1)).count()
     };
@@ -87,8 +87,8 @@ fn assert_near(given: [f32; 3], wanted: [f32; 3], what: &str) {
 #[test]
 fn the_legend_has_the_colours_of_the_picture() {
     let guides = guides(EXTENT, |_, _| surface(1.0));
-    let moments = Moments { mean: 1.0, deviation: 9.0, history_length: 2.0, reason: Reason::Normal as u16 };
-    let of = |history_length| Image::new(EXTENT, pack_moments(&Moments { history_length, ..moments }));
+    let luminance_history = LuminanceHistory { mean: 1.0, deviation: 9.0, history_length: 2.0, reason: Reason::Normal as u16 };
+    let of = |history_length| Image::new(EXTENT, pack_luminance_history(&LuminanceHistory { history_length, ..luminance_history }));
     let (two, eight) = (of(2.0), of(8.0));
     let deviation = Image::new(EXTENT, [0.0, 0.0, 0.0, 0.25]);
     let gradient = Image::new([6, 5], [-0.5, 0.5, 0.0, 0.0]);
@@ -99,7 +99,7 @@ fn the_legend_has_the_colours_of_the_picture() {
     let visibility = Image::new(EXTENT, pack_visibility(&history));
     let (statistics, confidence) = (Statistics::default(), Image::new(EXTENT, 0.5));
     let inputs = DebugViewInputs {
-        moments: &[&two],
+        luminance_history: &[&two],
         irradiance_history: &[&deviation],
         history_confidence: Some(&confidence),
         gradient: Some(&gradient),
@@ -131,10 +131,10 @@ fn the_legend_has_the_colours_of_the_picture() {
     assert_near(colour(&surface, view), of_legend(view, 0, "surface"), "surface");
     let none = DebugViewInputs { reflection: Some(&no_past), ..inputs };
     assert_near(colour(&none, view), from_srgb(view.legend().cases[0].1.map(f32::from)), "no past");
-    let longer = DebugViewInputs { moments: &[&eight], ..inputs };
+    let longer = DebugViewInputs { luminance_history: &[&eight], ..inputs };
     assert_near(colour(&longer, DebugView::HistoryLength), of_legend(DebugView::HistoryLength, 0, "8"), "history");
     let [mean, deviation] = [("1", 0), ("9", 1)].map(|(mark, ramp)| of_legend(DebugView::MeanAndDeviation, ramp, mark));
-    assert_near(colour(&inputs, DebugView::MeanAndDeviation), [mean[0], deviation[1], 0.0], "moments");
+    assert_near(colour(&inputs, DebugView::MeanAndDeviation), [mean[0], deviation[1], 0.0], "luminance_history");
     let (name, reset) = DebugView::Disocclusion.legend().cases[usize::from(Reason::Normal as u16)];
     assert_eq!(name, "normal");
     assert_near(colour(&inputs, DebugView::Disocclusion), from_srgb(reset.map(f32::from)), "reason");

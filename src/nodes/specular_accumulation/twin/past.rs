@@ -4,7 +4,7 @@ use super::{Centre, Scene};
 use crate::nodes::temporal_accumulation::twin::{cubic_taps, SMALLEST_WEIGHT_SUM};
 use crate::reference::binary16::LARGEST_HALF;
 use crate::reference::forward_projection::previous_world_position;
-use crate::reference::moments::unpack_moments;
+use crate::reference::luminance_history::unpack_luminance_history;
 use crate::reference::projection::extent_ratio;
 use crate::reference::reflection::{
     hit_distance_of, lobe_radius, lobe_width, mirror_image_distance, mirror_share, nearness, unpack_reflection, SeenReflection,
@@ -216,16 +216,17 @@ impl Scene<'_> {
 
     fn tap(&self, c: &Centre, q: IVec2) -> Past {
         let previous = &self.inputs.previous;
-        let (moments, seen) = (unpack_moments(previous.moments.at(q)), unpack_reflection(previous.reflection.at(q)));
+        let (luminance_history, seen) =
+            (unpack_luminance_history(previous.luminance_history.at(q)), unpack_reflection(previous.reflection.at(q)));
         let [r, g, b, _] = previous.history.at(q);
-        let mean = moments.mean - c.origin;
+        let mean = luminance_history.mean - c.origin;
         Past {
-            frames: moments.history_length,
+            frames: luminance_history.history_length,
             nearness: nearness(c.mirror.surface.linear_depth, seen.hit_distance),
             roughness: seen.roughness,
             irradiance: [r, g, b],
             mean,
-            second_moment: moments.deviation * moments.deviation + mean * mean,
+            second_moment: luminance_history.deviation * luminance_history.deviation + mean * mean,
         }
     }
 

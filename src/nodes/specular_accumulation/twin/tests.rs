@@ -24,7 +24,7 @@ struct Wall {
     noisy: Image<[f32; 4]>,
     roughness: Image<[f32; 4]>,
     history: Image<[f32; 4]>,
-    moments: Image<[u16; 4]>,
+    luminance_history: Image<[u16; 4]>,
     reflection: Image<u32>,
     ids: Option<[Image<u32>; 2]>,
     transforms: Vec<InstanceTransform>,
@@ -39,14 +39,14 @@ impl Wall {
         let motion = pack_surface_motion([step * FOCAL / WALL, 0.0], Some((0.0, [0.0, 0.0, 1.0])));
         guides.surface_motion = Image::new(EXTENT, motion);
         // So noisy that no light disagrees.
-        let moments = Moments { mean: 4.0, deviation: 1000.0, history_length: 1000.0, reason: 0 };
+        let luminance_history = LuminanceHistory { mean: 4.0, deviation: 1000.0, history_length: 1000.0, reason: 0 };
         Self {
             frame: frame_with(&Config::new(EXTENT), &cameras[0], &cameras[1]),
             guides,
             noisy: Image::new(EXTENT, [0.0, 0.0, 0.0, hit_distance]),
             roughness: Image::new(EXTENT, [roughness; 4]),
             history: paint(EXTENT, |x, _| [x as f32; 4]),
-            moments: Image::new(EXTENT, pack_moments(&moments)),
+            luminance_history: Image::new(EXTENT, pack_luminance_history(&luminance_history)),
             reflection: Image::new(EXTENT, pack_reflection(&SeenReflection { hit_distance, roughness }, None)),
             ids: None,
             transforms: Vec::new(),
@@ -73,7 +73,7 @@ impl Wall {
             previous: PreviousSpecular {
                 guide: &self.guides.guide,
                 history: &self.history,
-                moments: &self.moments,
+                luminance_history: &self.luminance_history,
                 reflection: &self.reflection,
             },
         }
@@ -136,7 +136,7 @@ fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
     wall.noisy = noise(EXTENT, 3);
     let tuning = svgf_tuning();
     let ours = specular_accumulation(&wall.frame, &tuning, &wall.inputs());
-    let signal = SignalHistory { irradiance: &wall.history, moments: &wall.moments };
+    let signal = SignalHistory { irradiance: &wall.history, luminance_history: &wall.luminance_history };
     let diffuse = temporal_accumulation(
         &wall.frame,
         &tuning,
@@ -156,13 +156,14 @@ fn a_rough_surface_without_hit_distance_is_as_diffuse_light() {
     for p in [IVec2::new(3, 3), IVec2::new(12, 9), IVec2::new(20, 15)] {
         let (a, b) = (ours.accumulated.at(p), diffuse.irradiance[0].at(p));
         assert!((a[0] - b[0]).abs() < 0.02, "{p}: {a:?} {b:?}");
-        assert_eq!(ours.moments.at(p)[2], diffuse.moments[0].at(p)[2], "{p}: history length");
+        assert_eq!(ours.luminance_history.at(p)[2], diffuse.luminance_history[0].at(p)[2], "{p}: history length");
     }
 }
 
 #[test]
 fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
-    let length = |wall: &Wall| crate::reference::unpack_moments(wall.run().moments.at(IVec2::new(10, 8))).history_length;
+    let length =
+        |wall: &Wall| crate::reference::unpack_luminance_history(wall.run().luminance_history.at(IVec2::new(10, 8))).history_length;
     let same = Wall::new(0.0, 4.0, 0.0);
     assert!(length(&same) > 900.0, "{}", length(&same));
     for before in [SeenReflection { hit_distance: 0.5, roughness: 0.0 }, SeenReflection { hit_distance: 4.0, roughness: 0.8 }] {
@@ -178,11 +179,12 @@ fn another_thing_in_the_mirror_or_another_finish_drops_the_past() {
 fn light_that_is_not_that_of_the_past_drops_it() {
     let length = |deviation, noisy: &dyn Fn(i32, i32) -> f32| {
         let mut wall = Wall::new(0.0, 4.0, 0.0);
-        let moments = Moments { mean: 0.25, deviation, history_length: 1000.0, reason: 0 };
-        (wall.history, wall.moments) = (Image::new(EXTENT, [0.25; 4]), Image::new(EXTENT, pack_moments(&moments)));
+        let luminance_history = LuminanceHistory { mean: 0.25, deviation, history_length: 1000.0, reason: 0 };
+        (wall.history, wall.luminance_history) =
+            (Image::new(EXTENT, [0.25; 4]), Image::new(EXTENT, pack_luminance_history(&luminance_history)));
         // One channel tells it.
         wall.noisy = paint(EXTENT, |x, y| [0.25, 0.25, noisy(x, y), 4.0]);
-        crate::reference::unpack_moments(wall.run().moments.at(IVec2::new(15, 8))).history_length
+        crate::reference::unpack_luminance_history(wall.run().luminance_history.at(IVec2::new(15, 8))).history_length
     };
     let chequer = |x: i32, y: i32| 2.0 * ((x + y) % 2) as f32;
     assert!(length(0.0, &|_, _| 0.25) > 900.0, "the same light");
@@ -260,7 +262,7 @@ fn the_lobe_of_a_curved_surface_tolerates_less() {
     wall.reflection = Image::new(EXTENT, pack_reflection(&past, None));
     let tuning = Tuning { normal_tolerance: -1.0, ..tuning() };
     let outputs = specular_accumulation(&wall.frame, &tuning, &wall.inputs());
-    let length = crate::reference::unpack_moments(outputs.moments.at(IVec2::new(15, 8))).history_length;
+    let length = crate::reference::unpack_luminance_history(outputs.luminance_history.at(IVec2::new(15, 8))).history_length;
 
     // Along rows, which is how the camera slides; the mean curvature is half of it.
     let curvature = 0.6 / 1.36_f32.sqrt() / (3.0 * WALL / FOCAL);
@@ -279,7 +281,7 @@ fn the_background_passes_and_a_reset_drops_the_past() {
     let p = IVec2::new(4, 4);
     let fresh = specular_accumulation(&reset(wall.frame), &tuning(), &wall.inputs());
     assert!((fresh.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);
-    assert_eq!(crate::reference::unpack_moments(fresh.moments.at(p)).reason, Reason::Reset as u16);
+    assert_eq!(crate::reference::unpack_luminance_history(fresh.luminance_history.at(p)).reason, Reason::Reset as u16);
     wall.guides.guide = Image::new(EXTENT, pack_guide(&Surface::default()));
     let sky = wall.run();
     assert!((sky.accumulated.at(p)[0] - wall.noisy.at(p)[0]).abs() < 1e-3);

@@ -3,7 +3,7 @@
 use super::*;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
-use crate::reference::moments::split_moments;
+use crate::reference::luminance_history::split_luminance_history;
 use crate::reference::rules::{pixels, rounded, rule, TESTED};
 use crate::Error;
 
@@ -20,25 +20,30 @@ pub(crate) const RULES: &[Rule] = &[
     pixels("irradiance_1", TESTED),
     rounded("irradiance_0"),
     rounded("irradiance_1"),
-    rule("new_moments_0", Unit::Pixel, Reading::Halves, ACCUMULATED_MOMENTS),
-    rule("new_moments_1", Unit::Pixel, Reading::Halves, ACCUMULATED_MOMENTS),
+    rule("new_luminance_0", Unit::Pixel, Reading::Halves, ACCUMULATED_MOMENTS),
+    rule("new_luminance_1", Unit::Pixel, Reading::Halves, ACCUMULATED_MOMENTS),
 ];
 
 /// Surfaces, or with the constant `VOLUME` a volume.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let (irradiance, history, moments) = (b.colours("irradiance")?, b.colours("history")?, b.packed_signals("previous_moments")?);
-    let signals: Vec<_> =
-        history.into_iter().zip(moments).map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
+    let (irradiance, history, luminance_history) =
+        (b.colours("irradiance")?, b.colours("history")?, b.packed_signals("previous_luminance_history")?);
+    let signals: Vec<_> = history
+        .into_iter()
+        .zip(luminance_history)
+        .map(|(irradiance, luminance_history)| SignalHistory { irradiance, luminance_history })
+        .collect();
     let guide = b.packed("previous_guide")?;
     let outputs = match b.is_on("VOLUME")? {
         true => volume(b, guide, &irradiance, &signals)?,
         false => surfaces(b, &irradiance, PreviousFrame { guide, signals: &signals })?,
     };
     b.count(&outputs.statistics)?;
-    let split = |(irradiance, moments)| split_moments(irradiance, moments);
-    let (irradiance, new_moments): (Vec<_>, Vec<_>) = outputs.irradiance.iter().zip(&outputs.moments).map(split).unzip();
+    let split = |(irradiance, luminance_history)| split_luminance_history(irradiance, luminance_history);
+    let (irradiance, new_luminance): (Vec<_>, Vec<_>) =
+        outputs.irradiance.iter().zip(&outputs.luminance_history).map(split).unzip();
     b.write_signals("irradiance", irradiance)?;
-    b.write_signals("new_moments", new_moments)
+    b.write_signals("new_luminance", new_luminance)
 }
 
 fn surfaces(b: &Bindings, irradiance: &[&Image<[f32; 4]>], previous: PreviousFrame) -> Result<TemporalAccumulationOutputs, Error> {
@@ -67,7 +72,7 @@ fn volume(
     signals: &[SignalHistory],
 ) -> Result<TemporalAccumulationOutputs, Error> {
     let mut outputs =
-        TemporalAccumulationOutputs { irradiance: Vec::new(), moments: Vec::new(), statistics: Statistics::default() };
+        TemporalAccumulationOutputs { irradiance: Vec::new(), luminance_history: Vec::new(), statistics: Statistics::default() };
     for (radiance, signal) in radiance.iter().zip(signals.chunks(1)) {
         let inputs = VolumeAccumulationInputs {
             guide: b.packed("guide")?,
@@ -75,9 +80,9 @@ fn volume(
             radiance,
             previous: Some(PreviousFrame { guide: previous_guide, signals: signal }),
         };
-        let (radiance, moments) = volume_accumulation(b.frame, b.tuning, &inputs);
+        let (radiance, luminance_history) = volume_accumulation(b.frame, b.tuning, &inputs);
         outputs.irradiance.push(radiance);
-        outputs.moments.push(moments);
+        outputs.luminance_history.push(luminance_history);
     }
     Ok(outputs)
 }

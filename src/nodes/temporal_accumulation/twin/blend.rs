@@ -3,7 +3,7 @@
 use crate::reference::binary16::{store, LARGEST_HALF};
 use crate::reference::holes::sample_worth;
 use crate::reference::luminance::{luminance, texel_luminance};
-use crate::reference::moments::{Moments, Reason};
+use crate::reference::luminance_history::{LuminanceHistory, Reason};
 use crate::{FrameConstants, Tuning};
 
 /// Smallest weights of the new sample, and the longest history that goes with them.
@@ -35,10 +35,10 @@ fn adapted(alpha: f32, change: f32) -> f32 {
 }
 
 /// A pixel without a past; one without a sample either has none for the next frame.
-pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], Moments) {
+pub(crate) fn fresh(c: [f32; 4], reason: Reason) -> ([f32; 4], LuminanceHistory) {
     let (history_length, reason) = if sample_worth(c) > 0.0 { (1.0, reason) } else { (0.0, Reason::None) };
-    let moments = Moments { mean: texel_luminance(c), deviation: 0.0, history_length, reason: reason as u16 };
-    ([store(c[0]), store(c[1]), store(c[2]), 0.0], moments)
+    let luminance_history = LuminanceHistory { mean: texel_luminance(c), deviation: 0.0, history_length, reason: reason as u16 };
+    ([store(c[0]), store(c[1]), store(c[2]), 0.0], luminance_history)
 }
 
 /// Irradiance `c` with its past: irradiance and moments, of which `ratio` says by how much light is brighter now.
@@ -46,10 +46,10 @@ pub(crate) fn blend(
     frame: &FrameConstants,
     c: [f32; 4],
     past: [f32; 3],
-    before: &Moments,
+    before: &LuminanceHistory,
     bounds: AlphaBounds,
     ratio: [f32; 3],
-) -> ([f32; 4], Moments) {
+) -> ([f32; 4], LuminanceHistory) {
     // A ratio may be as large as a float: the clamp keeps ∞ − ∞ away.
     let scaled = |x: f32| (x * (frame.exposure_ratio * luminance(ratio)).min(1e38)).min(LARGEST_HALF);
     let worth = sample_worth(c);
@@ -68,5 +68,5 @@ pub(crate) fn blend(
     let difference = texel_luminance(c) - mean;
     let variance = (1.0 - alpha_moments) * (deviation * deviation + alpha_moments * difference * difference);
     let mean = mean + alpha_moments * difference;
-    ([r, g, b, 0.0], Moments { mean, deviation: variance.sqrt(), history_length, reason: Reason::None as u16 })
+    ([r, g, b, 0.0], LuminanceHistory { mean, deviation: variance.sqrt(), history_length, reason: Reason::None as u16 })
 }

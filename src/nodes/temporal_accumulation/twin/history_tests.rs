@@ -40,11 +40,16 @@ impl Scene {
 
     /// The history that the centre pixel (3, 3) takes, and its moments. `alpha` is 0 and the history long: nearly nothing is
     /// new.
-    fn centre(&self) -> (f32, Moments) {
+    fn centre(&self) -> (f32, LuminanceHistory) {
         let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
         let columns = paint(EXTENT, |x, _| [x as f32, x as f32, x as f32, 0.0]);
-        let moments = paint(EXTENT, |x, y| {
-            pack_moments(&Moments { mean: x as f32, deviation: 0.5, history_length: 1000.0 + y as f32, reason: 1 })
+        let luminance_history = paint(EXTENT, |x, y| {
+            pack_luminance_history(&LuminanceHistory {
+                mean: x as f32,
+                deviation: 0.5,
+                history_length: 1000.0 + y as f32,
+                reason: 1,
+            })
         });
         let new = Image::new(EXTENT, [NEW, NEW, NEW, 0.0]);
         let guides = Guides {
@@ -58,29 +63,32 @@ impl Scene {
             &TemporalAccumulationInputs {
                 previous: Some(PreviousFrame {
                     guide: &self.before.map(pack_guide),
-                    signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
+                    signals: &[SignalHistory { irradiance: &columns, luminance_history: &luminance_history }],
                 }),
                 ..inputs(&guides, &[&new])
             },
         );
-        (output.irradiance[0].get(3, 3).expect("inside")[0], unpack_moments(*output.moments[0].get(3, 3).expect("inside")))
+        (
+            output.irradiance[0].get(3, 3).expect("inside")[0],
+            unpack_luminance_history(*output.luminance_history[0].get(3, 3).expect("inside")),
+        )
     }
 
     #[track_caller]
-    fn assert_history(&self, column: f32) -> Moments {
-        let (c, moments) = self.centre();
-        let expected = column + (NEW - column) / moments.history_length;
-        assert!((c - expected).abs() < 5e-3, "{c} for {expected}, {moments:?}");
-        assert_eq!(moments.reason, 0);
-        moments
+    fn assert_history(&self, column: f32) -> LuminanceHistory {
+        let (c, luminance_history) = self.centre();
+        let expected = column + (NEW - column) / luminance_history.history_length;
+        assert!((c - expected).abs() < 5e-3, "{c} for {expected}, {luminance_history:?}");
+        assert_eq!(luminance_history.reason, 0);
+        luminance_history
     }
 
     #[track_caller]
     fn assert_none(&self, reason: Reason) {
-        let (c, moments) = self.centre();
-        assert_eq!((c, moments.history_length, moments.deviation), (NEW, 1.0, 0.0));
-        assert_eq!(moments.reason, reason as u16);
-        assert!((moments.mean - NEW).abs() < 0.1);
+        let (c, luminance_history) = self.centre();
+        assert_eq!((c, luminance_history.history_length, luminance_history.deviation), (NEW, 1.0, 0.0));
+        assert_eq!(luminance_history.reason, reason as u16);
+        assert!((luminance_history.mean - NEW).abs() < 0.1);
     }
 }
 
@@ -88,8 +96,8 @@ impl Scene {
 fn history_is_interpolated_along_the_motion() {
     Scene::new([0.0, 0.0]).assert_history(3.0);
     Scene::new([1.0, -2.0]).assert_history(4.0);
-    let moments = Scene::new([-1.25, 0.5]).assert_history(1.75);
-    assert!((moments.history_length - 1004.5).abs() <= 0.5, "the mean of 1003 and 1004, and one more");
+    let luminance_history = Scene::new([-1.25, 0.5]).assert_history(1.75);
+    assert!((luminance_history.history_length - 1004.5).abs() <= 0.5, "the mean of 1003 and 1004, and one more");
 }
 
 #[test]
@@ -163,7 +171,10 @@ fn another_render_extent_is_scaled() {
     let tuning = Tuning { alpha: 0.0, alpha_moments: 0.0, max_history_length: 1024.0, ..svgf_tuning() };
     let guides = guides(now, |_, _| surface(4.0));
     let columns = paint(now, |x, _| [[8.0, 16.0, 99.0, 99.0][x as usize]; 4]);
-    let moments = Image::new(now, pack_moments(&Moments { mean: 8.0, history_length: 1e3, ..Moments::default() }));
+    let luminance_history = Image::new(
+        now,
+        pack_luminance_history(&LuminanceHistory { mean: 8.0, history_length: 1e3, ..LuminanceHistory::default() }),
+    );
     let output = temporal_accumulation(
         &frame,
         &tuning,
@@ -179,7 +190,7 @@ fn another_render_extent_is_scaled() {
             light_ratio: None,
             previous: Some(PreviousFrame {
                 guide: &guides.guide,
-                signals: &[SignalHistory { irradiance: &columns, moments: &moments }],
+                signals: &[SignalHistory { irradiance: &columns, luminance_history: &luminance_history }],
             }),
         },
     );
@@ -196,9 +207,12 @@ fn signals_are_independent_but_for_taps_and_length() {
         let mut output: Option<TemporalAccumulationOutputs> = None;
         for step in 0..3 {
             let new: Vec<_> = seeds.iter().map(|seed| noise(EXTENT, seed + 10 * step)).collect();
-            let before = output.as_ref().map(|o| o.irradiance.iter().zip(&o.moments));
-            let signals: Vec<_> =
-                before.into_iter().flatten().map(|(irradiance, moments)| SignalHistory { irradiance, moments }).collect();
+            let before = output.as_ref().map(|o| o.irradiance.iter().zip(&o.luminance_history));
+            let signals: Vec<_> = before
+                .into_iter()
+                .flatten()
+                .map(|(irradiance, luminance_history)| SignalHistory { irradiance, luminance_history })
+                .collect();
             let next = temporal_accumulation(
                 &frame(EXTENT),
                 &svgf_tuning(),
@@ -221,6 +235,9 @@ fn signals_are_independent_but_for_taps_and_length() {
     };
     let (both, first, second) = (run(&[1, 2]), run(&[1]), run(&[2]));
     assert_eq!((&both.irradiance[0], &both.irradiance[1]), (&first.irradiance[0], &second.irradiance[0]));
-    assert_eq!((&both.moments[0], &both.moments[1]), (&first.moments[0], &second.moments[0]));
+    assert_eq!(
+        (&both.luminance_history[0], &both.luminance_history[1]),
+        (&first.luminance_history[0], &second.luminance_history[0])
+    );
     assert_ne!(first.irradiance[0], second.irradiance[0]);
 }

@@ -43,8 +43,8 @@ pub(crate) fn volume_accumulation(
             let s = (p.as_vec2() + 0.5) * extent_ratio(frame) + motion - 0.5;
             taps::find(s, refusal).unwrap_or_else(|| History::Disoccluded(refusal(taps::nearest(s))))
         });
-        let (c, moments) = accumulate(frame, inputs.radiance.at(p), history, bounds, signal, [1.0; 3]);
-        (c, pack_moments(&moments))
+        let (c, luminance_history) = accumulate(frame, inputs.radiance.at(p), history, bounds, signal, [1.0; 3]);
+        (c, pack_luminance_history(&luminance_history))
     });
     (texels.map(|t| t.0), texels.map(|t| t.1))
 }

@@ -1,6 +1,6 @@
 //! The deviation of the accumulated mean, from the past of a pixel and from 5×5 pixels around it.
 
-use super::{Moments, FADING_RADIUS};
+use super::{LuminanceHistory, FADING_RADIUS};
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{FrameConstants, Tuning};
@@ -36,7 +36,7 @@ pub(super) fn deviation_of_mean(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<Moments>,
+    moments: &Image<LuminanceHistory>,
     p: IVec2,
 ) -> f32 {
     let around = surroundings(frame, geometry, moments, p);
@@ -50,14 +50,14 @@ pub(super) fn deviation_of_filled_mean(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<Moments>,
+    moments: &Image<LuminanceHistory>,
     p: IVec2,
 ) -> f32 {
     let around = surroundings(frame, geometry, moments, p);
     deviation(tuning, moments.at(p), Surroundings { noise: FILLED_NOISE * around.noise, ..around })
 }
 
-fn deviation(tuning: &Tuning, centre: Moments, around: Surroundings) -> f32 {
+fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> f32 {
     let frames = centre.history_length.max(1.0);
     let share = (tuning.spatial_variance_frames / frames).min(1.0);
     let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
@@ -67,12 +67,12 @@ fn deviation(tuning: &Tuning, centre: Moments, around: Surroundings) -> f32 {
 }
 
 /// With the structure that they show.
-fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> Surroundings {
+fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<LuminanceHistory>, p: IVec2) -> Surroundings {
     let rect = RenderRect::new(frame.render_extent);
-    let window: Vec<(f32, Moments)> =
+    let window: Vec<(f32, LuminanceHistory)> =
         rect.window(p, FADING_RADIUS, 1).map(|(_, q)| (geometry.weight(p, q), moments.at(q))).collect();
     let sum: f32 = window.iter().map(|(weight, _)| weight).sum();
-    let mean_of = |value: &dyn Fn(&Moments) -> f32| window.iter().map(|(weight, m)| weight * value(m)).sum::<f32>() / sum;
+    let mean_of = |value: &dyn Fn(&LuminanceHistory) -> f32| window.iter().map(|(weight, m)| weight * value(m)).sum::<f32>() / sum;
     let within = mean_of(&|m| m.deviation * m.deviation);
     let mean = mean_of(&|m| m.mean);
     let spread = mean_of(&|m| (m.mean - mean).powi(2));
@@ -81,7 +81,7 @@ fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Mom
 }
 
 /// Mean of the squared second differences of neighbours along x and y, all of the surface of the centre; none where there are too few.
-fn bend(rect: RenderRect, geometry: &Geometry, moments: &Image<Moments>, p: IVec2) -> Option<f32> {
+fn bend(rect: RenderRect, geometry: &Geometry, moments: &Image<LuminanceHistory>, p: IVec2) -> Option<f32> {
     let (mut sum, mut count) = (0.0, 0.0);
     let middles = rect.window(p, FADING_RADIUS, 1).flat_map(|(offset, q)| [(offset, q, IVec2::X), (offset, q, IVec2::Y)]);
     for (offset, q, axis) in middles {

@@ -2,17 +2,17 @@
 
 use super::*;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_moments, Surface};
+use crate::reference::{pack_luminance_history, Surface};
 
 const EXTENT: [u32; 2] = [15, 13];
 
-fn deviations(frame: &FrameConstants, guides: &Guides, moments: &Image<Moments>) -> Image<f32> {
+fn deviations(frame: &FrameConstants, guides: &Guides, moments: &Image<LuminanceHistory>) -> Image<f32> {
     let c = noise(moments.extent(), 9);
     let inputs = VarianceInputs {
         guide: &guides.guide,
         depth_gradient: &guides.depth_gradient,
         irradiance: &[&c],
-        moments: &[&moments.map(pack_moments)],
+        moments: &[&moments.map(pack_luminance_history)],
     };
     let output = variance(frame, &svgf_tuning(), &inputs).remove(0);
     let kept = |a: &[f32; 4], b: &[f32; 4]| (0..3).all(|i| a[i] == crate::reference::round_to_half(b[i]));
@@ -20,8 +20,8 @@ fn deviations(frame: &FrameConstants, guides: &Guides, moments: &Image<Moments>)
     output.map(|t| t[3])
 }
 
-fn of(mean: f32, deviation: f32, history_length: f32) -> Moments {
-    Moments { mean, deviation, history_length, reason: 0 }
+fn of(mean: f32, deviation: f32, history_length: f32) -> LuminanceHistory {
+    LuminanceHistory { mean, deviation, history_length, reason: 0 }
 }
 
 fn centre(image: &Image<f32>) -> f32 {
@@ -88,14 +88,14 @@ fn the_neighbourhood_ends_at_edges_and_at_the_background() {
 fn two_signals_and_a_larger_allocation_change_nothing() {
     let large = [40, 20];
     let (tight, loose) = (guides(EXTENT, |_, _| surface(4.0)), guides(large, |_, _| surface(4.0)));
-    let moments = noise(EXTENT, 2).map(|t| pack_moments(&of(t[0], 0.1, 2.0)));
+    let moments = noise(EXTENT, 2).map(|t| pack_luminance_history(&of(t[0], 0.1, 2.0)));
     let (a, b) = (noise(EXTENT, 3), noise(EXTENT, 4));
     let run = |frame: &FrameConstants, guides: &Guides, irradiance: &[&Image<[f32; 4]>], moments: &[&Image<[u16; 4]>]| {
         let inputs = VarianceInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance, moments };
         variance(frame, &svgf_tuning(), &inputs)
     };
     let one = run(&frame(EXTENT), &tight, &[&b], &[&moments]).remove(0);
-    let flat = Image::new(EXTENT, pack_moments(&of(1.0, 0.0, 1.0)));
+    let flat = Image::new(EXTENT, pack_luminance_history(&of(1.0, 0.0, 1.0)));
     assert_eq!(run(&frame(EXTENT), &tight, &[&a, &b], &[&flat, &moments])[1], one);
     let in_large = FrameConstants { render_extent: EXTENT, frame_index: 5, ..frame(large) };
     let (b, moments) = (embed(&b, large, [f32::NAN; 4]), embed(&moments, large, [0x7e00; 4]));

@@ -58,11 +58,11 @@ fn assert_good(engine: &Engine, frame: &FrameContext, pass: usize) {
         let what = format!("{} after {}", declaration.resource(u.resource).name, declaration.passes()[pass].name);
         match engine.stored[u.resource.0 as usize][declaration.copy(u, frame)].as_ref().expect(&what) {
             Texels::Colour(image) => assert!(all_finite(image), "{what}"),
-            Texels::Packed(image) if what.starts_with("moments") => assert!(
+            Texels::Packed(image) if what.starts_with("luminance_history") => assert!(
                 image
                     .texels()
                     .iter()
-                    .map(|m| unpack_moments(*m))
+                    .map(|m| unpack_luminance_history(*m))
                     .all(|m| { [m.mean, m.deviation, m.history_length].iter().all(|x| x.is_finite() && *x >= 0.0) }),
                 "{what}"
             ),
@@ -115,8 +115,8 @@ fn what_is_between_the_stages_and_behind_them_can_be_read() {
     });
     assert!(levels.len() == 3 && levels[0] != levels[1] && levels[1] != levels[2]);
     assert_eq!(host.image("irradiance_history"), levels[0]);
-    let moments = host.moments();
-    assert!(moments.texels().iter().all(|m| m.history_length == 1.0 && m.reason == Reason::Reset as u16));
+    let luminance_history = host.luminance_history();
+    assert!(luminance_history.texels().iter().all(|m| m.history_length == 1.0 && m.reason == Reason::Reset as u16));
     assert!(deviations.expect("a pass").texels().iter().all(|t| t[3] > 0.0), "the standard deviation");
     assert!(host.engine.download("display").expect_err("not asked for").to_string().contains("denoised_radiance"));
     let mut mapped = Host::new(&Config { post_process: PostProcess::ToneMap, ..config });

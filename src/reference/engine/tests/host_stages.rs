@@ -67,7 +67,7 @@ fn a_function_runs_as_a_stage() {
             assert!((0..3).all(|c| (dim[c] - 0.5 * bright[c]).abs() <= 1e-3 * bright[c]), "{dim:?} {bright:?}");
         }
     }
-    assert!(host.moments().texels().iter().all(|m| m.history_length == 3.0));
+    assert!(host.luminance_history().texels().iter().all(|m| m.history_length == 3.0));
 }
 
 fn fail_in_the_third_frame(b: &mut Bindings) -> Result<(), Error> {

@@ -56,7 +56,7 @@ fn an_image_of_another_kind_is_named() {
     let mut engine = host().engine;
     assert_names(engine.upload_ids("depth", &[1; PIXELS]).expect_err("ids"), &["`depth`", "R32_UINT", "floating-point"]);
     assert_names(engine.upload("surface_id", &[[1.0; 4]; PIXELS]).expect_err("floats"), &["`surface_id`", "unsigned integer"]);
-    for name in ["instance_transforms", "denoised_radiance", "moments", "guide"] {
+    for name in ["instance_transforms", "denoised_radiance", "luminance_history", "guide"] {
         assert!(
             matches!(engine.upload(name, &[[1.0; 4]; PIXELS]), Err(Error::WrongKind { resource, .. }) if resource == name),
             "{name}"
@@ -72,7 +72,10 @@ fn an_image_of_another_kind_is_named() {
             "{name}"
         );
     }
-    assert_eq!(engine.unbind("moments"), Err(Error::WrongKind { resource: "moments".into(), needed: "an input" }));
+    assert_eq!(
+        engine.unbind("luminance_history"),
+        Err(Error::WrongKind { resource: "luminance_history".into(), needed: "an input" })
+    );
 }
 
 #[test]

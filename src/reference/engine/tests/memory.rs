@@ -61,7 +61,7 @@ fn what_was_freed_says_how_to_keep_it() {
         assert!(error.to_string().contains(&name) && error.to_string().contains("Engine::keep_transients"), "{error}");
         keeping.engine.download(&name).expect("kept");
     }
-    for name in ["denoised_radiance", "history_confidence", "display", "moments", "irradiance_history"] {
+    for name in ["denoised_radiance", "history_confidence", "display", "luminance_history", "irradiance_history"] {
         assert_eq!(frugal.engine.download(name), keeping.engine.download(name), "{name} is no transient");
     }
 }

@@ -10,7 +10,7 @@ mod specular;
 mod volumes;
 
 use super::super::test_scene::{embed, svgf_tuning};
-use super::super::{unpack_moments, Moments};
+use super::super::{unpack_luminance_history, LuminanceHistory};
 use super::*;
 use crate::config::Config;
 
@@ -65,11 +65,11 @@ impl Host {
         Image::from_texels(extent, self.engine.download(name).expect(name)).expect("as many as its extent says")
     }
 
-    /// Moments of the first signal.
-    fn moments(&self) -> Image<Moments> {
-        match self.engine.texels("moments", UseFrame::Current).expect("moments") {
-            Texels::Packed(image) => image.map(|texel| unpack_moments(*texel)),
-            other => panic!("moments are {}", other.kind()),
+    /// LuminanceHistory of the first signal.
+    fn luminance_history(&self) -> Image<LuminanceHistory> {
+        match self.engine.texels("luminance_history", UseFrame::Current).expect("luminance_history") {
+            Texels::Packed(image) => image.map(|texel| unpack_luminance_history(*texel)),
+            other => panic!("luminance_history are {}", other.kind()),
         }
     }
 

@@ -44,7 +44,7 @@ fn noise_falls_and_the_mean_stays() {
     let mut host = host(EXTENT);
     for i in 0..12 {
         host.frame(&camera(EXTENT, Vec3::ZERO), &noise(EXTENT, i));
-        assert!(host.moments().texels().iter().all(|m| m.history_length == (i + 1) as f32));
+        assert!(host.luminance_history().texels().iter().all(|m| m.history_length == (i + 1) as f32));
     }
     let (before, after) = (deviation(&noise(EXTENT, 0), 0.5), deviation(&host.image("denoised_radiance"), 0.5));
     assert!(before > 0.25 && after < 0.05, "{before} to {after}");
@@ -101,7 +101,7 @@ fn an_allocation_may_be_larger_and_the_render_extent_may_change() {
             let (a, b) = (crop(&tight.image(name), extent), crop(&loose.image(name), extent));
             assert!(all_finite(&a) && a == b, "{name}, frame {i}");
         }
-        let (a, b) = (crop(&tight.moments(), extent), crop(&loose.moments(), extent));
+        let (a, b) = (crop(&tight.luminance_history(), extent), crop(&loose.luminance_history(), extent));
         assert_eq!(a, b);
         assert!(i == 0 || a.texels().iter().any(|m| m.history_length > 1.5), "history survives the change");
     }
@@ -126,9 +126,9 @@ fn what_comes_into_view_has_no_history() {
     host.frame(&camera(EXTENT, Vec3::ZERO), &noise(EXTENT, 0));
     // A shift by 8 of the 32 columns: 90 degrees over 18 pixels at depth 4 are 2.25 pixels a unit.
     host.frame(&camera(EXTENT, Vec3::new(8.0 / 2.25, 0.0, 0.0)), &noise(EXTENT, 1));
-    let moments = host.moments();
+    let luminance_history = host.luminance_history();
     for x in 0..32 {
-        let m = moments.get(x, 9).expect("inside");
+        let m = luminance_history.get(x, 9).expect("inside");
         if x < 23 {
             assert_eq!((m.history_length, m.reason), (2.0, Reason::None as u16), "{x}");
         } else if x > 24 {

@@ -8,7 +8,7 @@ const EXTENT: [u32; 2] = [48, 48];
 /// Deviation of the uniform noise of the test scenes.
 const UNIFORM: f32 = 0.288_675;
 
-fn deviations(guides: &Guides, moments: &Image<Moments>) -> Vec<f32> {
+fn deviations(guides: &Guides, moments: &Image<LuminanceHistory>) -> Vec<f32> {
     let tuning = Tuning::default();
     let frame = frame(moments.extent());
     let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
@@ -20,8 +20,8 @@ fn flat() -> Guides {
     guides(EXTENT, |_, _| surface(4.0))
 }
 
-fn of(mean: f32, deviation: f32, history_length: f32) -> Moments {
-    Moments { mean, deviation, history_length, reason: 0 }
+fn of(mean: f32, deviation: f32, history_length: f32) -> LuminanceHistory {
+    LuminanceHistory { mean, deviation, history_length, reason: 0 }
 }
 
 fn root_mean_square(values: &[f32]) -> f32 {
@@ -81,7 +81,7 @@ fn what_was_filled_in_may_be_noise_though_it_is_smooth() {
     let slope = paint(EXTENT, |x, _| of(0.25 * x as f32, 0.0, 1.0));
     let (tuning, frame, guides) = (Tuning::default(), frame(EXTENT), flat());
     let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
-    let at = |deviation: fn(&FrameConstants, &Tuning, &Geometry, &Image<Moments>, IVec2) -> f32| {
+    let at = |deviation: fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32| {
         deviation(&frame, &tuning, &geometry, &slope, IVec2::splat(20))
     };
     assert!(at(deviation_of_mean) < 1e-4 && at(deviation_of_filled_mean) > 0.25);
