@@ -143,7 +143,7 @@ inline void refuse_wrong_orders(AtrousDenoiser* denoiser, const AtrousFrame& fra
         EXPECT(ATROUS_STATUS_OK, "", atrous_pass(denoiser, index, &pass));
         const std::vector<AtrousBinding> bindings = bindings_of(denoiser, pass);
         std::vector<AtrousBinding> reversed(bindings.rbegin(), bindings.rend());
-        EXPECT(ATROUS_STATUS_BAD_BINDINGS, "bound", atrous_record(denoiser, &frame, cmd, index, reversed.data(), pass.use_count));
+        EXPECT(ATROUS_STATUS_BAD_BINDINGS, "resource `", atrous_record(denoiser, &frame, cmd, index, reversed.data(), pass.use_count));
         EXPECT(ATROUS_STATUS_BAD_BINDINGS, pass.name, atrous_record(denoiser, &frame, cmd, index, bindings.data(), pass.use_count - 1));
         // A count that is too large is refused before the binding behind the last one is read.
         AtPageEnd<AtrousBinding> last(bindings.back());
