@@ -80,7 +80,7 @@ Neighbourhood neighbourhood(ivec2 p) {
     vec3 dx = vec3(-1.0, 0.0, 1.0) + frame.jitter.x, dy = vec3(-1.0, 0.0, 1.0) + frame.jitter.y;
     vec3 wx = exp(-COLOUR_SHARPNESS * dx * dx), wy = exp(-COLOUR_SHARPNESS * dy * dy);
     vec3 bx = exp(-BOX_SHARPNESS * dx * dx), by = exp(-BOX_SHARPNESS * dy * dy);
-    // LuminanceHistory around the centre's colour: the difference of squares would cancel otherwise.
+    // Moments around the centre's colour: the difference of squares would cancel otherwise.
     vec3 centre = ycocg(texelFetch(tone_mapped, p, 0).rgb);
     [[unroll]] for (int y = -1; y <= 1; ++y)
         [[unroll]] for (int x = -1; x <= 1; ++x) {

@@ -51,7 +51,7 @@ const float BACKGROUND_DEVIATION = -1.0 / 16384.0;
 
 const int RADIUS = FADE ? 2 : 3;
 
-// LuminanceHistory are taken about the mean of the centre: the difference of squares would cancel otherwise.
+// Moments are taken about the mean of the centre: the difference of squares would cancel otherwise.
 struct Window {
     vec2 origins;
     vec2 sums[2];

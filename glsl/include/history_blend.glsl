@@ -6,7 +6,7 @@
 #include "luminance.glsl"
 #include "luminance_history.glsl"
 
-// LuminanceHistory about a luminance that is the same for all that is added: a difference of squares would cancel otherwise.
+// Moments about a luminance that is the same for all that is added: a difference of squares would cancel otherwise.
 struct History {
     vec3 irradiance;
     float mean;

@@ -1,4 +1,4 @@
-//! LuminanceHistory of luminance with the history length, packed.
+//! Mean and deviation of luminance with the history length, packed.
 
 use super::binary16::{from_half_bits, half_bits, round_to_half, store};
 use super::Image;
@@ -52,7 +52,7 @@ pub fn unpack_luminance_history([mean, deviation, history_length, reason]: [u16;
     }
 }
 
-/// LuminanceHistory of this frame as the stage `temporal_accumulation` hands them on: mean and deviation in an image of their own, and in the
+/// Luminance of this frame as the stage `temporal_accumulation` hands them on: mean and deviation in an image of their own, and in the
 /// alpha of the irradiance the history length, or the negative reason of a loss, whose length is 1.
 pub(crate) fn split_luminance_history(
     irradiance: &Image<[f32; 4]>,

@@ -155,7 +155,7 @@ impl Graph {
         from
     }
 
-    /// LuminanceHistory with the content that they have now.
+    /// Histories of luminance with the content that they have now.
     pub(super) fn current_moments(&self, history: &History) -> Vec<Image> {
         history.luminance_history().iter().map(|image| self.refreshed(*image)).collect()
     }

@@ -38,7 +38,7 @@ pub(crate) struct VarianceInputs<'a> {
     pub depth_gradient: &'a Image<u32>,
     /// rgb: accumulated irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
-    /// LuminanceHistory of this frame, of every signal.
+    /// Luminance of this frame, of every signal.
     pub moments: &'a [&'a Image<[u16; 4]>],
 }
 
@@ -119,7 +119,7 @@ fn spatial_variance(
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
 const ESTIMATED: Tolerance = Tolerance { relative: 3e-3, absolute: 2e-3, ..HALF };
 
-/// LuminanceHistory pass through to the history as they came.
+/// Mean and deviation pass through to the history as they came.
 pub(crate) const RULES: &[Rule] = &[
     pixels("irradiance_0", ESTIMATED),
     pixels("irradiance_1", ESTIMATED),

@@ -53,20 +53,20 @@ fn window_for(width: usize, height: usize) -> usize {
 /// not depend on the window; in `f64` their rounding stays below 1e-12.
 fn channel_ssim(x: &[f64], [a, b]: [Vec<f64>; 2], width: usize, height: usize) -> f64 {
     let window = window_for(width, height);
-    let luminance_history = |i: usize| LuminanceHistory::of(x[i], a[i], b[i]);
-    let mut columns = vec![LuminanceHistory::default(); width];
+    let moments = |i: usize| Moments::of(x[i], a[i], b[i]);
+    let mut columns = vec![Moments::default(); width];
     let mut total = 0.0;
     for y in 0..height {
         for (column, sums) in columns.iter_mut().enumerate() {
-            sums.add(luminance_history(y * width + column));
+            sums.add(moments(y * width + column));
             if y >= window {
-                sums.subtract(luminance_history((y - window) * width + column));
+                sums.subtract(moments((y - window) * width + column));
             }
         }
         if y + 1 < window {
             continue;
         }
-        let mut sums = LuminanceHistory::default();
+        let mut sums = Moments::default();
         for column in 0..width {
             sums.add(columns[column]);
             if column >= window {
@@ -82,9 +82,9 @@ fn channel_ssim(x: &[f64], [a, b]: [Vec<f64>; 2], width: usize, height: usize) -
 
 /// Sums of x, a, b, x^2, a b and x (a + b) / 2 over some samples; a and b are the references.
 #[derive(Debug, Clone, Copy, Default)]
-struct LuminanceHistory([f64; 6]);
+struct Moments([f64; 6]);
 
-impl LuminanceHistory {
+impl Moments {
     fn of(x: f64, a: f64, b: f64) -> Self {
         Self([x, a, b, x * x, a * b, 0.5 * x * (a + b)])
     }

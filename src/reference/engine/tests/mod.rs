@@ -65,7 +65,7 @@ impl Host {
         Image::from_texels(extent, self.engine.download(name).expect(name)).expect("as many as its extent says")
     }
 
-    /// LuminanceHistory of the first signal.
+    /// History of luminance of the first signal.
     fn luminance_history(&self) -> Image<LuminanceHistory> {
         match self.engine.texels("luminance_history", UseFrame::Current).expect("luminance_history") {
             Texels::Packed(image) => image.map(|texel| unpack_luminance_history(*texel)),
