@@ -107,6 +107,7 @@ impl SequenceWriter {
     }
 
     /// Frames that were written.
+    #[cfg(feature = "executor")]
     pub(crate) fn frames_written(&self) -> u32 {
         self.frames.len() as u32
     }

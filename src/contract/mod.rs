@@ -48,6 +48,7 @@ pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
 pub use setup::Setup;
 pub(crate) use statistics::STATISTICS_BYTES;
 pub use statistics::{Counter, Statistics};
+#[cfg(feature = "executor")]
 pub(crate) use tracker::WHOLE;
 pub use tracker::{Barrier, BarrierTarget, Barriers2, LegacyBarriers, PhysicalResource, ResourceState, Tracker};
 pub use tuning::{ToneCurve, Tuning, TuningField};

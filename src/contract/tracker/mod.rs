@@ -9,6 +9,7 @@ mod barrier;
 mod state;
 
 pub use arguments::{Barriers2, LegacyBarriers, PhysicalResource};
+#[cfg(feature = "executor")]
 pub(crate) use barrier::WHOLE;
 pub use barrier::{Barrier, BarrierTarget};
 pub use state::ResourceState;
