@@ -211,34 +211,29 @@ fn header() -> String {
     String::from_utf8(text).expect("UTF-8")
 }
 
+/// Compares a file with what it is made from, after renewing it where that is asked for.
+fn assert_current(file: &str, made: impl FnOnce(&str) -> String, source: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(file);
+    let stored = || std::fs::read_to_string(&path).unwrap_or_default();
+    let made = made(&stored());
+    if std::env::var("ATROUS_UPDATE_HEADER").is_ok_and(|v| v == "1") {
+        std::fs::write(&path, &made).expect(file);
+    }
+    assert!(stored() == made, "{file} is not what {source} says: ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header");
+}
+
 #[test]
 fn the_c_header_is_current() {
-    let made = header();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/atrous.h");
-    if std::env::var("ATROUS_UPDATE_HEADER").is_ok_and(|v| v == "1") {
-        std::fs::write(&path, &made).expect("include/atrous.h");
-    }
-    let stored = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        stored == made,
-        "include/atrous.h is not what src says: ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header"
-    );
+    assert_current("include/atrous.h", |_| header(), "src");
 }
 
 #[test]
 fn the_choices_of_cpp_are_current() {
     const MARKS: [&str; 2] = ["// choices: begin\n", "// choices: end\n"];
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("include/atrous.hpp");
-    let stored = std::fs::read_to_string(&path).expect("include/atrous.hpp");
-    let (head, rest) = stored.split_once(MARKS[0]).expect("a beginning");
-    let (_, tail) = rest.split_once(MARKS[1]).expect("an end");
-    let made = format!("{head}{}{}{}{tail}", MARKS[0], choices_of_cpp(), MARKS[1]);
-    if std::env::var("ATROUS_UPDATE_HEADER").is_ok_and(|v| v == "1") {
-        std::fs::write(&path, &made).expect("include/atrous.hpp");
-    }
-    let stored = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(
-        stored == made,
-        "include/atrous.hpp is not what the tables say: ATROUS_UPDATE_HEADER=1 cargo test -p atrous-capi --test header"
-    );
+    let made = |stored: &str| {
+        let (head, rest) = stored.split_once(MARKS[0]).expect("a beginning");
+        let (_, tail) = rest.split_once(MARKS[1]).expect("an end");
+        format!("{head}{}{}{}{tail}", MARKS[0], choices_of_cpp(), MARKS[1])
+    };
+    assert_current("include/atrous.hpp", made, "a table of choices");
 }
