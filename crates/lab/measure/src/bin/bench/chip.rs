@@ -30,9 +30,18 @@ const BANDWIDTHS: [(&str, f64); 22] = [
     ("VANGOGH", 88.0),
 ];
 
-/// Of the memory, GB/s.
+/// Ends of names of other cards, with other memory.
+const OTHER_CARDS: [&str; 7] = [" Ti", " SUPER", " GRE", " Laptop", " Max-Q", " D", " NVL"];
+
+/// Of the memory, GB/s; `None` for a device whose data sheet is not known here.
 pub fn bandwidth(device: &str) -> Option<f64> {
-    BANDWIDTHS.iter().find(|(part, _)| device.contains(part)).map(|(_, gb_per_s)| *gb_per_s)
+    let fits = |part: &str| {
+        device.find(part).is_some_and(|at| {
+            let rest = &device[at + part.len()..];
+            !OTHER_CARDS.iter().any(|end| rest.starts_with(end))
+        })
+    };
+    BANDWIDTHS.iter().find(|(part, _)| fits(part)).map(|(_, gb_per_s)| *gb_per_s)
 }
 
 /// Name and version of the driver; empty where Vulkan is older than 1.2.
@@ -55,5 +64,22 @@ pub unsafe fn driver_of(instance: &ash::Instance, physical: vk::PhysicalDevice) 
         let mut all = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
         instance.get_physical_device_properties2(physical, &mut all);
         format!("{} {}", text(driver.driver_name_as_c_str()), text(driver.driver_info_as_c_str()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::bandwidth;
+
+    #[test]
+    fn a_card_is_not_taken_for_its_sister() {
+        assert_eq!(bandwidth("NVIDIA H100 80GB HBM3"), Some(3350.0));
+        assert_eq!(bandwidth("NVIDIA GeForce RTX 4070"), Some(504.0));
+        assert_eq!(bandwidth("AMD Radeon RX 7900 XTX (RADV NAVI31)"), Some(960.0));
+        for other in
+            ["NVIDIA GeForce RTX 4070 Ti", "NVIDIA GeForce RTX 4080 SUPER", "NVIDIA H100 NVL", "llvmpipe (LLVM 15.0.6, 256 bits)"]
+        {
+            assert_eq!(bandwidth(other), None, "{other}");
+        }
     }
 }
