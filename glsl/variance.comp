@@ -2,7 +2,7 @@
 // Standard deviation of luminance: from the pixel's own past, or from 7x7 pixels around it while its past is short.
 // Source: [SVGF] 4.2. Deviation: the spatial estimate is scaled by spatial_variance_frames / N.
 // In:  guide, depth_gradient, new_luminance. In place: irradiance, accumulated, its alpha from history length to deviation, own
-//      pixel only. Out: moments, for the next frame.
+//      pixel only. Out: luminance_history, for the next frame.
 // Constants: ESTIMATOR: 0: as above; 1: [PSVGF], 5x5 pixels always take part, with a share that shrinks as the past grows; 2: the pixel's own
 // past alone; 3: of the accumulated mean, from 5x5 pixels without the structure that they show (ours); with FILLED neighbours
 // repeat each other, so that what is smooth may be noise as well. VOLUME: weights by the depth of the surface behind alone; the background takes part.
@@ -131,17 +131,17 @@ struct Surroundings {
     float doubt;   // relative standard error of a variance that was seen in so few pixels
 };
 
-Surroundings surroundings_of(vec2 moments[PIXELS], float weights[PIXELS]) {
+Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
     float sum = 0.0, mean = 0.0, within = 0.0;
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
         sum += weights[i];
-        mean += weights[i] * moments[i].x;
-        within += weights[i] * moments[i].y * moments[i].y;
+        mean += weights[i] * luminances[i].x;
+        within += weights[i] * luminances[i].y * luminances[i].y;
     }
     mean /= sum;
     float spread = 0.0, fourth = 0.0, curvature = 0.0, triples = 0.0;
     [[unroll]] for (int i = 0; i < PIXELS; ++i) {
-        float square = (moments[i].x - mean) * (moments[i].x - mean);
+        float square = (luminances[i].x - mean) * (luminances[i].x - mean);
         spread += weights[i] * square;
         fourth += weights[i] * square * square;
         // Along x and y: what is a slope has none.
@@ -149,7 +149,7 @@ Surroundings surroundings_of(vec2 moments[PIXELS], float weights[PIXELS]) {
             int place = step == 1 ? i % SIDE : i / SIDE;
             if (place == 0 || place == SIDE - 1) continue;
             float weight = weights[i - step] * weights[i] * weights[i + step];
-            float bend = moments[i - step].x - 2.0 * moments[i].x + moments[i + step].x;
+            float bend = luminances[i - step].x - 2.0 * luminances[i].x + luminances[i + step].x;
             curvature += weight * bend * bend;
             triples += weight;
         }
@@ -199,12 +199,12 @@ void main() {
     } else if (OF_MEAN) {
         float weights[PIXELS];
         weigh(p, packed, weights);
-        vec2 moments[PIXELS];
-        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
-        deviations.x = deviation_of_mean(m, surroundings_of(moments, weights));
+        vec2 luminances[PIXELS];
+        [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_0, pixel_of(p, i)).x);
+        deviations.x = deviation_of_mean(m, surroundings_of(luminances, weights));
 #if SIGNALS == 2
-        [[unroll]] for (int i = 0; i < PIXELS; ++i) moments[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
-        deviations.y = deviation_of_mean(m_1, surroundings_of(moments, weights));
+        [[unroll]] for (int i = 0; i < PIXELS; ++i) luminances[i] = unpack_new_luminance(packed_at(new_luminance_1, pixel_of(p, i)).x);
+        deviations.y = deviation_of_mean(m_1, surroundings_of(luminances, weights));
 #endif
     } else if (needs_neighbours(min(lengths.x, lengths.y))) {
         vec2 sums[2];

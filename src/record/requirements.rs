@@ -131,6 +131,9 @@ impl Requirements {
 
     /// Checks for synchronization2, from Vulkan 1.3 or `VK_KHR_synchronization2`.
     ///
+    /// # Errors
+    /// [`Error::Unsupported`].
+    ///
     /// # Safety
     /// Obligations of [`Self::check`].
     pub unsafe fn check_executor(&self, instance: &ash::Instance, physical_device: vk::PhysicalDevice) -> Result<(), Error> {

@@ -66,7 +66,7 @@ pub(crate) fn split_luminance_history(
 }
 
 /// The opposite of [`split_luminance_history`].
-pub(crate) fn join_moments(accumulated: &Image<[f32; 4]>, new_luminance: &Image<u32>) -> Image<[u16; 4]> {
+pub(crate) fn join_luminance_history(accumulated: &Image<[f32; 4]>, new_luminance: &Image<u32>) -> Image<[u16; 4]> {
     Image::compute(accumulated.extent(), accumulated.extent(), |p| {
         let (alpha, packed) = (accumulated.at(p)[3], new_luminance.at(p));
         let (history_length, reason) = if alpha < 0.0 { (1.0, -alpha as u16) } else { (alpha, Reason::None as u16) };
@@ -97,6 +97,6 @@ mod tests {
             Image::from_texels([2, 1], vec![pack_luminance_history(&kept), pack_luminance_history(&lost)]).expect("two texels");
         let (accumulated, new_luminance) = split_luminance_history(&Image::new([2, 1], [1.0, 2.0, 3.0, 9.0]), &luminance_history);
         assert_eq!(accumulated.texels(), [[1.0, 2.0, 3.0, 17.5], [1.0, 2.0, 3.0, -4.0]]);
-        assert_eq!(join_moments(&accumulated, &new_luminance), luminance_history);
+        assert_eq!(join_luminance_history(&accumulated, &new_luminance), luminance_history);
     }
 }

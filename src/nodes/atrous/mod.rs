@@ -156,7 +156,7 @@ impl Graph {
     }
 
     /// Histories of luminance with the content that they have now.
-    pub(super) fn current_moments(&self, history: &History) -> Vec<Image> {
+    pub(super) fn current_luminance_history(&self, history: &History) -> Vec<Image> {
         history.luminance_history().iter().map(|image| self.refreshed(*image)).collect()
     }
 }

@@ -74,7 +74,7 @@ impl Graph {
             pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }
         if let Some(history) = &intermediates.history {
-            pass = pass.each("luminance_history", &self.current_moments(history));
+            pass = pass.each("luminance_history", &self.current_luminance_history(history));
             if intermediates.deviation {
                 let colour: Vec<_> = history.colour().iter().map(|image| self.refreshed(*image)).collect();
                 pass = pass.each("history", &colour);

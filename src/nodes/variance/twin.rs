@@ -5,7 +5,7 @@ use crate::reference::binary16::store;
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::geometry_weights::Geometry;
-use crate::reference::luminance_history::{join_moments, unpack_luminance_history, LuminanceHistory};
+use crate::reference::luminance_history::{join_luminance_history, unpack_luminance_history, LuminanceHistory};
 use crate::reference::rules::{pixels, rule, EXACT, HALF};
 use crate::reference::{render_rect::RenderRect, Image};
 use crate::{Error, FrameConstants, Tuning};
@@ -39,22 +39,28 @@ pub(crate) struct VarianceInputs<'a> {
     /// rgb: accumulated irradiance of every signal.
     pub irradiance: &'a [&'a Image<[f32; 4]>],
     /// Luminance of this frame, of every signal.
-    pub moments: &'a [&'a Image<[u16; 4]>],
+    pub luminance_history: &'a [&'a Image<[u16; 4]>],
 }
 
 /// Estimates for every signal. rgb: irradiance as it came; alpha: standard deviation of its luminance, half precision.
 #[cfg(test)]
 pub(crate) fn variance(frame: &FrameConstants, tuning: &Tuning, inputs: &VarianceInputs) -> Vec<Image<[f32; 4]>> {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
-    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.moments, deviation)
+    estimate(frame, tuning, &geometry, inputs.irradiance, inputs.luminance_history, deviation)
 }
 
-fn deviation(frame: &FrameConstants, tuning: &Tuning, geometry: &Geometry, moments: &Image<LuminanceHistory>, p: IVec2) -> f32 {
-    let centre = moments.at(p);
+fn deviation(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    geometry: &Geometry,
+    luminance_history: &Image<LuminanceHistory>,
+    p: IVec2,
+) -> f32 {
+    let centre = luminance_history.at(p);
     if centre.history_length >= tuning.spatial_variance_frames {
         return centre.deviation;
     }
-    spatial_variance(frame, tuning, geometry, moments, p, RADIUS).sqrt()
+    spatial_variance(frame, tuning, geometry, luminance_history, p, RADIUS).sqrt()
 }
 
 /// The estimate over 5×5 pixels in every pixel, whose share fades as the history grows \[PSVGF\].
@@ -62,12 +68,12 @@ fn faded_deviation(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<LuminanceHistory>,
+    luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
 ) -> f32 {
-    let centre = moments.at(p);
+    let centre = luminance_history.at(p);
     let share = (tuning.spatial_variance_frames / centre.history_length.max(1.0)).min(1.0);
-    let spatial = spatial_variance(frame, tuning, geometry, moments, p, FADING_RADIUS);
+    let spatial = spatial_variance(frame, tuning, geometry, luminance_history, p, FADING_RADIUS);
     (share * spatial + (1.0 - share) * centre.deviation * centre.deviation).sqrt()
 }
 
@@ -79,18 +85,19 @@ fn estimate(
     tuning: &Tuning,
     geometry: &Geometry,
     irradiance: &[&Image<[f32; 4]>],
-    moments: &[&Image<[u16; 4]>],
+    luminance_history: &[&Image<[u16; 4]>],
     deviation: impl Fn(&FrameConstants, &Tuning, &Geometry, &Image<LuminanceHistory>, IVec2) -> f32 + Sync,
 ) -> Vec<Image<[f32; 4]>> {
-    let signal = |(irradiance, moments): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
-        let moments = Image::compute(geometry.extent(), frame.render_extent, |p| unpack_luminance_history(moments.at(p)));
+    let signal = |(irradiance, luminance_history): (&&Image<[f32; 4]>, &&Image<[u16; 4]>)| {
+        let luminance_history =
+            Image::compute(geometry.extent(), frame.render_extent, |p| unpack_luminance_history(luminance_history.at(p)));
         Image::compute(geometry.extent(), frame.render_extent, |p| {
             let [r, g, b, _] = irradiance.at(p);
-            let estimated = || store(deviation(frame, tuning, geometry, &moments, p));
+            let estimated = || store(deviation(frame, tuning, geometry, &luminance_history, p));
             [store(r), store(g), store(b), if geometry.is_background(p) { BACKGROUND_DEVIATION } else { estimated() }]
         })
     };
-    irradiance.iter().zip(moments).map(signal).collect()
+    irradiance.iter().zip(luminance_history).map(signal).collect()
 }
 
 /// Variance of the window, scaled by how short the history is.
@@ -98,14 +105,14 @@ fn spatial_variance(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<LuminanceHistory>,
+    luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
     radius: i32,
 ) -> f32 {
     let rect = RenderRect::new(frame.render_extent);
     let mut window = [(0.0, LuminanceHistory::default()); SIDE * SIDE];
     for (tap, (_, q)) in window.iter_mut().zip(rect.window(p, radius, 1)) {
-        *tap = (geometry.weight(p, q), moments.at(q));
+        *tap = (geometry.weight(p, q), luminance_history.at(q));
     }
     let sum: f32 = window.iter().map(|tap| tap.0).sum();
     let mean = window.iter().map(|(weight, m)| weight * m.mean).sum::<f32>() / sum;
@@ -113,7 +120,7 @@ fn spatial_variance(
     let second = |m: &LuminanceHistory| m.deviation * m.deviation + (m.mean - mean) * (m.mean - mean);
     let variance: f32 = window.iter().map(|(weight, m)| weight * second(m)).sum();
     // A short history was averaged over few frames: its mean is that much less certain [SVGF 4.2, as published implementations do].
-    variance / sum * tuning.spatial_variance_frames / moments.at(p).history_length.max(1.0)
+    variance / sum * tuning.spatial_variance_frames / luminance_history.at(p).history_length.max(1.0)
 }
 
 /// The root of a difference of moments: where the variance is next to 0, rounding decides it.
@@ -139,11 +146,12 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         1 => faded_deviation,
         3 if b.is_on("FILLED")? => deviation_of_filled_mean,
         3 => deviation_of_mean,
-        _ => |_, _, _, moments, p| moments.at(p).deviation,
+        _ => |_, _, _, luminance_history, p| luminance_history.at(p).deviation,
     };
     let (irradiance, new_luminance) = (b.colours("irradiance")?, b.uints("new_luminance")?);
-    let moments: Vec<_> = irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_moments(irradiance, new)).collect();
-    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &moments.iter().collect::<Vec<_>>(), deviation);
+    let luminance_history: Vec<_> =
+        irradiance.iter().zip(new_luminance).map(|(irradiance, new)| join_luminance_history(irradiance, new)).collect();
+    let estimated = estimate(b.frame, b.tuning, &geometry, &irradiance, &luminance_history.iter().collect::<Vec<_>>(), deviation);
     b.write_signals("irradiance", estimated)?;
-    b.write_signals("luminance_history", moments)
+    b.write_signals("luminance_history", luminance_history)
 }

@@ -36,13 +36,13 @@ pub(super) fn deviation_of_mean(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<LuminanceHistory>,
+    luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
 ) -> f32 {
-    let around = surroundings(frame, geometry, moments, p);
-    let bend = bend(RenderRect::new(frame.render_extent), geometry, moments, p);
+    let around = surroundings(frame, geometry, luminance_history, p);
+    let bend = bend(RenderRect::new(frame.render_extent), geometry, luminance_history, p);
     let noise = bend.map_or(around.noise, |bend| around.noise.min(bend / BEND_OF_NOISE));
-    deviation(tuning, moments.at(p), Surroundings { noise, ..around })
+    deviation(tuning, luminance_history.at(p), Surroundings { noise, ..around })
 }
 
 /// The same where pixels were filled in: they repeat their neighbours, so that what is smooth may be noise as well.
@@ -50,11 +50,11 @@ pub(super) fn deviation_of_filled_mean(
     frame: &FrameConstants,
     tuning: &Tuning,
     geometry: &Geometry,
-    moments: &Image<LuminanceHistory>,
+    luminance_history: &Image<LuminanceHistory>,
     p: IVec2,
 ) -> f32 {
-    let around = surroundings(frame, geometry, moments, p);
-    deviation(tuning, moments.at(p), Surroundings { noise: FILLED_NOISE * around.noise, ..around })
+    let around = surroundings(frame, geometry, luminance_history, p);
+    deviation(tuning, luminance_history.at(p), Surroundings { noise: FILLED_NOISE * around.noise, ..around })
 }
 
 fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> f32 {
@@ -67,10 +67,15 @@ fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) ->
 }
 
 /// With the structure that they show.
-fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<LuminanceHistory>, p: IVec2) -> Surroundings {
+fn surroundings(
+    frame: &FrameConstants,
+    geometry: &Geometry,
+    luminance_history: &Image<LuminanceHistory>,
+    p: IVec2,
+) -> Surroundings {
     let rect = RenderRect::new(frame.render_extent);
     let window: Vec<(f32, LuminanceHistory)> =
-        rect.window(p, FADING_RADIUS, 1).map(|(_, q)| (geometry.weight(p, q), moments.at(q))).collect();
+        rect.window(p, FADING_RADIUS, 1).map(|(_, q)| (geometry.weight(p, q), luminance_history.at(q))).collect();
     let sum: f32 = window.iter().map(|(weight, _)| weight).sum();
     let mean_of = |value: &dyn Fn(&LuminanceHistory) -> f32| window.iter().map(|(weight, m)| weight * value(m)).sum::<f32>() / sum;
     let within = mean_of(&|m| m.deviation * m.deviation);
@@ -81,7 +86,7 @@ fn surroundings(frame: &FrameConstants, geometry: &Geometry, moments: &Image<Lum
 }
 
 /// Mean of the squared second differences of neighbours along x and y, all of the surface of the centre; none where there are too few.
-fn bend(rect: RenderRect, geometry: &Geometry, moments: &Image<LuminanceHistory>, p: IVec2) -> Option<f32> {
+fn bend(rect: RenderRect, geometry: &Geometry, luminance_history: &Image<LuminanceHistory>, p: IVec2) -> Option<f32> {
     let (mut sum, mut count) = (0.0, 0.0);
     let middles = rect.window(p, FADING_RADIUS, 1).flat_map(|(offset, q)| [(offset, q, IVec2::X), (offset, q, IVec2::Y)]);
     for (offset, q, axis) in middles {
@@ -91,7 +96,7 @@ fn bend(rect: RenderRect, geometry: &Geometry, moments: &Image<LuminanceHistory>
             continue;
         }
         let weight = geometry.weight(p, before) * geometry.weight(p, q) * geometry.weight(p, behind);
-        let bend = moments.at(before).mean - 2.0 * moments.at(q).mean + moments.at(behind).mean;
+        let bend = luminance_history.at(before).mean - 2.0 * luminance_history.at(q).mean + luminance_history.at(behind).mean;
         sum += weight * bend * bend;
         count += weight;
     }

@@ -6,13 +6,13 @@ use crate::reference::{pack_luminance_history, Surface};
 
 const EXTENT: [u32; 2] = [15, 13];
 
-fn deviations(frame: &FrameConstants, guides: &Guides, moments: &Image<LuminanceHistory>) -> Image<f32> {
-    let c = noise(moments.extent(), 9);
+fn deviations(frame: &FrameConstants, guides: &Guides, luminance_history: &Image<LuminanceHistory>) -> Image<f32> {
+    let c = noise(luminance_history.extent(), 9);
     let inputs = VarianceInputs {
         guide: &guides.guide,
         depth_gradient: &guides.depth_gradient,
         irradiance: &[&c],
-        moments: &[&moments.map(pack_luminance_history)],
+        luminance_history: &[&luminance_history.map(pack_luminance_history)],
     };
     let output = variance(frame, &svgf_tuning(), &inputs).remove(0);
     let kept = |a: &[f32; 4], b: &[f32; 4]| (0..3).all(|i| a[i] == crate::reference::round_to_half(b[i]));
@@ -31,9 +31,9 @@ fn centre(image: &Image<f32>) -> f32 {
 #[test]
 fn a_long_history_speaks_for_itself() {
     let guides = guides(EXTENT, |_, _| surface(4.0));
-    let moments = paint(EXTENT, |x, y| of((x * y) as f32, 0.125 * x as f32, 4.0));
-    let output = deviations(&frame(EXTENT), &guides, &moments);
-    assert_eq!(output, moments.map(|m| m.deviation));
+    let luminance_history = paint(EXTENT, |x, y| of((x * y) as f32, 0.125 * x as f32, 4.0));
+    let output = deviations(&frame(EXTENT), &guides, &luminance_history);
+    assert_eq!(output, luminance_history.map(|m| m.deviation));
 }
 
 #[test]
@@ -45,9 +45,9 @@ fn a_short_history_asks_its_neighbourhood() {
     let mean = window.iter().sum::<f32>() / 49.0;
     let spread = window.iter().map(|l| (l - mean) * (l - mean)).sum::<f32>() / 49.0;
     for length in [1.0, 2.0, 3.0] {
-        let moments = samples.map(|t| of(t[0], 0.25, length));
+        let luminance_history = samples.map(|t| of(t[0], 0.25, length));
         let expected = ((spread + 0.0625) * 4.0 / length).sqrt();
-        let given = centre(&deviations(&frame(EXTENT), &guides, &moments));
+        let given = centre(&deviations(&frame(EXTENT), &guides, &luminance_history));
         assert!((given - expected).abs() < 1e-3, "{length}: {given} for {expected}");
     }
 }
@@ -72,13 +72,13 @@ fn the_neighbourhood_ends_at_edges_and_at_the_background() {
             s
         })
     };
-    let moments = paint(EXTENT, |x, _| of(if x > 7 { 100.0 } else { 1.0 }, 0.0, 1.0));
-    let seen = centre(&deviations(&frame(EXTENT), &other_side(|_| ()), &moments));
+    let luminance_history = paint(EXTENT, |x, _| of(if x > 7 { 100.0 } else { 1.0 }, 0.0, 1.0));
+    let seen = centre(&deviations(&frame(EXTENT), &other_side(|_| ()), &luminance_history));
     assert!(seen > 50.0, "without an edge the step is variance: {seen}");
     let edges: [fn(&mut Surface); 3] = [|s| s.linear_depth = 4.5, |s| s.normal = [1.0, 0.0, 0.0], |s| s.linear_depth = 0.0];
     for change in edges {
         let guides = other_side(change);
-        let output = deviations(&frame(EXTENT), &guides, &moments);
+        let output = deviations(&frame(EXTENT), &guides, &luminance_history);
         assert!(centre(&output) < 1e-3, "{}", centre(&output));
         assert!(!guides.guide.texels().contains(&[0; 4]) || *output.get(12, 6).expect("inside") == BACKGROUND_DEVIATION);
     }
@@ -88,16 +88,16 @@ fn the_neighbourhood_ends_at_edges_and_at_the_background() {
 fn two_signals_and_a_larger_allocation_change_nothing() {
     let large = [40, 20];
     let (tight, loose) = (guides(EXTENT, |_, _| surface(4.0)), guides(large, |_, _| surface(4.0)));
-    let moments = noise(EXTENT, 2).map(|t| pack_luminance_history(&of(t[0], 0.1, 2.0)));
+    let luminance_history = noise(EXTENT, 2).map(|t| pack_luminance_history(&of(t[0], 0.1, 2.0)));
     let (a, b) = (noise(EXTENT, 3), noise(EXTENT, 4));
-    let run = |frame: &FrameConstants, guides: &Guides, irradiance: &[&Image<[f32; 4]>], moments: &[&Image<[u16; 4]>]| {
-        let inputs = VarianceInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance, moments };
+    let run = |frame: &FrameConstants, guides: &Guides, irradiance: &[&Image<[f32; 4]>], luminance_history: &[&Image<[u16; 4]>]| {
+        let inputs = VarianceInputs { guide: &guides.guide, depth_gradient: &guides.depth_gradient, irradiance, luminance_history };
         variance(frame, &svgf_tuning(), &inputs)
     };
-    let one = run(&frame(EXTENT), &tight, &[&b], &[&moments]).remove(0);
+    let one = run(&frame(EXTENT), &tight, &[&b], &[&luminance_history]).remove(0);
     let flat = Image::new(EXTENT, pack_luminance_history(&of(1.0, 0.0, 1.0)));
-    assert_eq!(run(&frame(EXTENT), &tight, &[&a, &b], &[&flat, &moments])[1], one);
+    assert_eq!(run(&frame(EXTENT), &tight, &[&a, &b], &[&flat, &luminance_history])[1], one);
     let in_large = FrameConstants { render_extent: EXTENT, frame_index: 5, ..frame(large) };
-    let (b, moments) = (embed(&b, large, [f32::NAN; 4]), embed(&moments, large, [0x7e00; 4]));
-    assert_eq!(crop(&run(&in_large, &loose, &[&b], &[&moments])[0], EXTENT), one);
+    let (b, luminance_history) = (embed(&b, large, [f32::NAN; 4]), embed(&luminance_history, large, [0x7e00; 4]));
+    assert_eq!(crop(&run(&in_large, &loose, &[&b], &[&luminance_history])[0], EXTENT), one);
 }

@@ -8,12 +8,12 @@ const EXTENT: [u32; 2] = [48, 48];
 /// Deviation of the uniform noise of the test scenes.
 const UNIFORM: f32 = 0.288_675;
 
-fn deviations(guides: &Guides, moments: &Image<LuminanceHistory>) -> Vec<f32> {
+fn deviations(guides: &Guides, luminance_history: &Image<LuminanceHistory>) -> Vec<f32> {
     let tuning = Tuning::default();
-    let frame = frame(moments.extent());
+    let frame = frame(luminance_history.extent());
     let geometry = Geometry::new(&frame, &tuning, &guides.guide, &guides.depth_gradient);
     let inner = (4..EXTENT[1] as i32 - 4).flat_map(|y| (4..EXTENT[0] as i32 - 4).map(move |x| IVec2::new(x, y)));
-    inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, moments, p)).collect()
+    inner.map(|p| deviation_of_mean(&frame, &tuning, &geometry, luminance_history, p)).collect()
 }
 
 fn flat() -> Guides {
@@ -33,8 +33,8 @@ fn white_noise_has_the_standard_error_of_its_mean() {
     for length in [1.0_f32, 4.0, 9.0] {
         let error = UNIFORM / length.sqrt();
         let within = UNIFORM * (1.0 - 1.0 / length).sqrt();
-        let moments = noise(EXTENT, 5).map(|t| of(0.5 + (t[0] - 0.5) / length.sqrt(), within, length));
-        let seen = root_mean_square(&deviations(&flat(), &moments)) / error;
+        let luminance_history = noise(EXTENT, 5).map(|t| of(0.5 + (t[0] - 0.5) / length.sqrt(), within, length));
+        let seen = root_mean_square(&deviations(&flat(), &luminance_history)) / error;
         // A variance from so few pixels is widened by its doubt, and what neighbours show counts 1.75 times.
         assert!((1.0..1.75).contains(&seen), "{length} frames: {seen} of the standard error");
     }
@@ -71,9 +71,9 @@ fn a_variance_that_few_pixels_tell_is_in_doubt() {
 #[test]
 fn another_surface_says_nothing() {
     let edge = guides(EXTENT, |x, _| surface(if x < 24 { 4.0 } else { 9.0 }));
-    let moments = paint(EXTENT, |x, _| of(if x < 24 { 0.0 } else { 100.0 }, 0.0, 1.0));
-    assert!(deviations(&edge, &moments).iter().all(|deviation| *deviation < 1e-3));
-    assert!(deviations(&flat(), &moments).iter().any(|deviation| *deviation > 10.0));
+    let luminance_history = paint(EXTENT, |x, _| of(if x < 24 { 0.0 } else { 100.0 }, 0.0, 1.0));
+    assert!(deviations(&edge, &luminance_history).iter().all(|deviation| *deviation < 1e-3));
+    assert!(deviations(&flat(), &luminance_history).iter().any(|deviation| *deviation > 10.0));
 }
 
 #[test]
