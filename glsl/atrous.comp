@@ -236,7 +236,7 @@ void main() {
                 weight += log2_lobe_weight(lobe, offset, tap, packed_q);
 #endif
                 int i = index_of(side * ivec2(x, y));
-                bool counts = q == tap && is_filtered(packed_q);
+                bool counts = q == tap && takes_part(geometry, packed_q);
                 if (OURS) {
                     weights[i] = counts ? exp2(weight) : 0.0;
                     values_0[i] = imageLoad(input_0, tap);

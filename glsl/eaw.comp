@@ -37,6 +37,8 @@ layout(set = 0, binding = 4, rgba16f) uniform restrict readonly image2D input_1;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D output_1;
 #endif
 
+// A negative power of e that is 0.
+const float REFUSED = 1e4;
 const float KERNEL[3] = float[](3.0 / 8.0, 1.0 / 4.0, 1.0 / 16.0);
 
 struct Sum {
@@ -115,7 +117,7 @@ void main() {
             float z_q = guide_depth(packed_q);
             float exponent = squared(n - guide_normal_steps(packed_q)) * level.inverse_sigma_normal;
             exponent += squared((x - view_position(tap, z_q)) * level.inverse_sigma_position);
-            exponent = background ? 0.0 : exponent;
+            exponent = background ? 0.0 : guide_is_dark(packed_q) == guide_is_dark(packed) ? exponent : REFUSED;
             float kernel = q == tap && (z_q == 0.0) == background ? KERNEL[abs(i)] * KERNEL[abs(j)] : 0.0;
             add_tap(sum_0, imageLoad(input_0, tap), centre_0, exponent, kernel, background ? 0.0 : level.inverse_sigma_radiance);
 #if SIGNALS == 2

@@ -1,11 +1,11 @@
 #version 450
 // Turns the host's guides into one packed encoding, and stops values that are not finite.
 // Source: the encodings are the host's (Conventions); the depth gradient is that of [SVGF] eq. 3.
-// In:  depth, normal, motion, roughness, surface_id, object_normal as the host encodes them;
+// In:  depth, normal, motion, roughness, surface_id, object_normal as the host encodes them; albedo;
 //      instance_transforms: previous from current world space by surface_id, three rows of four.
 // Out: guide, surface_motion, depth_gradient, object_normal_guide (docs/specification/packed_images.md).
 // SURFACE_ID is a set of bindings of its own, since no other image could stand in for surface_id.
-// optional: motion, roughness, instance_transforms, object_normal, object_normal_guide
+// optional: albedo, motion, roughness, instance_transforms, object_normal, object_normal_guide
 // variants: SURFACE_ID=0 SURFACE_ID=1
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
@@ -17,6 +17,7 @@ layout(push_constant) uniform Push {
 
 #include "frame.glsl"
 #include "conventions.glsl"
+#include "demodulation.glsl"
 #include "optional.glsl"
 #include "statistics.glsl"
 #include "surface_motion.glsl"
@@ -30,6 +31,7 @@ const uint ROUGHNESS = 5u;
 const uint INSTANCE_TRANSFORMS = 6u;
 const uint OBJECT_NORMAL = 10u;
 const uint OBJECT_NORMAL_GUIDE = 11u;
+const uint ALBEDO = 13u;
 
 layout(set = 0, binding = 2) uniform texture2D depth;
 layout(set = 0, binding = 3) uniform texture2D normal;
@@ -38,6 +40,7 @@ layout(set = 0, binding = ROUGHNESS) uniform texture2D roughness;
 layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
 layout(set = 0, binding = 7, rgba16ui) uniform writeonly uimage2D guide;
 layout(set = 0, binding = 8, rgba16ui) uniform writeonly uimage2D surface_motion;
+layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 layout(set = 0, binding = 9, r32ui) uniform writeonly uimage2D depth_gradient;
 layout(set = 0, binding = OBJECT_NORMAL) uniform texture2D object_normal;
 layout(set = 0, binding = OBJECT_NORMAL_GUIDE, r32ui) uniform writeonly uimage2D object_normal_guide;
@@ -181,6 +184,8 @@ float gradient_along(ivec2 p, ivec2 axis, float z, uint id) {
     return clamp(best, -65504.0, 65504.0);
 }
 
+bool is_dark_at(ivec2 p) { return is_present(ALBEDO) && darkness_of(reflectance_of(texelFetch(albedo, p, 0).rgb)) > 0.5; }
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
@@ -192,7 +197,7 @@ void main() {
     vec3 n = world_normal(p, background);
     float rough = is_present(ROUGHNESS) ? texelFetch(roughness, p, 0).x : 1.0;
     if (!background && !is_roughness(rough)) count_bad(BAD_ROUGHNESS);
-    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, n, roughness_of(rough), fold_id(id))).bits);
+    imageStore(guide, p, background ? uvec4(0u) : pack_guide(Guide(z, is_dark_at(p), n, roughness_of(rough), fold_id(id))).bits);
     uvec4 packed_motion = pack_surface_motion(motion_of(p, z, id, n));
     imageStore(surface_motion, p, background ? uvec4(packed_motion.xy, 0u, 0u) : packed_motion);
     vec2 gradient = vec2(gradient_along(p, ivec2(1, 0), z, id), gradient_along(p, ivec2(0, 1), z, id));

@@ -197,7 +197,7 @@ bool is_filtered(GuideBits packed) { return VOLUME || guide_depth(packed) != 0.0
 
 Expected volume_expectation(ivec2 p, GuideBits packed, out vec2 motion) {
     motion = is_present(VOLUME_MOTION) ? unpack_volume_motion(texelFetch(volume_motion, p, 0).x) : vec2(0.0);
-    return Expected(volume_depth(packed), push.depth_tolerance, vec2(0.0), vec3(0.0), 0u);
+    return Expected(volume_depth(packed), push.depth_tolerance, vec2(0.0), vec3(0.0), 0u, false);
 }
 
 Expected surface_expectation(ivec2 p, GuideBits packed, out vec2 motion) {

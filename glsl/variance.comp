@@ -68,7 +68,7 @@ void add_tap(inout Window window, ivec2 p, Geometry geometry, ivec2 offset) {
     ivec2 q = p + offset, tap = nearest_inside(q);
     GuideBits packed_q = GuideBits(packed_at(guide, tap));
     float weight = offset == ivec2(0) ? 1.0 : exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
-    weight = q == tap && is_filtered(packed_q) ? weight : 0.0;
+    weight = q == tap && takes_part(geometry, packed_q) ? weight : 0.0;
     window.weight += weight;
     add_moments(window.sums[0], packed_at(new_luminance_0, tap).x, window.origins.x, weight);
 #if SIGNALS == 2
@@ -117,17 +117,22 @@ void weigh(ivec2 p, GuideBits packed, out float weights[PIXELS]) {
         ivec2 offset = ivec2(i % SIDE, i / SIDE) - SIDE / 2, q = p + offset, tap = nearest_inside(q);
         GuideBits packed_q = GuideBits(packed_at(guide, tap));
         float weight = exp2(log2_weight(geometry, packed_q, depth_sharpness(geometry, vec2(offset))));
-        weights[i] = i == PIXELS / 2 ? 1.0 : q == tap && is_filtered(packed_q) ? weight : 0.0;
+        weights[i] = i == PIXELS / 2 ? 1.0 : q == tap && takes_part(geometry, packed_q) ? weight : 0.0;
     }
 }
 
 // Where neighbours repeat each other they differ by less than their noise.
 const float FILLED_NOISE = 2.0;
 
+// Shares of a spread that bends as noise does: up to the first it is an edge or a texture that no guide knows, from the second on it is noise.
+const float STRUCTURE = 0.4;
+const float WHITE_NOISE = 0.8;
+
 // Estimates from 5x5 pixels of how the luminance of one of them varies.
 struct Surroundings {
     float within;  // variance of the samples that a mean was made of
     float noise;   // variance of the means, without what is smooth
+    float seen;    // of that noise, without edges and textures
     float doubt;   // relative standard error of a variance that was seen in so few pixels
 };
 
@@ -158,7 +163,8 @@ Surroundings surroundings_of(vec2 luminances[PIXELS], float weights[PIXELS]) {
     float kurtosis = fourth / max(sum * spread * spread, 1e-36);
     // White noise bends by six times its variance.
     float noise = FILLED ? FILLED_NOISE * spread : triples > 0.5 ? min(spread, curvature / (6.0 * triples)) : spread;
-    return Surroundings(within / sum, noise, sqrt(max(kurtosis - 1.0, 0.0) / sum));
+    float seen = noise * smoothstep(STRUCTURE, WHITE_NOISE, noise / max(spread, 1e-36));
+    return Surroundings(within / sum, noise, seen, sqrt(max(kurtosis - 1.0, 0.0) / sum));
 }
 
 // How much wider a variance is that is in doubt.
@@ -172,7 +178,7 @@ float deviation_of_mean(LuminanceHistory m, Surroundings around) {
     float spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     float of_sample = mix(m.deviation * m.deviation, spatial, share);
     float averaging = max(1.0 / frames, push.alpha / (2.0 - push.alpha));
-    return sqrt(max(of_sample * averaging, SEEN_NOISE * around.noise));
+    return sqrt(max(of_sample * averaging, SEEN_NOISE * around.seen));
 }
 
 bool needs_neighbours(float history_length) { return !TEMPORAL && (FADE || history_length < push.spatial_variance_frames); }

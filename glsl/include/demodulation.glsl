@@ -11,11 +11,20 @@ const float DARK_ALBEDO = 0.05;
 const float LEAST_ALBEDO = 0.02;
 const float SATURATED_ALBEDO = 0.1;
 
+vec3 reflectance_of(vec3 albedo) {
+    for (int i = 0; i < 3; ++i) albedo[i] = is_finite(albedo[i]) ? clamp(albedo[i], 0.0, 1.0) : 1.0;
+    return albedo;
+}
+
+// How little an albedo divides: 1 where it is black.
+float darkness_of(vec3 reflectance) {
+    return 1.0 - min(max(reflectance.r, max(reflectance.g, reflectance.b)) / DARK_ALBEDO, 1.0);
+}
+
 // The divisor of radiance, with which it is multiplied again.
 vec3 divisor_of(vec3 albedo) {
-    for (int i = 0; i < 3; ++i) albedo[i] = is_finite(albedo[i]) ? clamp(albedo[i], 0.0, 1.0) : 1.0;
-    float largest = max(albedo.r, max(albedo.g, albedo.b));
-    float darkness = 1.0 - min(largest / DARK_ALBEDO, 1.0);
+    albedo = reflectance_of(albedo);
+    float largest = max(albedo.r, max(albedo.g, albedo.b)), darkness = darkness_of(albedo);
     return mix(max(albedo, max(LEAST_ALBEDO, SATURATED_ALBEDO * largest)), vec3(1.0), darkness * darkness);
 }
 

@@ -14,6 +14,7 @@ const float LOG2_E = 1.4426950;
 // What the surface in the centre of a window is compared with, and how much less a tap weighs, in powers of 2.
 struct EdgeCentre {
     float depth;
+    float side;             // -1: dark, else 1
     vec3 normal;            // in steps
     vec2 gradient;          // of depth, scene units per pixel
     float normal_sharpness; // per squared step
@@ -22,11 +23,15 @@ struct EdgeCentre {
 EdgeCentre edge_centre(GuideBits packed, vec2 gradient) {
     EdgeCentre centre;
     centre.depth = guide_depth(packed);
+    centre.side = guide_is_dark(packed) ? -1.0 : 1.0;
     centre.normal = guide_normal_steps(packed);
     centre.gradient = gradient;
     centre.normal_sharpness = LOG2_E * push.sigma_n * (0.5 / (NORMAL_STEPS * NORMAL_STEPS));
     return centre;
 }
+
+// Light that an albedo divides is not that which none divides: surfaces take from their like.
+bool is_alike(EdgeCentre centre, GuideBits packed_tap) { return centre.side * signed_guide_depth(packed_tap) > 0.0; }
 
 // Per unit of depth; the same on both sides of the centre.
 float depth_sharpness(EdgeCentre centre, vec2 offset) {

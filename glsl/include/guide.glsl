@@ -9,6 +9,7 @@ struct GuideBits {
 
 struct Guide {
     float linear_depth;  // scene units; 0: background
+    bool is_dark;        // the albedo divides little or nothing of the light
     vec3 normal;         // world space
     float roughness;     // 0..1
     uint id8;            // folded surface_id
@@ -59,16 +60,20 @@ uint fold_id(uint id) { return id <= 255u ? id : 1u + pcg(id) % 255u; }
 // Steps from 0 to 1 of a component of the normal. An even number of them from -1 to 1, so that 0 and thereby the axes are exact.
 const float NORMAL_STEPS = 127.0;
 
-// The lowest 4 bits of the depth's mantissa make room for the roughness, or for another number below 16.
+// The lowest 4 bits of the depth's mantissa make room for the roughness, or for another number below 16; its sign says what is dark.
 GuideBits pack_guide(Guide g) {
     uint depth = floatBitsToUint(g.linear_depth) & ~0xfu | uint(floor(g.roughness * 15.0 + 0.5));
+    depth |= g.is_dark ? 0x80000000u : 0u;
     uvec3 n = uvec3(floor(g.normal * NORMAL_STEPS + (NORMAL_STEPS + 0.5)));
     return GuideBits(uvec4(depth & 0xffffu, depth >> 16, n.x | n.y << 8, n.z | g.id8 << 8));
 }
 
-float guide_depth(GuideBits packed) { return uintBitsToFloat(packed.bits.x & 0xfff0u | packed.bits.y << 16); }
+// Negative where the albedo is dark, 0 in the background.
+float signed_guide_depth(GuideBits packed) { return uintBitsToFloat(packed.bits.x & 0xfff0u | packed.bits.y << 16); }
+float guide_depth(GuideBits packed) { return abs(signed_guide_depth(packed)); }
 float guide_roughness(GuideBits packed) { return float(packed.bits.x & 0xfu) / 15.0; }
 uint guide_id(GuideBits packed) { return packed.bits.w >> 8; }
+bool guide_is_dark(GuideBits packed) { return packed.bits.y >= 0x8000u; }
 
 // The normal in steps, from 0 to twice NORMAL_STEPS: what differences of normals are made of.
 vec3 guide_normal_steps(GuideBits packed) {

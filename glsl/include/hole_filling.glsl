@@ -19,7 +19,8 @@ bool is_of_same_kind(EdgeCentre centre, GuideBits packed_tap) { return (guide_de
 void add_sample(inout Filling sum, vec3 irradiance, GuideBits packed, vec2 way, EdgeCentre centre) {
     float weight = 1.0 / dot(way, way);
     sum.plain += weight * vec4(irradiance, 1.0);
-    if (centre.depth != 0.0) weight *= exp2(log2_edge_weight(centre, packed, depth_sharpness(centre, way)));
+    float by_edges = is_alike(centre, packed) ? exp2(log2_edge_weight(centre, packed, depth_sharpness(centre, way))) : 0.0;
+    if (centre.depth != 0.0) weight *= by_edges;
     sum.edges += weight * vec4(irradiance, 1.0);
 }
 

@@ -15,19 +15,21 @@ struct Expected {
     vec2 gradient;  // of depth, scene units per pixel
     vec3 normal;
     uint id8;
+    bool is_dark;
 };
 
 Expected expected_surface(GuideBits packed, SurfaceMotion m, vec2 gradient, vec3 normal) {
     float previous_z = guide_depth(packed) * (1.0 + m.depth_ratio);
     float tolerance = push.depth_tolerance * previous_z + abs(gradient.x) + abs(gradient.y);
-    return Expected(previous_z, tolerance, gradient, normal, guide_id(packed));
+    return Expected(previous_z, tolerance, gradient, normal, guide_id(packed), guide_is_dark(packed));
 }
 
 // Of a pixel of the previous frame without a look at its normal. `slack`: depth that the surface may have gained on the way to a tap that
 // lies aside.
 uint surface_refusal(GuideBits packed, Expected expected, float slack) {
     float z = guide_depth(packed);
-    if (z == 0.0 || guide_id(packed) != expected.id8) return REASON_ID;
+    bool other = guide_id(packed) != expected.id8 || guide_is_dark(packed) != expected.is_dark;
+    if (z == 0.0 || other) return REASON_ID;
     return !(abs(z - expected.depth) <= expected.depth_tolerance + slack) ? REASON_DEPTH : REASON_NONE;
 }
 

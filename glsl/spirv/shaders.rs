@@ -601,6 +601,7 @@ pub(crate) static IMPORT_SURFACE_ID_0: Shader = Shader {
         ShaderBinding { number: 9, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
         ShaderBinding { number: 10, name: Cow::Borrowed("object_normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 11, name: Cow::Borrowed("object_normal_guide"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
+        ShaderBinding { number: 13, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
@@ -626,6 +627,7 @@ pub(crate) static IMPORT_SURFACE_ID_1: Shader = Shader {
         ShaderBinding { number: 10, name: Cow::Borrowed("object_normal"), kind: BindingKind::SampledImage(Component::Float), optional: true },
         ShaderBinding { number: 11, name: Cow::Borrowed("object_normal_guide"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: true },
         ShaderBinding { number: 12, name: Cow::Borrowed("surface_id"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 13, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },

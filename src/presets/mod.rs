@@ -73,8 +73,11 @@ impl Config {
     fn graph_of(&self, filter: Option<impl FnOnce(&mut Graph, &Guides, &Self) -> Denoised>) -> Result<Graph, Error> {
         self.validate()?;
         let mut g = Graph::of_config(self);
-        let guides =
-            g.import(Import { surface_id: self.surface_id, object_normal: self.object_normal && self.has_surface_history() });
+        let guides = g.import(Import {
+            surface_id: self.surface_id,
+            object_normal: self.object_normal && self.has_surface_history(),
+            albedo: filter.is_some(),
+        });
         filter_exposure(&mut g, self);
         let accumulated = self.visibility.then(|| visibility_accumulated(&mut g, &guides));
         let mut surfaces = filter.map(|filter| filter(&mut g, &guides, self));

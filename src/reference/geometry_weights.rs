@@ -65,7 +65,8 @@ impl Geometry {
         self.surfaces.at(p).linear_depth
     }
 
-    /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the background.
+    /// `w_z·w_n` \[SVGF eq. 3, 4\] of a pixel `q` inside the image for the surface pixel `p`; 1 for `q = p`, 0 for the
+    /// background, and for a surface too dark to divide light by where `p` is none, or the other way round.
     pub(crate) fn weight(&self, p: IVec2, q: IVec2) -> f32 {
         if p == q {
             return 1.0;
@@ -75,6 +76,7 @@ impl Geometry {
             return 0.0;
         }
         match self.edges {
+            Edges::Surface { .. } if at_p.is_dark != at_q.is_dark => 0.0,
             Edges::Surface { sigma_z, sigma_n } => {
                 let offset = (q - p).as_vec2();
                 depth_and_normal_weight([sigma_z, sigma_n], &at_p, &at_q, self.gradients.at(p), offset)

@@ -7,6 +7,8 @@ use glam::Vec3;
 pub(crate) struct Surface {
     /// View-space depth along the view axis, positive, scene units, kept with a mantissa of 19 bits; 0 is the background.
     pub linear_depth: f32,
+    /// Whether the albedo is too dark to divide the light by.
+    pub is_dark: bool,
     /// World-space normal, of unit length but for its steps of 1/127.
     pub normal: [f32; 3],
     /// 0 to 1; kept in steps of 1/15.
@@ -49,6 +51,7 @@ pub(crate) fn pack_guide(surface: &Surface) -> [u16; 4] {
     }
     let roughness = (surface.roughness.clamp(0.0, 1.0) * 15.0 + 0.5).floor() as u32;
     let depth = surface.linear_depth.to_bits() & !0xf | roughness;
+    let depth = depth | u32::from(surface.is_dark) << 31;
     let [x, y, z] = surface.normal.map(|c| (c * NORMAL_STEPS + NORMAL_STEPS + 0.5).floor() as u16);
     [depth as u16, (depth >> 16) as u16, x | y << 8, z | u16::from(surface.id) << 8]
 }
@@ -58,7 +61,8 @@ pub(crate) fn unpack_guide(texel: [u16; 4]) -> Surface {
     let [x, y, z, w] = texel;
     let steps = [z & 0xff, z >> 8, w & 0xff];
     Surface {
-        linear_depth: f32::from_bits(u32::from(x & !0xf) | u32::from(y) << 16),
+        linear_depth: f32::from_bits(u32::from(x & !0xf) | u32::from(y & 0x7fff) << 16),
+        is_dark: y >> 15 == 1,
         normal: steps.map(|steps| (f32::from(steps) - NORMAL_STEPS) / NORMAL_STEPS),
         roughness: f32::from(x & 0xf) / 15.0,
         id: (w >> 8) as u8,
@@ -71,16 +75,19 @@ mod tests {
 
     #[test]
     fn a_surface_survives_packing() {
-        let surface = Surface { linear_depth: 12.375, normal: [0.0, -1.0, 0.0], roughness: 0.4, id: 200 };
-        assert_eq!(unpack_guide(pack_guide(&surface)), surface);
+        let surface = Surface { linear_depth: 12.375, is_dark: false, normal: [0.0, -1.0, 0.0], roughness: 0.4, id: 200 };
+        for is_dark in [false, true] {
+            let surface = Surface { is_dark, ..surface };
+            assert_eq!(unpack_guide(pack_guide(&surface)), surface);
+        }
         assert!(unpack_guide(pack_guide(&Surface { linear_depth: 0.0, ..surface })).is_background());
         assert_eq!(pack_guide(&Surface { linear_depth: 0.0, ..surface }), [0; 4]);
     }
 
     #[test]
     fn fields_lie_where_the_specification_puts_them() {
-        let texel = pack_guide(&Surface { linear_depth: 1.0, normal: [1.0, 0.0, 0.0], roughness: 1.0, id: 7 });
-        assert_eq!(texel, [15, 0x3f80, 254 | 127 << 8, 127 | 7 << 8]);
+        let texel = pack_guide(&Surface { linear_depth: 1.0, is_dark: true, normal: [1.0, 0.0, 0.0], roughness: 1.0, id: 7 });
+        assert_eq!(texel, [15, 0xbf80, 254 | 127 << 8, 127 | 7 << 8]);
     }
 
     #[test]
@@ -88,7 +95,13 @@ mod tests {
         for i in 1..1000 {
             let (linear_depth, angle) = (i as f32 * 1.234_567e-2, i as f32 * 0.1);
             let normal = Vec3::new(angle.sin() * 0.6, angle.cos() * 0.6, 0.8);
-            let read = unpack_guide(pack_guide(&Surface { linear_depth, normal: normal.into(), roughness: 0.7, id: 1 }));
+            let read = unpack_guide(pack_guide(&Surface {
+                linear_depth,
+                is_dark: i % 2 == 0,
+                normal: normal.into(),
+                roughness: 0.7,
+                id: 1,
+            }));
             assert!((read.linear_depth / linear_depth - 1.0).abs() < 2e-6, "{linear_depth}: {}", read.linear_depth);
             assert!((Vec3::from(read.normal) - normal).abs().max_element() <= 0.501 / NORMAL_STEPS, "{normal}: {:?}", read.normal);
         }

@@ -119,13 +119,13 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
 fn composed(choices: &mut Choices<'_>, share: bool, mistake: Option<&Mistake>) -> Result<Declaration, Error> {
     let extent = extent(choices);
     let mut g = Graph::new(extent).frames_in_flight(number(choices, 2)).share_outputs(share);
-    let guides = g.import(Import { surface_id: true, object_normal: choices.one_in(2) });
+    let guides = g.import(Import { surface_id: true, object_normal: choices.one_in(2), albedo: choices.one_in(2) });
     let noisy = g.radiance("noisy_radiance");
     let mut shelf = Shelf::new(guides, noisy);
     if choices.one_in(16) {
         // What another graph has is none of this one's business.
         let mut other = Graph::new(extent);
-        shelf.guides.push(other.import(Import { surface_id: true, object_normal: false }));
+        shelf.guides.push(other.import(Import { surface_id: true, object_normal: false, albedo: true }));
         shelf.radiance.push(other.radiance("noisy_radiance"));
     }
     for _ in 0..2 + choices.below(14) {

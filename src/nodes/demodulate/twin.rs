@@ -59,14 +59,24 @@ pub(crate) struct DemodulateOutputs {
     pub statistics: Statistics,
 }
 
+/// What divides light, of an albedo: what is not finite reflects all of it.
+pub(crate) fn reflectance([r, g, b, _]: [f32; 4]) -> [f32; 3] {
+    [r, g, b].map(|a| if a.is_finite() { a.clamp(0.0, 1.0) } else { 1.0 })
+}
+
+/// How little a reflectance divides: 1 where it is black.
+pub(crate) fn darkness(reflectance: [f32; 3]) -> f32 {
+    1.0 - (reflectance.into_iter().fold(0.0, f32::max) / DARK_ALBEDO).min(1.0)
+}
+
 /// The divisor of radiance, with which `modulate` multiplies again: the albedo within 0 to 1, 1 for a component that is not finite,
 /// and nearer to 1 the darker the surface is. Also whether a component was not finite.
 pub(crate) fn divisor(albedo: Option<[f32; 4]>) -> ([f32; 3], bool) {
     let [r, g, b, _] = albedo.unwrap_or([1.0; 4]);
     let given = [r, g, b];
-    let reflectance = given.map(|a| if a.is_finite() { a.clamp(0.0, 1.0) } else { 1.0 });
+    let reflectance = reflectance([r, g, b, 1.0]);
     let largest = reflectance.into_iter().fold(0.0, f32::max);
-    let share_of_one = (1.0 - (largest / DARK_ALBEDO).min(1.0)).powi(2);
+    let share_of_one = darkness(reflectance).powi(2);
     let divisor = reflectance.map(|a| {
         let a = a.max(LEAST_ALBEDO).max(SATURATED_ALBEDO * largest);
         a * (1.0 - share_of_one) + share_of_one

@@ -91,6 +91,9 @@ fn filtered(frame: &FrameConstants, edges: &Edges, points: &Image<(Surface, Vec3
         }
         let mut exponent = 0.0;
         if !is_background {
+            if tap.is_dark != surface.is_dark {
+                exponent = f32::INFINITY;
+            }
             let normal = Vec3::from(surface.normal) - Vec3::from(tap.normal);
             exponent +=
                 (normal * sharpness.normal).length_squared() + ((position - tap_position) * sharpness.position).length_squared();

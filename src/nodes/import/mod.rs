@@ -17,11 +17,13 @@ pub struct Import {
     /// Whether you have an image `object_normal`, by which a turning object keeps its history.
     /// Costs 8 bytes per pixel. Default: false.
     pub object_normal: bool,
+    /// Whether light is divided by your image `albedo`, so that surfaces too dark to divide it are kept apart. Default: true.
+    pub albedo: bool,
 }
 
 impl Default for Import {
     fn default() -> Self {
-        Self { surface_id: true, object_normal: false }
+        Self { surface_id: true, object_normal: false, albedo: true }
     }
 }
 
@@ -29,7 +31,7 @@ impl Graph {
     /// Packs your depth, normal, roughness, id and motion.
     ///
     /// Inputs: `depth`, `normal`; optional `motion`, `roughness`, `instance_transforms`; as [`Import`] says `surface_id`,
-    /// `object_normal`.
+    /// `object_normal`, optional `albedo`.
     pub fn import(&mut self, import: Import) -> Guides {
         let node = self.node("import", "");
         let guide = self.named_image("guide", "", PACKED_64, 1, Lifetime::Transient);
@@ -51,6 +53,9 @@ impl Graph {
             .bind_some("object_normal_guide", object_normal);
         if import.surface_id {
             pass = pass.bind("surface_id", self.input(Input::SURFACE_ID));
+        }
+        if import.albedo {
+            pass = pass.bind("albedo", self.input(Input::ALBEDO));
         }
         if import.object_normal {
             pass = pass.bind("object_normal", self.input(Input::OBJECT_NORMAL));

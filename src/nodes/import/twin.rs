@@ -1,6 +1,7 @@
 //! The stage `import`: the host's depth, normals and motion into one packed encoding. The only stage that knows the host's
 //! conventions.
 
+use crate::nodes::demodulate::twin::{darkness, reflectance};
 use crate::reference::bindings::Bindings;
 use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::{normal_encoding, normals_are_in_view_space};
@@ -38,6 +39,8 @@ pub(crate) struct ImportInputs<'a> {
     pub object_normal: Option<&'a Image<[f32; 4]>>,
     /// Stable per instance, 0 is the background.
     pub surface_id: Option<&'a Image<u32>>,
+    /// Linear reflectance, which light is divided by.
+    pub albedo: Option<&'a Image<[f32; 4]>>,
     /// x: roughness, 0 to 1.
     pub roughness: Option<&'a Image<[f32; 4]>>,
     /// Transforms of the host's instances by surface id; instances beyond the end, and those with an entry that is not finite, did
@@ -48,7 +51,7 @@ pub(crate) struct ImportInputs<'a> {
 impl<'a> ImportInputs<'a> {
     /// Inputs that every host gives, without anything optional.
     pub(crate) const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
-        Self { depth, normal, motion: None, object_normal: None, surface_id: None, roughness: None, instance_transforms: None }
+        Self { depth, normal, motion: None, object_normal: None, surface_id: None, albedo: None, roughness: None, instance_transforms: None }
     }
 }
 
@@ -128,6 +131,7 @@ fn texel(frame: &FrameConstants, inputs: &ImportInputs, projections: &Projection
     let roughness = inputs.roughness.map_or(1.0, |r| r.at(p)[0]);
     let surface = Surface {
         linear_depth,
+        is_dark: inputs.albedo.is_some_and(|albedo| darkness(reflectance(albedo.at(p))) > 0.5),
         normal: normal.to_array(),
         roughness: roughness_of(frame, roughness),
         // Id 0 is the background's, so that a host without ids has one surface.
@@ -211,6 +215,7 @@ pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
         motion: b.optional_colour("motion")?,
         object_normal: b.optional_colour("object_normal")?,
         surface_id: b.optional_uint("surface_id")?,
+        albedo: b.optional_colour("albedo")?,
         roughness: b.optional_colour("roughness")?,
         instance_transforms: transforms.as_deref(),
         ..ImportInputs::new(b.colour("depth")?, b.colour("normal")?)

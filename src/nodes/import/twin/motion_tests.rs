@@ -34,6 +34,7 @@ impl Scene<'_> {
                 normal: &Image::new(allocated, [1.0, 0.0, 0.0, 0.0]),
                 motion: self.motion.map(|m| Image::new(allocated, m)).as_ref(),
                 surface_id: Some(&Image::new(allocated, self.id)),
+                albedo: None,
                 roughness: None,
                 object_normal: None,
                 instance_transforms: self.transforms,

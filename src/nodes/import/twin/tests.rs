@@ -93,6 +93,23 @@ fn background_is_recognised_and_packed_as_zeros() {
 }
 
 #[test]
+fn an_albedo_that_hardly_divides_is_dark() {
+    let albedos = [[0.0; 3], [0.02; 3], [0.03; 3], [0.0, 0.0, 0.5], [-1.0; 3], [7.0; 3], [f32::NAN, 0.0, 0.0], [0.0, f32::INFINITY, 0.0]];
+    let extent = [albedos.len() as u32, 1];
+    let albedo = paint(extent, |x, _| {
+        let [r, g, b] = albedos[x as usize];
+        [r, g, b, 1.0]
+    });
+    let (depth, normal) = (Image::new(extent, [3.0, 0.0, 0.0, 0.0]), up(extent));
+    let inputs = ImportInputs::new(&depth, &normal);
+    let imported = import(&frame(extent), &ImportInputs { albedo: Some(&albedo), ..inputs });
+    let dark: Vec<bool> = imported.guide.texels().iter().map(|texel| unpack_guide(*texel).is_dark).collect();
+    assert_eq!(dark, [true, true, false, false, true, false, false, false]);
+    assert!(imported.guide.texels().iter().all(|texel| unpack_guide(*texel).linear_depth == 3.0));
+    assert!(import(&frame(extent), &inputs).guide.texels().iter().all(|texel| !unpack_guide(*texel).is_dark));
+}
+
+#[test]
 fn a_device_depth_of_infinity_is_background() {
     let [_, _, (_, projection), _] = projections();
     let params = FrameParams { clip_from_view: projection.to_cols_array_2d(), ..FrameParams::new([2, 1]) };

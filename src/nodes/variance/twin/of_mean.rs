@@ -21,12 +21,19 @@ const FILLED_NOISE: f32 = 2.0;
 /// White noise bends by six times its variance: `(l₊ − 2l + l₋)²`.
 const BEND_OF_NOISE: f32 = 6.0;
 
+/// Shares of a spread that bends as noise does: up to the first it is an edge or a texture that no guide knows, from the second on it is
+/// noise.
+const STRUCTURE: f32 = 0.4;
+const WHITE_NOISE: f32 = 0.8;
+
 /// Estimates from 5×5 pixels of how the luminance of one of them varies.
 struct Surroundings {
     /// Variance of the samples that a mean was made of.
     within: f32,
     /// Variance of the means, without what is smooth.
     noise: f32,
+    /// Of that noise, without edges and textures.
+    seen: f32,
     /// Relative standard error of a variance that was seen in so few pixels.
     doubt: f32,
 }
@@ -42,7 +49,9 @@ pub(super) fn deviation_of_mean(
     let around = surroundings(frame, geometry, luminance_history, p);
     let bend = bend(RenderRect::new(frame.render_extent), geometry, luminance_history, p);
     let noise = bend.map_or(around.noise, |bend| around.noise.min(bend / BEND_OF_NOISE));
-    deviation(tuning, luminance_history.at(p), Surroundings { noise, ..around })
+    let share = ((noise / around.noise.max(1e-36) - STRUCTURE) / (WHITE_NOISE - STRUCTURE)).clamp(0.0, 1.0);
+    let seen = noise * share * share * (3.0 - 2.0 * share);
+    deviation(tuning, luminance_history.at(p), Surroundings { noise, seen, ..around })
 }
 
 /// The same where pixels were filled in: they repeat their neighbours, so that what is smooth may be noise as well.
@@ -54,7 +63,8 @@ pub(super) fn deviation_of_filled_mean(
     p: IVec2,
 ) -> f32 {
     let around = surroundings(frame, geometry, luminance_history, p);
-    deviation(tuning, luminance_history.at(p), Surroundings { noise: FILLED_NOISE * around.noise, ..around })
+    let noise = FILLED_NOISE * around.noise;
+    deviation(tuning, luminance_history.at(p), Surroundings { noise, seen: noise, ..around })
 }
 
 fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) -> f32 {
@@ -63,7 +73,7 @@ fn deviation(tuning: &Tuning, centre: LuminanceHistory, around: Surroundings) ->
     let spatial = (around.within + around.noise) * share * (1.0 + DOUBT * around.doubt / frames);
     let of_sample = share * spatial + (1.0 - share) * centre.deviation * centre.deviation;
     let averaging = (1.0 / frames).max(tuning.alpha / (2.0 - tuning.alpha));
-    (of_sample * averaging).max(SEEN_NOISE * around.noise).sqrt()
+    (of_sample * averaging).max(SEEN_NOISE * around.seen).sqrt()
 }
 
 /// With the structure that they show.
@@ -82,7 +92,7 @@ fn surroundings(
     let mean = mean_of(&|m| m.mean);
     let spread = mean_of(&|m| (m.mean - mean).powi(2));
     let kurtosis = mean_of(&|m| (m.mean - mean).powi(4)) / (spread * spread).max(1e-36);
-    Surroundings { within, noise: spread, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
+    Surroundings { within, noise: spread, seen: spread, doubt: ((kurtosis - 1.0).max(0.0) / sum).sqrt() }
 }
 
 /// Mean of the squared second differences of neighbours along x and y, all of the surface of the centre; none where there are too few.

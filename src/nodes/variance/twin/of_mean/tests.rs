@@ -57,6 +57,14 @@ fn a_mean_is_no_surer_than_its_neighbours_agree() {
 }
 
 #[test]
+fn a_picture_in_a_mirror_is_no_noise() {
+    // Squares of 6×6 pixels that no guide knows, sure to themselves after ten frames.
+    let seen = paint(EXTENT, |x, y| of(if (x / 6 + y / 6) % 2 == 0 { 1.0 } else { 2.0 }, 0.01, 10.0));
+    let widest = deviations(&flat(), &seen).into_iter().fold(0.0, f32::max);
+    assert!(widest < 0.1, "{widest}");
+}
+
+#[test]
 fn a_variance_that_few_pixels_tell_is_in_doubt() {
     // The same variance in all pixels, and in one of sixteen.
     let even = paint(EXTENT, |x, y| of(if (x + y) % 2 == 0 { 1.0 } else { -1.0 }, 0.0, 1.0));
