@@ -51,7 +51,16 @@ pub(crate) struct ImportInputs<'a> {
 impl<'a> ImportInputs<'a> {
     /// Inputs that every host gives, without anything optional.
     pub(crate) const fn new(depth: &'a Image<[f32; 4]>, normal: &'a Image<[f32; 4]>) -> Self {
-        Self { depth, normal, motion: None, object_normal: None, surface_id: None, albedo: None, roughness: None, instance_transforms: None }
+        Self {
+            depth,
+            normal,
+            motion: None,
+            object_normal: None,
+            surface_id: None,
+            albedo: None,
+            roughness: None,
+            instance_transforms: None,
+        }
     }
 }
 

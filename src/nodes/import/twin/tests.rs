@@ -94,7 +94,8 @@ fn background_is_recognised_and_packed_as_zeros() {
 
 #[test]
 fn an_albedo_that_hardly_divides_is_dark() {
-    let albedos = [[0.0; 3], [0.02; 3], [0.03; 3], [0.0, 0.0, 0.5], [-1.0; 3], [7.0; 3], [f32::NAN, 0.0, 0.0], [0.0, f32::INFINITY, 0.0]];
+    let albedos =
+        [[0.0; 3], [0.02; 3], [0.03; 3], [0.0, 0.0, 0.5], [-1.0; 3], [7.0; 3], [f32::NAN, 0.0, 0.0], [0.0, f32::INFINITY, 0.0]];
     let extent = [albedos.len() as u32, 1];
     let albedo = paint(extent, |x, _| {
         let [r, g, b] = albedos[x as usize];
