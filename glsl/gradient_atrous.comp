@@ -59,6 +59,8 @@ const float RATIO_FLOOR = 1e-3;
 const float LEAST_SPREAD = 0.3;
 // The spread of a ratio that no sample has.
 const float NO_SPREAD = 3.0;
+// Rareness of samples up to which they are believed to agree: a single one, of twice as much, agrees with itself.
+const float LARGEST_RARENESS = 0.5;
 // Below this relative error a ratio is known, and taps that are farther away only blur it; above twice as much they count in full.
 const float KNOWN_ERROR = 0.02;
 // Up to this relative error a ratio is applied in full; from twice as much on only where samples agree.
@@ -75,15 +77,20 @@ float spread_of(vec4 before, vec4 now) {
     return largest > 0.0 ? sqrt(8.0 * max(0.0, 1.0 - before.a / largest)) : NO_SPREAD;
 }
 
+// 1 over the root of the number of samples that hold the light.
+float rareness_of(vec4 before, vec4 now) {
+    return now.a > 0.0 ? min(1.0, now.a / max(sum_of(before.rgb), sum_of(now.rgb))) : 1.0;
+}
+
 // Relative standard error of the ratio: the spread over the root of the number of samples that hold the light.
 float error_of(vec4 before, vec4 now) {
-    float spread = spread_of(before, now), light = max(sum_of(before.rgb), sum_of(now.rgb));
-    float share = now.a > 0.0 ? min(1.0, now.a / light) : 1.0;
-    return sqrt(spread * spread + LEAST_SPREAD * LEAST_SPREAD) * share;
+    float spread = spread_of(before, now);
+    return sqrt(spread * spread + LEAST_SPREAD * LEAST_SPREAD) * rareness_of(before, now);
 }
 
 vec4 light_ratio(vec4 before, vec4 now) {
-    float coherence = sample_coherence(spread_of(before, now)), error = error_of(before, now);
+    float error = error_of(before, now);
+    float coherence = sample_coherence(spread_of(before, now)) * clamp(2.0 - rareness_of(before, now) / LARGEST_RARENESS, 0.0, 1.0);
     float sum_before = sum_of(before.rgb), sum_now = sum_of(now.rgb);
     float least = RATIO_FLOOR * max(before.r, max(before.g, before.b)) + 1e-6;
     vec3 own = min((now.rgb + least) / (before.rgb + least), LARGEST_RATIO);

@@ -92,6 +92,8 @@ const RATIO_FLOOR: f32 = 1e-3;
 const LEAST_SPREAD: f32 = 0.3;
 /// The spread of a ratio that no sample has.
 const NO_SPREAD: f32 = 3.0;
+/// Rareness of samples up to which they are believed to agree: a single one, of twice as much, agrees with itself.
+const LARGEST_RARENESS: f32 = 0.5;
 /// Relative error below which a ratio is known, and taps that are farther away only blur it; above twice as much they count in full.
 const KNOWN_ERROR: f32 = 0.02;
 /// Relative error up to which a ratio is applied in full; from twice as much on only where samples agree.
@@ -101,7 +103,9 @@ const COLOUR_NOISE: f32 = 0.3;
 
 /// rgb: the factor by which light changed, as far as it is known; alpha: its coherence, by the spread of the samples' own factors.
 pub(crate) fn light_ratio(before: [f32; 4], now: [f32; 4]) -> [f32; 4] {
-    let (coherence, error) = (sample_coherence(spread_of(before, now)), error_of(before, now));
+    let error = error_of(before, now);
+    let believed = (2.0 - rareness_of(before, now) / LARGEST_RARENESS).clamp(0.0, 1.0);
+    let coherence = sample_coherence(spread_of(before, now)) * believed;
     let [sum_before, sum_now] = [before, now].map(sum_of);
     let least = RATIO_FLOOR * before[..3].iter().copied().fold(0.0, f32::max) + 1e-6;
     let ratio = |before: f32, now: f32| ((now + least) / (before + least)).min(LARGEST_RATIO);
@@ -129,8 +133,16 @@ fn spread_of(before: [f32; 4], now: [f32; 4]) -> f32 {
 
 /// Relative standard error of the ratio: the spread over the root of the number of samples that hold the light.
 fn error_of(before: [f32; 4], now: [f32; 4]) -> f32 {
-    let share = if now[3] > 0.0 { (now[3] / sum_of(before).max(sum_of(now))).min(1.0) } else { 1.0 };
-    spread_of(before, now).hypot(LEAST_SPREAD) * share
+    spread_of(before, now).hypot(LEAST_SPREAD) * rareness_of(before, now)
+}
+
+/// 1 over the root of the number of samples that hold the light.
+fn rareness_of(before: [f32; 4], now: [f32; 4]) -> f32 {
+    if now[3] > 0.0 {
+        (now[3] / sum_of(before).max(sum_of(now))).min(1.0)
+    } else {
+        1.0
+    }
 }
 
 fn sum_of(light: [f32; 4]) -> f32 {

@@ -100,10 +100,22 @@ fn samples_that_agree_give_the_ratio_and_few_others_none() {
     let [before, now] = light_of(&[([1.0; 3], [1.0; 3]), ([1.0; 3], [0.0; 3])], 1);
     assert_eq!(light_ratio(before, now), [1.0, 1.0, 1.0, 0.0]);
     // Nothing changed; nothing is lit; light came on where there was none.
-    let [before, now] = light_of(&[([0.3, 0.0, 7.0], [0.3, 0.0, 7.0])], 1);
+    let [before, now] = light_of(&[([0.3, 0.0, 7.0], [0.3, 0.0, 7.0])], 4);
     assert_eq!(light_ratio(before, now), [1.0; 4]);
     assert_eq!(light_ratio([0.0; 4], [0.0; 4]), [1.0, 1.0, 1.0, 0.0]);
     assert_eq!(light_ratio([0.0; 4], [5.0, 5.0, 5.0, 15.0]), [1.0, 1.0, 1.0, 0.0]);
+}
+
+/// Beside an outline, or where a highlight arrives on a face of one pixel.
+#[test]
+fn a_sample_that_nothing_confirms_scales_no_history() {
+    let brighter = |times: usize| {
+        let [before, now] = light_of(&[([0.1; 3], [10.0; 3])], times);
+        light_ratio(before, now)
+    };
+    assert_eq!(brighter(1), [1.0, 1.0, 1.0, 0.0]);
+    assert!(brighter(2)[0] > 1.0 && brighter(2)[0] < brighter(4)[0], "{:?} {:?}", brighter(2), brighter(4));
+    assert_eq!(brighter(4)[3], 1.0);
 }
 
 #[test]
