@@ -2,6 +2,7 @@
 
 use crate::device::load;
 use crate::functions::string;
+use crate::graph::declaration_of;
 use crate::handle::{self, AtrousExecutor, ExecutorState};
 use crate::pointers::{check_size, read};
 use crate::status::{guard, AtrousStatus, Failure};
@@ -33,7 +34,7 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
         unsafe {
             executor.write_unaligned(std::ptr::null_mut());
             let info = read("info", info)?;
-            let config = read("info->config", info.config)?.to_config()?;
+            let (declaration, preset) = declaration_of(&info)?;
             let options = ExecutorOptions {
                 // An output that the host does not lend can be copied: atrous_executor_record_copy.
                 extra_image_usage: ash::vk::ImageUsageFlags::TRANSFER_SRC,
@@ -43,8 +44,8 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
             };
             let loaded = load(&info)?;
             let host = atrous::Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-            let made = Executor::new(host, config.declare()?, options)?;
-            let state = ExecutorState { executor: made, tuning: Tuning::for_preset(config.preset), newest: None };
+            let made = Executor::new(host, declaration, options)?;
+            let state = ExecutorState { executor: made, tuning: Tuning::for_preset(preset), newest: None };
             executor.write_unaligned(handle::insert(state));
         }
         Ok(())

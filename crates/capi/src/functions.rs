@@ -2,13 +2,14 @@
 
 use crate::convert::{self, flag};
 use crate::device::load;
+use crate::graph::declaration_of;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::{check_size, read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::*;
 use crate::AtrousConfig;
 use atrous::contract::ResourceId;
-use atrous::{Config, Denoiser, Device, Placement, Tuning, UseFrame};
+use atrous::{Denoiser, Device, Placement, Tuning, UseFrame};
 use std::collections::BTreeMap;
 use std::ffi::{c_char, CStr};
 
@@ -47,8 +48,7 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
         unsafe {
             denoiser.write_unaligned(std::ptr::null_mut());
             let info = read("info", info)?;
-            let config = read("info->config", info.config)?.to_config()?;
-            denoiser.write_unaligned(handle::insert(create(&info, &config)?));
+            denoiser.write_unaligned(handle::insert(create(&info)?));
         }
         Ok(())
     })
@@ -56,18 +56,20 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
 
 /// # Safety
 /// Obligations of [`atrous_create`].
-unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Failure> {
-    // SAFETY: the handles are live and belong together, and the host keeps them alive until `atrous_destroy`.
-    let denoiser = unsafe {
+unsafe fn create(info: &AtrousCreateInfo) -> Result<State, Failure> {
+    // SAFETY: `config` is null or points to a struct that begins with its size; the handles are live and belong together, and the host
+    // keeps them alive until `atrous_destroy`.
+    let (denoiser, preset) = unsafe {
+        let (declaration, preset) = declaration_of(info)?;
         let loaded = load(info)?;
         let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-        let denoiser = Denoiser::new(host, config.declare()?)?;
+        let denoiser = Denoiser::new(host, declaration)?;
         if flag("debug_labels", info.debug_labels)? {
             denoiser.name_objects(host);
         }
-        denoiser
+        (denoiser, preset)
     };
-    Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames: BTreeMap::new() })
+    Ok(State { denoiser, tuning: Tuning::for_preset(preset), generation: 0, frames: BTreeMap::new() })
 }
 
 /// Destroys a denoiser. Your handle is invalid from then on, and stays so.

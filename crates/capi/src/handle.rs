@@ -3,6 +3,7 @@
 //! Recordings share a denoiser: they take the reader's side of its lock, so that none waits for another. Calls that change it
 //! take the writer's side.
 
+use crate::graph::GraphState;
 use crate::status::{AtrousStatus, Failure};
 use crate::tracker::TrackerState;
 use atrous::executor::Executor;
@@ -23,6 +24,11 @@ pub struct AtrousExecutor {
 
 /// The states of the images and buffers of a denoiser. Opaque, as AtrousDenoiser is.
 pub struct AtrousTracker {
+    _private: (),
+}
+
+/// A graph of your own that is being built. Opaque, as AtrousDenoiser is.
+pub struct AtrousGraph {
     _private: (),
 }
 
@@ -78,6 +84,15 @@ impl Opaque for AtrousTracker {
     const NAME: (&'static str, &'static str) = ("tracker", "atrous_tracker_create");
     fn table() -> &'static RwLock<Table<TrackerState>> {
         static TABLE: RwLock<Table<TrackerState>> = RwLock::new(Table::new());
+        &TABLE
+    }
+}
+
+impl Opaque for AtrousGraph {
+    type Object = GraphState;
+    const NAME: (&'static str, &'static str) = ("graph", "atrous_graph_create");
+    fn table() -> &'static RwLock<Table<GraphState>> {
+        static TABLE: RwLock<Table<GraphState>> = RwLock::new(Table::new());
         &TABLE
     }
 }
