@@ -54,8 +54,9 @@ int main(int argc, char** argv) {
     const Physical result = engine.create_mapped_buffer(scene::result_bytes, &result_mapped);
     LentInputs inputs(engine);
     for (uint32_t index = 0; index < synthetic::frames; ++index) {
+        inputs.write(index);
         engine.begin();
-        inputs.render(index);
+        inputs.record(engine.cmd);
         CHECK(executor.denoise(engine.cmd, scene::params(index), inputs.lent));
         CHECK(executor.record_copy(engine.cmd, "denoised_radiance", result.buffer, scene::result_bytes));
         engine.submit_and_wait();

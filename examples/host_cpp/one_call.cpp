@@ -23,8 +23,9 @@ int main(int argc, char** argv) {
     LentInputs inputs(engine);
     if (argc > 1) CHECK(executor.capture(argv[1], synthetic::frames));
     for (uint32_t index = 0; index <= synthetic::frames; ++index) {  // one more, since counters come frames later
+        inputs.write(index);
         engine.begin();
-        inputs.render(index);
+        inputs.record(engine.cmd);
         const AtrousFrameParams params = scene::params(index);
         CHECK(executor.denoise(engine.cmd, params, inputs.lent));
         CHECK(executor.record_copy(engine.cmd, "denoised_radiance", result.buffer, scene::result_bytes));

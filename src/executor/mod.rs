@@ -57,6 +57,8 @@ pub struct ExecutorOptions {
     pub legacy_barriers: bool,
     /// Labels every pass, and names every object. `VK_EXT_debug_utils` is enabled on the instance.
     pub debug_labels: bool,
+    /// Switches [`Denoiser::checks`] on or off. `None`: on in debug builds.
+    pub checks: Option<bool>,
     /// Leaves out the barriers before the pass of this index. Breaks it on purpose, to prove that validation is listening.
     #[doc(hidden)]
     pub omit_barriers_before: Option<usize>,
@@ -107,7 +109,8 @@ impl Executor {
             if !options.legacy_barriers {
                 Requirements::new(&declaration).check_executor_device(host)?;
             }
-            let denoiser = Denoiser::new(host, declaration)?;
+            let mut denoiser = Denoiser::new(host, declaration)?;
+            denoiser.checks.on = options.checks.unwrap_or(denoiser.checks.on);
             if options.debug_labels {
                 denoiser.name_objects(host);
             }

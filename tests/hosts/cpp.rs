@@ -126,6 +126,14 @@ pub fn cpp_gives_the_bits_of_the_executor_under_sanitizers() {
     assert_eq!(checksums("host_cpp_sanitized", &output), of_executor());
 }
 
+/// The host submits the command buffers that it recorded once, and the denoiser's between them, phase by phase.
+pub fn prerecorded_command_buffers_give_the_bits_of_the_executor() {
+    let flags = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    let output = run(build("host_cpp_prerecorded", "prerecorded.cpp", "cdylib", &flags), &[]);
+    assert_eq!(checksums("host_cpp_prerecorded", &output), of_executor());
+    println!("{}", String::from_utf8_lossy(&output.stdout).lines().last().unwrap_or_default());
+}
+
 /// Four threads record the passes of a frame side by side.
 pub fn four_threads_give_the_bits_of_the_executor() {
     let output = run(build("host_cpp_threads", "threads.cpp", "cdylib", &["-fsanitize=address"]), &[]);

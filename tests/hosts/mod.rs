@@ -29,6 +29,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("cpp_captures_inputs_and_draws_views", cpp::cpp_captures_inputs_and_draws_views),
     ("graphs_of_c_and_cpp_give_the_bits_of_that_of_rust", cpp::graphs_of_c_and_cpp_give_the_bits_of_that_of_rust),
     ("cpp_gives_the_bits_of_the_executor_under_sanitizers", cpp::cpp_gives_the_bits_of_the_executor_under_sanitizers),
+    ("prerecorded_command_buffers_give_the_bits_of_the_executor", cpp::prerecorded_command_buffers_give_the_bits_of_the_executor),
     ("four_threads_give_the_bits_of_the_executor", cpp::four_threads_give_the_bits_of_the_executor),
     ("a_c99_program_denoises_in_one_call", cpp::a_c99_program_denoises_in_one_call),
     ("cpp_is_told_of_wrong_conventions", cpp::cpp_is_told_of_wrong_conventions),

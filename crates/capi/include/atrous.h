@@ -449,6 +449,8 @@ enum AtrousStatus
   ATROUS_STATUS_PANICKED = 8,
   // Passes of the previous frame were left out: see atrous_set_checks.
   ATROUS_STATUS_LEFT_OUT = 9,
+  // The GPU still works on the frame slot: see complete_frames of AtrousFrameParams.
+  ATROUS_STATUS_IN_FLIGHT = 10,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -606,6 +608,10 @@ typedef struct AtrousCreateInfo {
   uint32_t debug_labels;
   // A graph of your own instead of a configuration, or NULL; read during the call alone.
   const struct AtrousGraph *graph;
+  // Checks of bindings and frames, see atrous_set_checks: 0, in debug builds of the library; 1, on; 2, off.
+  uint32_t checks;
+  // 0.
+  uint32_t reserved;
 } AtrousCreateInfo;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.
@@ -637,6 +643,9 @@ typedef struct AtrousFrameParams {
   // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
   // 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
   uint32_t debug_view;
+  // Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
+  // frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
+  uint64_t complete_frames;
 } AtrousFrameParams;
 
 // A buffer for a name.
@@ -1356,6 +1365,38 @@ AtrousStatus atrous_executor_denoise(struct AtrousExecutor *executor,
                                      const struct AtrousFrameParams *params,
                                      const struct AtrousLentImage *images,
                                      uint32_t image_count);
+
+// Begins a frame whose phases you record one by one, for example with your path tracer between them. Images are lent as to
+// atrous_executor_denoise; each phase finds them in the states that you give here, and leaves them so: after_layout is
+// VK_IMAGE_LAYOUT_UNDEFINED.
+//
+// # Safety
+// Pointers are null or valid. Images are live until the frame is recorded.
+AtrousStatus atrous_executor_begin_frame(struct AtrousExecutor *executor,
+                                         const struct AtrousFrameParams *params,
+                                         const struct AtrousLentImage *images,
+                                         uint32_t image_count);
+
+// Records an AtrousPhase of the frame that was begun last, with all barriers; each phase once, in their order.
+//
+// # Safety
+// The command buffer is recording, outside a render pass, for a queue family with compute, and runs behind those of the phases
+// before. Lent images are live and in their states. GPU work that was recorded earlier with the same frame_slot is complete.
+AtrousStatus atrous_executor_record(struct AtrousExecutor *executor,
+                                    VkCommandBuffer command_buffer,
+                                    uint32_t phase);
+
+// Binds a buffer of yours, for example ATROUS_INPUT_INSTANCE_TRANSFORMS, until you bind a new one or, with a null `buffer`, none.
+// `stage` and `access` are your own uses before each phase.
+//
+// # Safety
+// `name` is null or a null-terminated string. The buffer has `size` bytes and the declared usage, and is live while it is bound.
+AtrousStatus atrous_executor_bind_buffer(struct AtrousExecutor *executor,
+                                         const char *name,
+                                         VkBuffer buffer,
+                                         uint64_t size,
+                                         VkPipelineStageFlags2 stage,
+                                         VkAccessFlags2 access);
 
 // Copies a resource of the newest frame into your buffer, visible to the CPU once the command buffer has run.
 //

@@ -334,6 +334,15 @@ public:
     [[nodiscard]] AtrousStatus denoise(VkCommandBuffer cmd, const AtrousFrameParams& params, Span<const AtrousLentImage> images) {
         return atrous_executor_denoise(get(), cmd, &params, images.data(), images.size());
     }
+    [[nodiscard]] AtrousStatus bind_buffer(const char* name, VkBuffer buffer, uint64_t size, VkPipelineStageFlags2 stage, VkAccessFlags2 access) {
+        return atrous_executor_bind_buffer(get(), name, buffer, size, stage, access);
+    }
+    [[nodiscard]] AtrousStatus begin_frame(const AtrousFrameParams& params, Span<const AtrousLentImage> images) {
+        return atrous_executor_begin_frame(get(), &params, images.data(), images.size());
+    }
+    [[nodiscard]] AtrousStatus record(VkCommandBuffer cmd, Phase phase) {
+        return atrous_executor_record(get(), cmd, static_cast<uint32_t>(phase));
+    }
     [[nodiscard]] AtrousStatus record_copy(VkCommandBuffer cmd, const char* name, VkBuffer buffer, uint64_t size) {
         return atrous_executor_record_copy(get(), cmd, name, buffer, size);
     }

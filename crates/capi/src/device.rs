@@ -35,6 +35,16 @@ fn functions_of(info: &AtrousCreateInfo) -> Result<ash::vk::PFN_vkGetInstancePro
     }
 }
 
+/// Whether checks are made, if the host says it.
+pub(super) fn checks(info: &AtrousCreateInfo) -> Result<Option<bool>, Failure> {
+    match info.checks {
+        0 => Ok(None),
+        1 => Ok(Some(true)),
+        2 => Ok(Some(false)),
+        other => Err(Failure::argument(format!("checks is {other}; allowed: 0 (in debug builds), 1 (on), 2 (off)"))),
+    }
+}
+
 fn null(name: &str) -> Failure {
     Failure::argument(format!("info->{name} is NULL; give the host's own"))
 }

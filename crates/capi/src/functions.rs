@@ -1,7 +1,7 @@
 //! Functions of the C ABI but recording: creation, declarations, tuning, frames.
 
 use crate::convert::{self, flag};
-use crate::device::load;
+use crate::device::{checks, load};
 use crate::graph::declaration_of;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::{check_size, read, write};
@@ -63,7 +63,8 @@ unsafe fn create(info: &AtrousCreateInfo) -> Result<State, Failure> {
         let (declaration, preset) = declaration_of(info)?;
         let loaded = load(info)?;
         let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-        let denoiser = Denoiser::new(host, declaration)?;
+        let mut denoiser = Denoiser::new(host, declaration)?;
+        denoiser.checks.on = checks(info)?.unwrap_or(denoiser.checks.on);
         if flag("debug_labels", info.debug_labels)? {
             denoiser.name_objects(host);
         }

@@ -46,8 +46,10 @@ pub(super) struct State {
 pub(super) struct ExecutorState {
     pub executor: Executor,
     pub tuning: Tuning,
-    /// The frame that was denoised last.
+    /// The frame that was begun last.
     pub newest: Option<FrameContext>,
+    /// The first phase of that frame that may be recorded next.
+    pub next_phase: u32,
 }
 
 /// An opaque type of the header, and the objects that its handles stand for.

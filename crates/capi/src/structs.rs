@@ -42,6 +42,10 @@ pub struct AtrousCreateInfo {
     pub debug_labels: u32,
     /// A graph of your own instead of a configuration, or NULL; read during the call alone.
     pub graph: *const AtrousGraph,
+    /// Checks of bindings and frames, see atrous_set_checks: 0, in debug builds of the library; 1, on; 2, off.
+    pub checks: u32,
+    /// 0.
+    pub reserved: u32,
 }
 
 /// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
@@ -107,6 +111,9 @@ pub struct AtrousFrameParams {
     /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
     /// 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
     pub debug_view: u32,
+    /// Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
+    /// frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
+    pub complete_frames: u64,
 }
 
 /// A frame that was begun. Plain data: copy it as you like.
