@@ -74,6 +74,19 @@ pub fn cpp_captures_inputs_and_draws_views() {
     }
 }
 
+/// The executor itself compares the guides of the first frames with the conventions.
+pub fn cpp_is_told_of_wrong_guides_by_the_executor() {
+    let told = |arguments: &[&str]| {
+        let output = run(one_call(), arguments);
+        assert!(output.status.success());
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let text = told(&["--wrong-motion"]);
+    assert_eq!(text.matches("are not as declared").count(), 1, "once: {text}");
+    assert!(text.contains("MISTAKE: the motion has the opposite sign"), "{text}");
+    assert!(!told(&[]).contains("are not as declared"));
+}
+
 /// The checksum of a view of the frame behind the last one that is compared.
 fn of_view(view: DebugView) -> String {
     let mut s = session(&Config { debug_view: true, ..Config::new(synthetic::EXTENT) });

@@ -27,6 +27,7 @@ pub const TESTS: &[DeviceTest] = &[
     ("cpp_gives_the_bits_of_the_executor", cpp::cpp_gives_the_bits_of_the_executor),
     ("cpp_with_an_executor_gives_the_bits_of_the_executor", cpp::cpp_with_an_executor_gives_the_bits_of_the_executor),
     ("cpp_captures_inputs_and_draws_views", cpp::cpp_captures_inputs_and_draws_views),
+    ("cpp_is_told_of_wrong_guides_by_the_executor", cpp::cpp_is_told_of_wrong_guides_by_the_executor),
     ("graphs_of_c_and_cpp_give_the_bits_of_that_of_rust", cpp::graphs_of_c_and_cpp_give_the_bits_of_that_of_rust),
     ("cpp_gives_the_bits_of_the_executor_under_sanitizers", cpp::cpp_gives_the_bits_of_the_executor_under_sanitizers),
     ("prerecorded_command_buffers_give_the_bits_of_the_executor", cpp::prerecorded_command_buffers_give_the_bits_of_the_executor),

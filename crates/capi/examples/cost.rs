@@ -6,6 +6,7 @@ use atrous::config::Preset;
 use atrous::executor::{HeadlessDevice, HeadlessOptions};
 use atrous::{Binding, Config, Declaration, Denoiser, Device, FrameParams, Shape, Tuning};
 use atrous_capi::*;
+use cpu_time::ProcessTime;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::time::Instant;
@@ -13,6 +14,7 @@ use std::time::Instant;
 const EXTENT: [u32; 2] = [64, 36];
 const BATCHES: usize = 40;
 const FRAMES_IN_BATCH: u32 = 50;
+const STARTS: usize = 5;
 
 /// An image for each format and one buffer: nothing is ever submitted, so that all resources may share them.
 struct Objects<'g> {
@@ -137,6 +139,31 @@ fn main() -> Result<(), Box<dyn Error>> {
     let gpu = HeadlessDevice::new(&HeadlessOptions::default())?;
     println!("{}", gpu.name());
     recording(&gpu)?;
+    start(&gpu)
+}
+
+/// Opens a denoiser without a pipeline cache, with an empty one, and with that which is full then.
+fn start(gpu: &HeadlessDevice) -> Result<(), Box<dyn Error>> {
+    let declaration = Config { preset: Preset::Best, ..Config::new(EXTENT) }.declare()?;
+    let mut least = [f64::INFINITY; 3];
+    for _ in 0..STARTS {
+        // SAFETY: the device is live, and the cache is destroyed behind the denoisers.
+        unsafe {
+            let cache = gpu.device().create_pipeline_cache(&vk::PipelineCacheCreateInfo::default(), None)?;
+            for (pipeline_cache, least) in [vk::PipelineCache::null(), cache, cache].into_iter().zip(&mut least) {
+                let start = ProcessTime::now();
+                let denoiser = Denoiser::new(Device { pipeline_cache, ..gpu.host() }, declaration.clone())?;
+                *least = least.min(start.elapsed().as_secs_f64() * 1e3);
+                drop(denoiser);
+            }
+            gpu.device().destroy_pipeline_cache(cache, None);
+        }
+    }
+    let [none, cold, warm] = least;
+    println!(
+        "Denoiser::new of best, CPU: without a cache {none:.1} ms, cold {cold:.1} ms, warm {warm:.1} ms: {:.2} of cold",
+        warm / cold
+    );
     Ok(())
 }
 

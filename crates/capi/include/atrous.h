@@ -610,8 +610,10 @@ typedef struct AtrousCreateInfo {
   const struct AtrousGraph *graph;
   // Checks of bindings and frames, see atrous_set_checks: 0, in debug builds of the library; 1, on; 2, off.
   uint32_t checks;
-  // 0.
-  uint32_t reserved;
+  // Of an executor: 1 checks the guides of the first frames, as atrous_check_conventions does, and logs its findings once:
+  // atrous_set_log. It takes a good part of a second a frame, and ends with the first answer. The images of your guides need the
+  // usage TRANSFER_SRC.
+  uint32_t check_guides;
 } AtrousCreateInfo;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.

@@ -44,6 +44,7 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
                 legacy_barriers: crate::convert::flag("legacy_barriers", info.legacy_barriers)?,
                 debug_labels: crate::convert::flag("debug_labels", info.debug_labels)?,
                 checks: checks(&info)?,
+                check_guides: crate::convert::flag("check_guides", info.check_guides)?.then_some(atrous_conventions::check_frames),
                 ..Default::default()
             };
             let loaded = load(&info)?;

@@ -10,7 +10,6 @@ use crate::structs::*;
 use crate::AtrousConfig;
 use atrous::contract::ResourceId;
 use atrous::{Denoiser, Device, Placement, Tuning, UseFrame};
-use std::collections::BTreeMap;
 use std::ffi::{c_char, CStr};
 
 /// Fills a configuration with defaults for an extent.
@@ -70,7 +69,8 @@ unsafe fn create(info: &AtrousCreateInfo) -> Result<State, Failure> {
         }
         (denoiser, preset)
     };
-    Ok(State { denoiser, tuning: Tuning::for_preset(preset), generation: 0, frames: BTreeMap::new() })
+    let frames = vec![None; denoiser.declaration().setup().frames_in_flight as usize];
+    Ok(State { denoiser, tuning: Tuning::for_preset(preset), generation: 0, frames })
 }
 
 /// Destroys a denoiser. Your handle is invalid from then on, and stays so.
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
         handle::change(denoiser, |state| {
             state.denoiser.resize([width, height])?;
             state.generation += 1;
-            state.frames.clear();
+            state.frames.fill(None);
             Ok(())
         })
     })
@@ -305,7 +305,10 @@ pub unsafe extern "C" fn atrous_begin_frame(
                 read("params", params)?.to_params()?
             };
             let context = state.denoiser.begin_frame(&params, &state.tuning)?;
-            state.frames.insert(context.slot, context);
+            // There is a slot for it, or it would have been refused.
+            if let Some(begun) = state.frames.get_mut(context.slot as usize) {
+                *begun = Some(context);
+            }
             let value = AtrousFrame {
                 struct_size: size_of::<AtrousFrame>() as u32,
                 frame_slot: context.slot,

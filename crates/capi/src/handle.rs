@@ -39,7 +39,7 @@ pub(super) struct State {
     /// Counts resizes; a frame of an earlier generation is refused.
     pub generation: u64,
     /// The frame that was begun last, by slot.
-    pub frames: BTreeMap<u32, FrameContext>,
+    pub frames: Vec<Option<FrameContext>>,
 }
 
 /// The object behind a handle of an executor.

@@ -44,8 +44,10 @@ pub struct AtrousCreateInfo {
     pub graph: *const AtrousGraph,
     /// Checks of bindings and frames, see atrous_set_checks: 0, in debug builds of the library; 1, on; 2, off.
     pub checks: u32,
-    /// 0.
-    pub reserved: u32,
+    /// Of an executor: 1 checks the guides of the first frames, as atrous_check_conventions does, and logs its findings once:
+    /// atrous_set_log. It takes a good part of a second a frame, and ends with the first answer. The images of your guides need the
+    /// usage TRANSFER_SRC.
+    pub check_guides: u32,
 }
 
 /// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
