@@ -6,29 +6,12 @@ use atrous::executor::{HeadlessDevice, HeadlessOptions, Session, SessionOptions,
 use atrous::graph::{Feedback, Graph, Irradiance, Stage};
 use atrous::nodes::{Accumulation, Import, Modulate, Variance};
 use atrous::reference::{Bindings, Engine, Image};
-use atrous::{Declaration, Error, FrameParams, Tuning};
+use atrous::{Declaration, Error, FrameParams, Tuning, UseFrame};
 use atrous_synthetic as synthetic;
 use std::sync::Arc;
 
 /// The mean of the 3×3 pixels whose luminance is within two standard deviations of the centre's. Names of bindings are the ports.
-const FILTER: &str = "#version 450
-#extension GL_EXT_samplerless_texture_functions : require
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 0) uniform texture2D estimate;
-layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D filtered;
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
-void main() {
-    ivec2 p = ivec2(gl_GlobalInvocationID.xy), extent = imageSize(filtered);
-    if (any(greaterThanEqual(p, extent))) return;
-    vec4 centre = texelFetch(estimate, p, 0);
-    vec4 sum = vec4(0.0);
-    for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) {
-            vec3 tap = texelFetch(estimate, clamp(p + ivec2(x, y), ivec2(0), extent - 1), 0).rgb;
-            if (abs(luminance(tap) - luminance(centre.rgb)) <= 2.0 * centre.a + 1e-3) sum += vec4(tap, 1.0);
-        }
-    imageStore(filtered, p, vec4(sum.rgb / sum.a, centre.a));
-}";
+const FILTER: &str = include_str!("mean_3x3.comp");
 
 /// The same filter on the CPU: it reads and writes by the names of the bindings.
 fn filter_on_the_cpu(b: &mut Bindings) -> Result<(), Error> {
@@ -93,6 +76,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let params = FrameParams { view_from_world, clip_from_view, ..FrameParams::new(synthetic::EXTENT) };
         session.run(&params, &tuning)?;
         engine.run(&params, &tuning)?;
+        println!("{}", synthetic::report(index, &session.download_bytes("denoised_radiance", UseFrame::Current)?));
         let (on_gpu, on_cpu) = (session.download("denoised_radiance")?, engine.download("denoised_radiance")?);
         let differs = |(a, b): &(&[f32; 4], &[f32; 4])| (0..3).any(|c| (a[c] - b[c]).abs() > 5e-3 + 5e-3 * b[c].abs());
         let different = on_gpu.iter().zip(&on_cpu).filter(differs).count();

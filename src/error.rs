@@ -134,6 +134,16 @@ pub enum Error {
         /// Names of the passes.
         passes: Vec<String>,
     },
+    /// A frame slot that the GPU still works on: see [`crate::FrameParams::complete_frames`].
+    #[error("frame slot {slot} has frame {frame}, and {complete} frames are complete, from 0; wait for that frame, or raise frames_in_flight")]
+    InFlight {
+        /// The slot.
+        slot: u32,
+        /// Number of the frame that was recorded last with it.
+        frame: u64,
+        /// Frames that are complete, as given.
+        complete: u64,
+    },
     /// A pass was given a wrong number of bindings.
     #[error("pass `{pass}` was given {given} bindings, it needs {needed}: one for each of its uses, in their order")]
     Bindings {

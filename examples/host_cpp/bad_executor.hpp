@@ -3,8 +3,58 @@
 #include "atrous.h"
 #include "bad_input.hpp"
 #include "engine.hpp"
+#include "lent.hpp"
+
+// Phases in a wrong order, a slot that the GPU still works on, and buffers that are none.
+inline void refuse_bad_phases(const Engine& engine, Refusals& refusals) {
+    AtrousConfig config{sizeof config};
+    EXPECT(ATROUS_STATUS_OK, "", atrous_config_default(&config, synthetic::width, synthetic::height));
+    AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};
+    info.checks = 1;
+    AtrousExecutor* executor = nullptr;
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_create(&info, &executor));
+    EXPECT(ATROUS_STATUS_STALE_FRAME, "no frame yet", atrous_executor_record(executor, engine.cmd, 0));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "phase is 3", atrous_executor_record(executor, engine.cmd, 3));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "command_buffer is NULL", atrous_executor_record(executor, nullptr, 0));
+    const auto stage = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+    const auto bind = [&](const char* name, uintptr_t buffer, uint64_t size) {
+        return atrous_executor_bind_buffer(executor, name, reinterpret_cast<VkBuffer>(buffer), size, stage, VK_ACCESS_2_TRANSFER_WRITE_BIT);
+    };
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "name is NULL", bind(nullptr, 16, 48));
+    EXPECT(ATROUS_STATUS_BAD_BINDINGS, "depth", bind("depth", 16, 48));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "at least 48 bytes", bind(ATROUS_INPUT_INSTANCE_TRANSFORMS, 16, 47));
+    EXPECT(ATROUS_STATUS_OK, "", bind(ATROUS_INPUT_INSTANCE_TRANSFORMS, 16, 48));
+    EXPECT(ATROUS_STATUS_OK, "", bind(ATROUS_INPUT_INSTANCE_TRANSFORMS, 0, 0));
+    LentInputs inputs(engine);
+    AtrousFrameParams params = scene::params(0);
+    const auto begin = [&](uint32_t count) { return atrous_executor_begin_frame(executor, &params, inputs.lent.data(), count); };
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "params is NULL", atrous_executor_begin_frame(executor, nullptr, nullptr, 0));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "image_count is 4000000000", begin(4000000000u));
+    EXPECT(ATROUS_STATUS_BAD_BINDINGS, "has nothing bound", begin(0));
+    inputs.lent[0].after_layout = VK_IMAGE_LAYOUT_GENERAL;
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "depth has an after_layout", begin(scene::count));
+    inputs.lent[0].after_layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    params.complete_frames = 0;
+    EXPECT(ATROUS_STATUS_OK, "", begin(scene::count));
+    inputs.write(0);
+    engine.begin();
+    inputs.record(engine.cmd);
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_record(executor, engine.cmd, ATROUS_PHASE_BEFORE_LIGHTING));
+    EXPECT(ATROUS_STATUS_STALE_FRAME, "phase 0 of frame 0 was recorded", atrous_executor_record(executor, engine.cmd, ATROUS_PHASE_BEFORE_LIGHTING));
+    EXPECT(ATROUS_STATUS_IN_FLIGHT, "frame slot 0 has frame 0, and 0 frames are complete", begin(scene::count));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_record(executor, engine.cmd, ATROUS_PHASE_POST_PROCESS));
+    EXPECT(ATROUS_STATUS_STALE_FRAME, "begin a frame", atrous_executor_record(executor, engine.cmd, ATROUS_PHASE_AFTER_LIGHTING));
+    engine.submit_and_wait();
+    params.complete_frames = 1;
+    EXPECT(ATROUS_STATUS_OK, "", begin(scene::count));
+    EXPECT(ATROUS_STATUS_OK, "", atrous_executor_destroy(executor));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", begin(scene::count));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", atrous_executor_record(executor, engine.cmd, 0));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live executor", bind("depth", 0, 0));
+}
 
 inline void refuse_bad_executor(const Engine& engine, Refusals& refusals) {
+    refuse_bad_phases(engine, refusals);
     AtrousConfig config{sizeof config};
     EXPECT(ATROUS_STATUS_OK, "", atrous_config_default(&config, 8, 8));
     AtrousCreateInfo info{sizeof info, engine.instance, engine.physical_device, engine.device, vkGetInstanceProcAddr, &config};

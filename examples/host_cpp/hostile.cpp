@@ -1,6 +1,7 @@
 // Gives the library everything that it must refuse. `--random-input COUNT` gives it random structs instead, and `--check` asks it
 // whether guides are as declared.
 #include "bad_executor.hpp"
+#include "bad_graph.hpp"
 #include "bad_input.hpp"
 #include "bad_tracker.hpp"
 #include "conventions.hpp"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
     refuse_bad_input(engine, refusals);
     refuse_bad_executor(engine, refusals);
     refuse_bad_tracker(engine, refusals);
+    refuse_bad_graph(engine, refusals);
     std::printf("bad input: %d calls, %d wrong answers\n", refusals.count, refusals.wrong);
     return refusals.wrong == 0 ? 0 : 1;
 }

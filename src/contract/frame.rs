@@ -65,6 +65,11 @@ pub struct FrameParams {
     /// pass out of this frame. Default: `None`.
     #[cfg_attr(feature = "serde", serde(default))]
     pub debug_view: Option<DebugView>,
+    /// The number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that
+    /// each frame raises by 1. With [`crate::Checks`], a slot whose last frame is not among them is an error. Default: `None`, you do
+    /// not say.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub complete_frames: Option<u64>,
 }
 
 /// The exposure ratio of a file that has none.
@@ -87,6 +92,7 @@ impl FrameParams {
             exposure_ratio: 1.0,
             reshaded: false,
             debug_view: None,
+            complete_frames: None,
         }
     }
 

@@ -46,6 +46,7 @@ pub use memory::{Memory, Placement, ResourceMemory};
 pub use pipeline_decl::{PipelineConstant, PipelineDecl};
 pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
 pub use setup::Setup;
+pub(crate) use setup::MAX_FRAMES_IN_FLIGHT;
 pub(crate) use statistics::STATISTICS_BYTES;
 pub use statistics::{Counter, Statistics};
 #[cfg(feature = "executor")]

@@ -3,6 +3,9 @@
 use crate::config::{check_extent, Config, Conventions};
 use crate::error::Error;
 
+/// The largest [`Setup::frames_in_flight`].
+pub(crate) const MAX_FRAMES_IN_FLIGHT: u32 = 8;
+
 /// Settings that are fixed for every frame of a denoiser, with any passes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
@@ -26,7 +29,7 @@ impl Setup {
     /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
-        let (given, min, max) = (self.frames_in_flight, 1, 8);
+        let (given, min, max) = (self.frames_in_flight, 1, MAX_FRAMES_IN_FLIGHT);
         if !(min..=max).contains(&given) {
             return Err(Error::Config { name: "frames_in_flight", given, min, max });
         }

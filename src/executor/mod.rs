@@ -23,6 +23,8 @@ mod storage;
 mod transfer;
 
 pub use bound::HostImage;
+#[cfg(feature = "capture")]
+pub use capture::{GuideCheck, GuideVerdict};
 pub use headless::{HeadlessDevice, HeadlessOptions, Validation};
 pub use input_set::InputSet;
 pub use one_call::LentImage;
@@ -57,6 +59,12 @@ pub struct ExecutorOptions {
     pub legacy_barriers: bool,
     /// Labels every pass, and names every object. `VK_EXT_debug_utils` is enabled on the instance.
     pub debug_labels: bool,
+    /// Switches [`Denoiser::checks`] on or off. `None`: on in debug builds.
+    pub checks: Option<bool>,
+    /// Checks the guides of the first frames, and logs its findings once: `atrous_conventions::check_frames`. It takes a good part of
+    /// a second a frame, and ends with the first answer. The images of your guides need the usage `TRANSFER_SRC`. A capture ends it.
+    #[cfg(feature = "capture")]
+    pub check_guides: Option<GuideCheck>,
     /// Leaves out the barriers before the pass of this index. Breaks it on purpose, to prove that validation is listening.
     #[doc(hidden)]
     pub omit_barriers_before: Option<usize>,
@@ -107,7 +115,8 @@ impl Executor {
             if !options.legacy_barriers {
                 Requirements::new(&declaration).check_executor_device(host)?;
             }
-            let denoiser = Denoiser::new(host, declaration)?;
+            let mut denoiser = Denoiser::new(host, declaration)?;
+            denoiser.checks.on = options.checks.unwrap_or(denoiser.checks.on);
             if options.debug_labels {
                 denoiser.name_objects(host);
             }
@@ -119,6 +128,8 @@ impl Executor {
                 None
             };
             let counters = counters::Counters::new(host, denoiser.declaration().setup().frames_in_flight)?;
+            #[cfg(feature = "capture")]
+            let capture = capture::Capturing::new(host, options.check_guides, denoiser.declaration());
             let labels = options.debug_labels.then(|| ash::ext::debug_utils::Device::new(host.instance, host.device));
             Ok(Self {
                 denoiser,
@@ -131,7 +142,7 @@ impl Executor {
                 bindings: Vec::new(),
                 counters,
                 #[cfg(feature = "capture")]
-                capture: capture::Capturing::new(host),
+                capture,
             })
         }
     }

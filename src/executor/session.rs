@@ -57,12 +57,12 @@ impl Session {
         let executor_options = ExecutorOptions {
             extra_image_usage: vk::ImageUsageFlags::TRANSFER_SRC,
             poison: options.poison,
-            largest_block: None,
             no_aliasing: options.keep_transients,
             timestamps: options.timestamps && gpu.has_timestamps(),
             legacy_barriers: !gpu.has_synchronization2(),
             debug_labels: gpu.validates(),
             omit_barriers_before: options.omit_barriers_before,
+            ..ExecutorOptions::default()
         };
         // SAFETY: the device is live, has synchronization2 where it is used, and is kept alive by `gpu`, which is dropped last.
         let (executor, commands) = unsafe {

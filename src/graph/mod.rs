@@ -50,6 +50,7 @@ pub(crate) use pass::Pass;
 pub(crate) use port::KeptLuminance;
 pub(crate) use resources::{CONFIDENCE, HDR, PACKED_32, PACKED_64, WIDE_HDR};
 
+use crate::choice::choices;
 use crate::config::{Config, Conventions};
 use crate::contract::{Declaration, PassDecl, ResourceDecl, ResourceId, Setup};
 use crate::error::Error;
@@ -58,20 +59,22 @@ use crate::shaders::CONVENTIONS;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Source of the history of an accumulation.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Feedback {
-    /// The accumulated picture itself. Keeps more detail.
-    #[default]
-    Accumulated,
-    /// The output of the first level of a filter, as in \[SVGF\] 4.1:
-    /// [`crate::nodes::Atrous::feedback`]. Removes more noise.
-    Filtered,
+choices! {
+    /// Source of the history of an accumulation.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum Feedback {
+        /// The accumulated picture itself. Keeps more detail.
+        #[default]
+        Accumulated = 0 => "accumulated",
+        /// The output of the first level of a filter, as in \[SVGF\] 4.1:
+        /// [`crate::nodes::Atrous::feedback`]. Removes more noise.
+        Filtered = 1 => "filtered",
+    }
 }
 
 /// Nodes that were composed so far.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Graph {
     /// Distinguishes the images of this graph from those of other graphs.
     key: u32,

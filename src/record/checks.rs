@@ -13,7 +13,8 @@ use std::sync::{Mutex, PoisonError};
 /// [`Denoiser::begin_frame`](crate::Denoiser::begin_frame). They cost some microseconds a frame.
 ///
 /// Checked are the layout of each binding, that the current and the previous copy of a history are two images which you exchange
-/// in each frame, and that no pass is left out.
+/// in each frame, that no pass is left out, and, where you give [`FrameParams::complete_frames`](crate::FrameParams::complete_frames),
+/// that no slot is in flight.
 #[derive(Clone, Debug)]
 pub struct Checks {
     /// Whether they are made. Initially: in debug builds.

@@ -115,9 +115,11 @@ impl Denoiser {
     ///
     /// # Errors
     /// Errors of [`FrameState::begin`](crate::FrameState::begin). With [`Self::checks`], [`Error::LeftOut`] if passes in front of
-    /// recorded ones are missing in the previous frame; the next call then drops all history.
+    /// recorded ones are missing in the previous frame, whose history the next call then drops, and [`Error::InFlight`] as
+    /// [`FrameParams::complete_frames`] says.
     pub fn begin_frame(&mut self, params: &FrameParams, tuning: &Tuning) -> Result<FrameContext, Error> {
         if self.checks.on {
+            self.life.check_slot_is_free(params)?;
             self.life.check_whole(&self.declaration)?;
         }
         let frame = self.life.begin(&self.declaration, params, tuning)?;

@@ -1,6 +1,6 @@
 //! The life of the frames of a denoiser: one is the history of the next where it was recorded, and not where it was only begun.
 
-use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, PassDecl, Tuning};
+use crate::contract::{Declaration, FrameContext, FrameParams, FrameState, PassDecl, Tuning, MAX_FRAMES_IN_FLIGHT};
 use crate::error::Error;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -11,6 +11,10 @@ pub(crate) struct FrameLife {
     needed: Vec<bool>,
     /// Whether a frame was begun, and its number.
     begun: Option<u64>,
+    /// The slot of that frame.
+    slot: u32,
+    /// The last frame of each slot that has recorded work, as far as it was followed by another.
+    in_slot: [Option<u64>; MAX_FRAMES_IN_FLIGHT as usize],
     /// Passes of that frame that were recorded: by any thread, since recording shares the denoiser.
     recorded: Vec<AtomicBool>,
     warned: bool,
@@ -27,6 +31,8 @@ impl FrameLife {
         Self {
             state: FrameState::default(),
             begun: None,
+            slot: 0,
+            in_slot: Default::default(),
             recorded: needed.iter().map(|_| AtomicBool::new(false)).collect(),
             needed,
             warned: false,
@@ -55,7 +61,10 @@ impl FrameLife {
             );
         }
         self.state = state;
-        self.begun = Some(frame.index);
+        if let (Some(last), Some(in_slot)) = (self.with_work(), self.in_slot.get_mut(self.slot as usize)) {
+            *in_slot = Some(last);
+        }
+        (self.begun, self.slot) = (Some(frame.index), frame.slot);
         self.recorded.iter_mut().for_each(|recorded| *recorded.get_mut() = false);
         Ok(frame)
     }
@@ -74,6 +83,21 @@ impl FrameLife {
         Err(Error::LeftOut { frame, passes })
     }
 
+    /// The frame that was begun last, if passes of it were recorded.
+    fn with_work(&self) -> Option<u64> {
+        self.begun.filter(|_| self.recorded.iter().any(|recorded| recorded.load(Relaxed)))
+    }
+
+    /// Whether the GPU is done with a slot, as far as the host says.
+    pub(crate) fn check_slot_is_free(&self, params: &FrameParams) -> Result<(), Error> {
+        let slot = params.frame_slot;
+        let newest = self.with_work().filter(|_| self.slot == slot);
+        match (newest.or_else(|| self.in_slot.get(slot as usize).copied().flatten()), params.complete_frames) {
+            (Some(frame), Some(complete)) if frame >= complete => Err(Error::InFlight { slot, frame, complete }),
+            _ => Ok(()),
+        }
+    }
+
     /// Notes that a pass was recorded.
     pub(crate) fn recorded(&self, pass: usize) {
         self.recorded[pass].store(true, Relaxed);
@@ -87,11 +111,13 @@ impl FrameLife {
     pub(crate) fn restart_at(&mut self, index: u64) {
         self.state.restart_at(index);
         self.begun = None;
+        self.in_slot = Default::default();
     }
 
     pub(crate) fn resize(&mut self) {
         self.state.resize();
         self.begun = None;
+        self.in_slot = Default::default();
     }
 }
 
@@ -131,5 +157,41 @@ mod tests {
         let name = |pass: usize| format!("`{}`", declaration.passes()[pass].name);
         assert_eq!(told, Err(Error::LeftOut { frame: 0, passes: vec![name(2), name(5)] }));
         assert_eq!(reset, Some(ResetReason::Created));
+    }
+    /// Begins frames in two slots, of which so many are complete, and records a pass of each.
+    fn last_of(complete: &[Option<u64>]) -> Result<(), Error> {
+        let declaration = Config::new([64, 36]).declare().expect("valid");
+        let mut life = FrameLife::new(&declaration);
+        for (index, complete_frames) in (0..).zip(complete) {
+            let frame_slot = index % 2;
+            let params = FrameParams { frame_slot, complete_frames: *complete_frames, ..FrameParams::new([64, 36]) };
+            life.check_slot_is_free(&params)?;
+            life.begin(&declaration, &params, &Tuning::default()).expect("a frame");
+            life.recorded(0);
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_slot_in_flight_is_told() {
+        let in_flight = |slot, frame, complete| Err(Error::InFlight { slot, frame, complete });
+        assert_eq!(last_of(&[Some(0), Some(0), Some(1), Some(2), Some(3)]), Ok(()));
+        assert_eq!(last_of(&[None; 5]), Ok(()), "the host does not say");
+        assert_eq!(last_of(&[Some(0), Some(0), Some(0)]), in_flight(0, 0, 0));
+        assert_eq!(last_of(&[Some(0), Some(0), Some(1), Some(1)]), in_flight(1, 1, 1));
+        assert_eq!(last_of(&[Some(0), Some(0), Some(2), Some(2), Some(2)]), in_flight(0, 2, 2));
+    }
+
+    #[test]
+    fn a_frame_that_was_only_begun_is_not_in_flight() {
+        let declaration = Config::new([64, 36]).declare().expect("valid");
+        let params = FrameParams { complete_frames: Some(0), ..FrameParams::new([64, 36]) };
+        let mut life = FrameLife::new(&declaration);
+        life.begin(&declaration, &params, &Tuning::default()).expect("a frame");
+        assert_eq!(life.check_slot_is_free(&params), Ok(()));
+        life.recorded(0);
+        assert_eq!(life.check_slot_is_free(&params), Err(Error::InFlight { slot: 0, frame: 0, complete: 0 }));
+        life.resize();
+        assert_eq!(life.check_slot_is_free(&params), Ok(()), "numbers start over");
     }
 }

@@ -112,6 +112,7 @@ fn params(dice: &mut Dice, config: &Config, frame: u32) -> FrameParams {
         exposure_ratio: if dice.below(4) == 0 { dice.one_of(&[1e-45, 1e-20, 0.5, 1e4, f32::MAX]) } else { 1.0 },
         reshaded: dice.coin(),
         debug_view: config.debug_view.then(|| dice.one_of(&DebugView::ALL)),
+        complete_frames: None,
     }
 }
 

@@ -74,6 +74,19 @@ pub fn cpp_captures_inputs_and_draws_views() {
     }
 }
 
+/// The executor itself compares the guides of the first frames with the conventions.
+pub fn cpp_is_told_of_wrong_guides_by_the_executor() {
+    let told = |arguments: &[&str]| {
+        let output = run(one_call(), arguments);
+        assert!(output.status.success());
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let text = told(&["--wrong-motion"]);
+    assert_eq!(text.matches("are not as declared").count(), 1, "once: {text}");
+    assert!(text.contains("MISTAKE: the motion has the opposite sign"), "{text}");
+    assert!(!told(&[]).contains("are not as declared"));
+}
+
 /// The checksum of a view of the frame behind the last one that is compared.
 fn of_view(view: DebugView) -> String {
     let mut s = session(&Config { debug_view: true, ..Config::new(synthetic::EXTENT) });
@@ -84,11 +97,54 @@ fn of_view(view: DebugView) -> String {
     synthetic::report(0, &image).rsplit(' ').next().unwrap_or_default().to_owned()
 }
 
+/// A graph of the host's own with a compute shader of its own, built by C99 and by C++17, under the same.
+pub fn graphs_of_c_and_cpp_give_the_bits_of_that_of_rust() {
+    let spirv = shader_of_the_example();
+    let (words, object) = (root().join("target/mean_3x3.spv"), root().join("target/host_c_custom_graph.o"));
+    std::fs::write(&words, spirv.iter().flat_map(|word| word.to_ne_bytes()).collect::<Vec<_>>()).expect("a file");
+    let sanitizers = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    compile_c99("custom_graph.c", &object, &["-c"]);
+    let flags = [sanitizers[0], sanitizers[1], &object.display().to_string()];
+    let program = build("host_cpp_custom_graph", "custom_graph.cpp", "cdylib", &flags);
+    let words = words.display().to_string();
+    for arguments in [&[words.as_str()][..], &[words.as_str(), "c"]] {
+        let output = run(program.clone(), arguments);
+        assert_eq!(checksums("host_cpp_custom_graph", &output), super::of_example("custom_graph"), "{arguments:?}");
+    }
+}
+
+fn shader_of_the_example() -> Vec<u32> {
+    let source = std::fs::read_to_string(root().join("examples/mean_3x3.comp")).expect("examples/mean_3x3.comp");
+    let mut options = shaderc::CompileOptions::new().expect("options");
+    options.set_target_env(shaderc::TargetEnv::Vulkan, shaderc::EnvVersion::Vulkan1_1 as u32);
+    let compiler = shaderc::Compiler::new().expect("a compiler");
+    let compiled = compiler.compile_into_spirv(&source, shaderc::ShaderKind::Compute, "mean_3x3.comp", "main", Some(&options));
+    compiled.expect("SPIR-V").as_binary().to_vec()
+}
+
+/// Compiles a program of examples/host_c, with all warnings and sanitizers.
+fn compile_c99(source: &str, output: &std::path::Path, more: &[&str]) {
+    let mut compiler = Command::new("gcc");
+    compiler.args(["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
+    compiler.args(["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-I"]).arg(root().join("crates/capi/include"));
+    compiler.arg(root().join("examples/host_c").join(source)).args(more).arg("-o").arg(output);
+    let built = compiler.output().expect("gcc");
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+}
+
 /// The record path with a tracker, under the same.
 pub fn cpp_gives_the_bits_of_the_executor_under_sanitizers() {
     let flags = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
     let output = run(build("host_cpp_sanitized", "main.cpp", "cdylib", &flags), &[]);
     assert_eq!(checksums("host_cpp_sanitized", &output), of_executor());
+}
+
+/// The host submits the command buffers that it recorded once, and the denoiser's between them, phase by phase.
+pub fn prerecorded_command_buffers_give_the_bits_of_the_executor() {
+    let flags = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+    let output = run(build("host_cpp_prerecorded", "prerecorded.cpp", "cdylib", &flags), &[]);
+    assert_eq!(checksums("host_cpp_prerecorded", &output), of_executor());
+    println!("{}", String::from_utf8_lossy(&output.stdout).lines().last().unwrap_or_default());
 }
 
 /// Four threads record the passes of a frame side by side.
@@ -101,13 +157,8 @@ pub fn four_threads_give_the_bits_of_the_executor() {
 pub fn a_c99_program_denoises_in_one_call() {
     let _library = one_call();
     let (program, library) = (root().join("target/host_c"), root().join("target/debug"));
-    let mut compiler = Command::new("gcc");
-    compiler.args(["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]);
-    compiler.args(["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-I"]).arg(root().join("crates/capi/include"));
-    compiler.arg(root().join("examples/host_c/main.c")).arg(library.join("libatrous_capi.so"));
-    compiler.arg(format!("-Wl,-rpath,{}", library.display())).args(["-lvulkan", "-lm", "-o"]).arg(&program);
-    let built = compiler.output().expect("gcc");
-    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+    let more = [library.join("libatrous_capi.so").display().to_string(), format!("-Wl,-rpath,{}", library.display())];
+    compile_c99("main.c", &program, &[&more[0], &more[1], "-lvulkan", "-lm"]);
     let output = run(program, &[]);
     assert!(checksums("host_c", &output).is_empty());
     assert!(String::from_utf8_lossy(&output.stdout).contains("differs from the light by at most"));

@@ -200,6 +200,12 @@ typedef enum AtrousEawWeights {
   ATROUS_EAW_WEIGHTS_POSITION = 4,
 } AtrousEawWeights;
 
+typedef enum AtrousPhase {
+  ATROUS_PHASE_BEFORE_LIGHTING = 0,
+  ATROUS_PHASE_AFTER_LIGHTING = 1,
+  ATROUS_PHASE_POST_PROCESS = 2,
+} AtrousPhase;
+
 typedef enum AtrousReset {
   ATROUS_RESET_NONE = 0,
   ATROUS_RESET_CREATED = 1,
@@ -260,6 +266,153 @@ typedef enum AtrousCounter {
 
 #define ATROUS_COUNTER_COUNT 19
 
+// Nodes for atrous_graph_node with their arguments, of which those in brackets have defaults: Graph and nodes in the
+// documentation of the crate say what each means. A choice is given by its name.
+
+// radiance(name)
+#define ATROUS_NODE_RADIANCE "radiance"
+
+// transient(name, format, [divisor])
+#define ATROUS_NODE_TRANSIENT "transient"
+
+// pair(first, second)
+#define ATROUS_NODE_PAIR "pair"
+
+// history(of, [feedback])
+#define ATROUS_NODE_HISTORY "history"
+
+// filter_exposure(noisy, [specular, volume])
+#define ATROUS_NODE_FILTER_EXPOSURE "filter_exposure"
+
+// gradient(guides, noisy, [source, samples, stratum_size])
+#define ATROUS_NODE_GRADIENT "gradient"
+
+// gradient_and_ratio(guides, noisy, [source, samples, stratum_size])
+#define ATROUS_NODE_GRADIENT_AND_RATIO "gradient_and_ratio"
+
+// firefly_limits_of_frame(port, percentiles)
+#define ATROUS_NODE_FIREFLY_LIMITS_OF_FRAME "firefly_limits_of_frame"
+
+// debug_view(guides, noisy, [albedo, history, deviation, confidence, gradient, reflection, visibility, percentiles, limits])
+#define ATROUS_NODE_DEBUG_VIEW "debug_view"
+
+// import([surface_id, object_normal, albedo])
+#define ATROUS_NODE_IMPORT "import"
+
+// forward_project(guides, [stratum_size, forward_motion, surface_id])
+#define ATROUS_NODE_FORWARD_PROJECT "forward_project"
+
+// demodulate(guides, noisy, [albedo, sampling, gradient, samples])
+#define ATROUS_NODE_DEMODULATE "demodulate"
+
+// fill_holes(guides, irradiance, [sampling])
+#define ATROUS_NODE_FILL_HOLES "fill_holes"
+
+// block_percentiles(guides, irradiance)
+#define ATROUS_NODE_BLOCK_PERCENTILES "block_percentiles"
+
+// volume_percentiles(guides, radiance)
+#define ATROUS_NODE_VOLUME_PERCENTILES "volume_percentiles"
+
+// firefly_limits(guides, irradiance, percentiles)
+#define ATROUS_NODE_FIREFLY_LIMITS "firefly_limits"
+
+// firefly(guides, irradiance, limits)
+#define ATROUS_NODE_FIREFLY "firefly"
+
+// volume_firefly(guides, radiance, limits)
+#define ATROUS_NODE_VOLUME_FIREFLY "volume_firefly"
+
+// block_difference(guides, irradiance, history)
+#define ATROUS_NODE_BLOCK_DIFFERENCE "block_difference"
+
+// change_test(difference)
+#define ATROUS_NODE_CHANGE_TEST "change_test"
+
+// change_and_steadiness(difference)
+#define ATROUS_NODE_CHANGE_AND_STEADINESS "change_and_steadiness"
+
+// gradient_atrous(guides, gradient)
+#define ATROUS_NODE_GRADIENT_ATROUS "gradient_atrous"
+
+// history_confidence(gradient, [tested])
+#define ATROUS_NODE_HISTORY_CONFIDENCE "history_confidence"
+
+// history_confidences(gradient, [tested])
+#define ATROUS_NODE_HISTORY_CONFIDENCES "history_confidences"
+
+// host_confidence()
+#define ATROUS_NODE_HOST_CONFIDENCE "host_confidence"
+
+// percentile_rule(guides, percentiles, history)
+#define ATROUS_NODE_PERCENTILE_RULE "percentile_rule"
+
+// temporal_accumulation(guides, irradiance, history, [confidence, repair, sharp, light_ratio, alpha, alpha_moments,
+// max_history_length, depth_tolerance, normal_tolerance])
+#define ATROUS_NODE_TEMPORAL_ACCUMULATION "temporal_accumulation"
+
+// specular_history(irradiance, [feedback])
+#define ATROUS_NODE_SPECULAR_HISTORY "specular_history"
+
+// specular_accumulation(guides, irradiance, history, [confidence, alpha, alpha_moments, sharp])
+#define ATROUS_NODE_SPECULAR_ACCUMULATION "specular_accumulation"
+
+// variance(guides, accumulated, history, [estimator, spatial_variance_frames])
+#define ATROUS_NODE_VARIANCE "variance"
+
+// atrous(guides, estimate, [levels, kernel, luminance_weight, feedback, reflection, sigma_l, sigma_n, sigma_z])
+#define ATROUS_NODE_ATROUS "atrous"
+
+// eaw(guides, irradiance, [levels, weights, sampling, feedback])
+#define ATROUS_NODE_EAW "eaw"
+
+// modulate(guides, filtered, [albedo, specular, emission, float_output])
+#define ATROUS_NODE_MODULATE "modulate"
+
+// tone_map(denoised)
+#define ATROUS_NODE_TONE_MAP "tone_map"
+
+// taa(guides, tone_mapped)
+#define ATROUS_NODE_TAA "taa"
+
+// volume()
+#define ATROUS_NODE_VOLUME "volume"
+
+// volume_motion(guides, volume)
+#define ATROUS_NODE_VOLUME_MOTION "volume_motion"
+
+// volume_points(volume)
+#define ATROUS_NODE_VOLUME_POINTS "volume_points"
+
+// volume_accumulation(guides, radiance, history, motion)
+#define ATROUS_NODE_VOLUME_ACCUMULATION "volume_accumulation"
+
+// volume_variance(guides, accumulated, history)
+#define ATROUS_NODE_VOLUME_VARIANCE "volume_variance"
+
+// volume_atrous(guides, estimate, [levels, feedback, keeps_exposure])
+#define ATROUS_NODE_VOLUME_ATROUS "volume_atrous"
+
+// visibility_samples(guides)
+#define ATROUS_NODE_VISIBILITY_SAMPLES "visibility_samples"
+
+// visibility_accumulation(guides, samples)
+#define ATROUS_NODE_VISIBILITY_ACCUMULATION "visibility_accumulation"
+
+// visibility_filter(guides, accumulated, levels)
+#define ATROUS_NODE_VISIBILITY_FILTER "visibility_filter"
+
+// shadowed_light(radiance, visibility)
+#define ATROUS_NODE_SHADOWED_LIGHT "shadowed_light"
+
+// Initialisers of AtrousArgument: { ATROUS_PORT("guides", guides), ATROUS_NUMBER("levels", 4) }.
+
+#define ATROUS_PORT(name, port) {(name), ATROUS_ARGUMENT_KIND_PORT, (port), 0, 0}
+#define ATROUS_PREVIOUS(name, port) {(name), ATROUS_ARGUMENT_KIND_PREVIOUS, (port), 0, 0}
+#define ATROUS_NUMBER(name, number) {(name), ATROUS_ARGUMENT_KIND_NUMBER, 0, (double)(number), 0}
+#define ATROUS_TEXT(name, text) {(name), ATROUS_ARGUMENT_KIND_TEXT, 0, 0, (text)}
+#define ATROUS_CONSTANT(name, number) {(name), ATROUS_ARGUMENT_KIND_CONSTANT, 0, (double)(number), 0}
+
 
 // Bytes of a name, with its null.
 #define ATROUS_NAME_SIZE 64
@@ -296,6 +449,8 @@ enum AtrousStatus
   ATROUS_STATUS_PANICKED = 8,
   // Passes of the previous frame were left out: see atrous_set_checks.
   ATROUS_STATUS_LEFT_OUT = 9,
+  // The GPU still works on the frame slot: see complete_frames of AtrousFrameParams.
+  ATROUS_STATUS_IN_FLIGHT = 10,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -305,11 +460,39 @@ typedef uint32_t AtrousStatus;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
+// The content of an AtrousArgument.
+enum AtrousArgumentKind
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // `port`; 0 leaves the argument out.
+  ATROUS_ARGUMENT_KIND_PORT = 0,
+  // `port`, with its content of the frame before: for a binding of your stage.
+  ATROUS_ARGUMENT_KIND_PREVIOUS = 1,
+  // `number`; of a flag 0 or 1.
+  ATROUS_ARGUMENT_KIND_NUMBER = 2,
+  // `text`: the name of a choice, of a tunable, or of an image.
+  ATROUS_ARGUMENT_KIND_TEXT = 3,
+  // `number`, for a specialisation constant of your stage.
+  ATROUS_ARGUMENT_KIND_CONSTANT = 4,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum AtrousArgumentKind AtrousArgumentKind;
+#else
+typedef uint32_t AtrousArgumentKind;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
 // A denoiser. Opaque: the pointer is a number that is never followed, so that a wrong one is an error and not a crash.
 typedef struct AtrousDenoiser AtrousDenoiser;
 
 // A denoiser with its images, barriers and memory. Opaque, as AtrousDenoiser is.
 typedef struct AtrousExecutor AtrousExecutor;
+
+// A graph of your own that is being built. Opaque, as AtrousDenoiser is.
+typedef struct AtrousGraph AtrousGraph;
 
 // The states of the images and buffers of a denoiser. Opaque, as AtrousDenoiser is.
 typedef struct AtrousTracker AtrousTracker;
@@ -413,7 +596,7 @@ typedef struct AtrousCreateInfo {
   VkDevice device;
   // `vkGetInstanceProcAddr` of the loader that made the instance.
   PFN_vkGetInstanceProcAddr get_instance_proc_addr;
-  // Configuration; read during the call alone.
+  // Configuration; read during the call alone. NULL if you give a graph.
   const struct AtrousConfig *config;
   // Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
   // be externally synchronised.
@@ -423,6 +606,14 @@ typedef struct AtrousCreateInfo {
   // 1: names every object, and an executor labels every pass. VK_EXT_debug_utils is enabled on the
   // instance.
   uint32_t debug_labels;
+  // A graph of your own instead of a configuration, or NULL; read during the call alone.
+  const struct AtrousGraph *graph;
+  // Checks of bindings and frames, see atrous_set_checks: 0, in debug builds of the library; 1, on; 2, off.
+  uint32_t checks;
+  // Of an executor: 1 checks the guides of the first frames, as atrous_check_conventions does, and logs its findings once:
+  // atrous_set_log. It takes a good part of a second a frame, and ends with the first answer. The images of your guides need the
+  // usage TRANSFER_SRC.
+  uint32_t check_guides;
 } AtrousCreateInfo;
 
 // Parameters of a frame; `atrous_frame_params_default` fills it.
@@ -454,6 +645,9 @@ typedef struct AtrousFrameParams {
   // (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
   // 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
   uint32_t debug_view;
+  // Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
+  // frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
+  uint64_t complete_frames;
 } AtrousFrameParams;
 
 // A buffer for a name.
@@ -590,6 +784,41 @@ typedef struct AtrousFrame {
   uint32_t reset;
 } AtrousFrame;
 
+// What a node of a graph returned; 0 is none.
+typedef uint32_t AtrousPort;
+
+// An argument of a node: ATROUS_PORT, ATROUS_NUMBER and so on fill it.
+typedef struct AtrousArgument {
+  // Name of the argument.
+  const char *name;
+  // One of AtrousArgumentKind.
+  uint32_t kind;
+  // A port of the same graph.
+  AtrousPort port;
+  // A number.
+  double number;
+  // A text.
+  const char *text;
+} AtrousArgument;
+
+// A compute shader of yours, for atrous_graph_stage.
+typedef struct AtrousStageInfo {
+  // sizeof(AtrousStageInfo).
+  uint32_t struct_size;
+  // 0: before lighting; 1: after lighting; 2: post-process.
+  uint32_t phase;
+  // The member `level` of the push constants; 0 if there is none.
+  uint32_t level;
+  // Side of the block of pixels for which one invocation runs and one texel is made; 0 and 1: a pixel.
+  uint32_t per_block;
+  // Name of the stage.
+  const char *name;
+  // SPIR-V with its names.
+  const uint32_t *spirv;
+  // Words of it.
+  uint64_t word_count;
+} AtrousStageInfo;
+
 // The binding for a use. An image: `image`, `view` and `layout`. A buffer: `buffer`, `offset`, `range`. All null: an optional
 // input that is absent.
 typedef struct AtrousBinding {
@@ -723,7 +952,7 @@ const char *atrous_last_error(void);
 // The name of a status, for logs; never null.
 const char *atrous_status_name(uint32_t status);
 
-// Tells whether a device can run a configuration, and creates nothing. The status is that of success, or of an unsupported device:
+// Tells whether a device can run a configuration or a graph, and creates nothing. The status is that of success, or of an unsupported device:
 // then atrous_last_error lists everything that is missing, for example a limit with its value. With a null `device` it looks at the
 // physical device alone, before you create one. `executor` 1: the needs of an executor as well.
 //
@@ -834,6 +1063,72 @@ AtrousStatus atrous_invalidate(struct AtrousDenoiser *denoiser);
 AtrousStatus atrous_begin_frame(struct AtrousDenoiser *denoiser,
                                 const struct AtrousFrameParams *params,
                                 struct AtrousFrame *frame);
+
+// Begins a graph of your own. Of the configuration it takes the extent, the conventions, frames_in_flight, and the preset whose
+// numbers the tuning begins with. Give the graph to atrous_create or atrous_executor_create, as often as you like; they tell mistakes
+// of the whole, with node and port.
+//
+// # Safety
+// Pointers are null or valid with their struct_size set.
+AtrousStatus atrous_graph_create(const struct AtrousConfig *config,
+                                 struct AtrousGraph **graph);
+
+// Destroys a graph. Denoisers that were made of it stay.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_graph_destroy(struct AtrousGraph *graph);
+
+// Adds one of ATROUS_NODE_*, with arguments by name. `scope` may be null; else its name follows those of the node's images and
+// passes, for a node that appears twice. `result`, which may be null, becomes the port that the node returns, or 0. A refused
+// call changes nothing.
+//
+// # Safety
+// Strings are null or end in a null; `arguments` points to `count` of them; `result` is null or points to a port.
+AtrousStatus atrous_graph_node(struct AtrousGraph *graph,
+                               const char *node,
+                               const char *scope,
+                               const struct AtrousArgument *arguments,
+                               uint32_t count,
+                               AtrousPort *result);
+
+// Adds a compute shader of yours as a stage. Its SPIR-V is for Vulkan 1.1 and has its names. Arguments are ports for its bindings
+// by their names, numbers or tunables for members of its push constants, and specialisation constants. Each storage image that it
+// writes and that you leave out is made for you. `result` becomes a port whose parts are the images that it writes:
+// atrous_graph_part. docs/add_a_stage.md has more. A refused call changes nothing.
+//
+// # Safety
+// Pointers are null or valid, `info` with its struct_size set; strings end in a null; `arguments` points to `count` of them;
+// `spirv` of `info` points to `word_count` words. The SPIR-V is valid: the output of a compiler.
+AtrousStatus atrous_graph_stage(struct AtrousGraph *graph,
+                                const struct AtrousStageInfo *info,
+                                const struct AtrousArgument *arguments,
+                                uint32_t count,
+                                AtrousPort *result);
+
+// A part of what a node returned: `first` and `second` of a port of two signals, an image of guides by its name, the image that a
+// stage wrote by the name of its binding. An error lists the parts that there are.
+//
+// # Safety
+// `part` is null or ends in a null; `result` is null or points to a port.
+AtrousStatus atrous_graph_part(struct AtrousGraph *graph,
+                               AtrousPort port,
+                               const char *part,
+                               AtrousPort *result);
+
+// Makes an image an output of this name, which you allocate and read.
+//
+// # Safety
+// `name` is null or ends in a null.
+AtrousStatus atrous_graph_output(struct AtrousGraph *graph, const char *name, AtrousPort port);
+
+// Sets whether transients may lie in the images of outputs before those are written, which saves 8 bytes per pixel: 1, as from the
+// start, or 0, if you still read the outputs of the previous frame then.
+//
+// # Safety
+// None beyond those of a call through C.
+AtrousStatus atrous_graph_share_outputs(struct AtrousGraph *graph,
+                                        uint32_t on);
 
 // Records one pass. It allocates nothing; you place the barriers and submit. Give the `bindings` in the order of the pass's uses.
 //
@@ -1072,6 +1367,38 @@ AtrousStatus atrous_executor_denoise(struct AtrousExecutor *executor,
                                      const struct AtrousFrameParams *params,
                                      const struct AtrousLentImage *images,
                                      uint32_t image_count);
+
+// Begins a frame whose phases you record one by one, for example with your path tracer between them. Images are lent as to
+// atrous_executor_denoise; each phase finds them in the states that you give here, and leaves them so: after_layout is
+// VK_IMAGE_LAYOUT_UNDEFINED.
+//
+// # Safety
+// Pointers are null or valid. Images are live until the frame is recorded.
+AtrousStatus atrous_executor_begin_frame(struct AtrousExecutor *executor,
+                                         const struct AtrousFrameParams *params,
+                                         const struct AtrousLentImage *images,
+                                         uint32_t image_count);
+
+// Records an AtrousPhase of the frame that was begun last, with all barriers; each phase once, in their order.
+//
+// # Safety
+// The command buffer is recording, outside a render pass, for a queue family with compute, and runs behind those of the phases
+// before. Lent images are live and in their states. GPU work that was recorded earlier with the same frame_slot is complete.
+AtrousStatus atrous_executor_record(struct AtrousExecutor *executor,
+                                    VkCommandBuffer command_buffer,
+                                    uint32_t phase);
+
+// Binds a buffer of yours, for example ATROUS_INPUT_INSTANCE_TRANSFORMS, until you bind a new one or, with a null `buffer`, none.
+// `stage` and `access` are your own uses before each phase.
+//
+// # Safety
+// `name` is null or a null-terminated string. The buffer has `size` bytes and the declared usage, and is live while it is bound.
+AtrousStatus atrous_executor_bind_buffer(struct AtrousExecutor *executor,
+                                         const char *name,
+                                         VkBuffer buffer,
+                                         uint64_t size,
+                                         VkPipelineStageFlags2 stage,
+                                         VkAccessFlags2 access);
 
 // Copies a resource of the newest frame into your buffer, visible to the CPU once the command buffer has run.
 //

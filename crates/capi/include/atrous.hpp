@@ -2,6 +2,7 @@
 // method is the function of its name, and returns its status. Nothing throws.
 #pragma once
 #include <cstddef>
+#include <initializer_list>
 #include <memory>
 #include <type_traits>
 
@@ -117,6 +118,12 @@ enum class EawWeights : uint32_t {
     Position = ATROUS_EAW_WEIGHTS_POSITION,
 };
 
+enum class Phase : uint32_t {
+    BeforeLighting = ATROUS_PHASE_BEFORE_LIGHTING,
+    AfterLighting = ATROUS_PHASE_AFTER_LIGHTING,
+    PostProcess = ATROUS_PHASE_POST_PROCESS,
+};
+
 enum class Reset : uint32_t {
     None = ATROUS_RESET_NONE,
     Created = ATROUS_RESET_CREATED,
@@ -182,6 +189,44 @@ private:
 template <typename T, AtrousStatus (*destroy)(T*)>
 struct Destroy {
     void operator()(T* handle) const { destroy(handle); }
+};
+
+class Graph {
+public:
+    using Arguments = std::initializer_list<AtrousArgument>;
+
+    // Of the configuration: extent, conventions, frames in flight, and the preset whose numbers the tuning begins with.
+    [[nodiscard]] AtrousStatus create(const AtrousConfig& config) {
+        AtrousGraph* made = nullptr;
+        const AtrousStatus status = atrous_graph_create(&config, &made);
+        if (status == ATROUS_STATUS_OK) handle_.reset(made);
+        return status;
+    }
+    // For AtrousCreateInfo::graph.
+    AtrousGraph* get() const { return handle_.get(); }
+    explicit operator bool() const { return bool(handle_); }
+
+    // Arguments are ATROUS_PORT("guides", guides) and its siblings.
+    [[nodiscard]] AtrousStatus node(const char* node, Arguments arguments, AtrousPort& result, const char* scope = nullptr) {
+        return atrous_graph_node(get(), node, scope, arguments.begin(), static_cast<uint32_t>(arguments.size()), &result);
+    }
+    [[nodiscard]] AtrousStatus stage(const AtrousStageInfo& info, Arguments arguments, AtrousPort& result) {
+        return atrous_graph_stage(get(), &info, arguments.begin(), static_cast<uint32_t>(arguments.size()), &result);
+    }
+    [[nodiscard]] AtrousStatus stage(const char* name, Span<const uint32_t> spirv, Arguments arguments, AtrousPort& result,
+                                     Phase phase = Phase::AfterLighting) {
+        AtrousStageInfo info = sized<AtrousStageInfo>();
+        info.phase = static_cast<uint32_t>(phase), info.name = name, info.spirv = spirv.data(), info.word_count = spirv.size();
+        return stage(info, arguments, result);
+    }
+    [[nodiscard]] AtrousStatus part(AtrousPort port, const char* part, AtrousPort& result) {
+        return atrous_graph_part(get(), port, part, &result);
+    }
+    [[nodiscard]] AtrousStatus output(const char* name, AtrousPort port) { return atrous_graph_output(get(), name, port); }
+    [[nodiscard]] AtrousStatus share_outputs(bool on) { return atrous_graph_share_outputs(get(), on); }
+
+private:
+    std::unique_ptr<AtrousGraph, Destroy<AtrousGraph, atrous_graph_destroy>> handle_;
 };
 
 class Denoiser {
@@ -288,6 +333,15 @@ public:
     [[nodiscard]] AtrousStatus forget_recorded() { return atrous_executor_forget_recorded(get()); }
     [[nodiscard]] AtrousStatus denoise(VkCommandBuffer cmd, const AtrousFrameParams& params, Span<const AtrousLentImage> images) {
         return atrous_executor_denoise(get(), cmd, &params, images.data(), images.size());
+    }
+    [[nodiscard]] AtrousStatus bind_buffer(const char* name, VkBuffer buffer, uint64_t size, VkPipelineStageFlags2 stage, VkAccessFlags2 access) {
+        return atrous_executor_bind_buffer(get(), name, buffer, size, stage, access);
+    }
+    [[nodiscard]] AtrousStatus begin_frame(const AtrousFrameParams& params, Span<const AtrousLentImage> images) {
+        return atrous_executor_begin_frame(get(), &params, images.data(), images.size());
+    }
+    [[nodiscard]] AtrousStatus record(VkCommandBuffer cmd, Phase phase) {
+        return atrous_executor_record(get(), cmd, static_cast<uint32_t>(phase));
     }
     [[nodiscard]] AtrousStatus record_copy(VkCommandBuffer cmd, const char* name, VkBuffer buffer, uint64_t size) {
         return atrous_executor_record_copy(get(), cmd, name, buffer, size);

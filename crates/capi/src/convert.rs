@@ -73,6 +73,7 @@ impl AtrousFrameParams {
             exposure_ratio: self.exposure_ratio,
             reshaded: flag("reshaded", self.reshaded)?,
             debug_view: choice_or_none("debug_view", self.debug_view)?,
+            complete_frames: Some(self.complete_frames).filter(|count| *count != u64::MAX),
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -92,6 +93,7 @@ impl AtrousFrameParams {
             exposure_ratio: 1.0,
             reshaded: 0,
             debug_view: 0,
+            complete_frames: u64::MAX,
         }
     }
 }

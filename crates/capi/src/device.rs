@@ -1,6 +1,7 @@
 //! The device of a host: its functions, and whether it can run a configuration.
 
 use crate::convert::flag;
+use crate::graph::declaration_of;
 use crate::pointers::read;
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::AtrousCreateInfo;
@@ -34,11 +35,21 @@ fn functions_of(info: &AtrousCreateInfo) -> Result<ash::vk::PFN_vkGetInstancePro
     }
 }
 
+/// Whether checks are made, if the host says it.
+pub(super) fn checks(info: &AtrousCreateInfo) -> Result<Option<bool>, Failure> {
+    match info.checks {
+        0 => Ok(None),
+        1 => Ok(Some(true)),
+        2 => Ok(Some(false)),
+        other => Err(Failure::argument(format!("checks is {other}; allowed: 0 (in debug builds), 1 (on), 2 (off)"))),
+    }
+}
+
 fn null(name: &str) -> Failure {
     Failure::argument(format!("info->{name} is NULL; give the host's own"))
 }
 
-/// Tells whether a device can run a configuration, and creates nothing. The status is that of success, or of an unsupported device:
+/// Tells whether a device can run a configuration or a graph, and creates nothing. The status is that of success, or of an unsupported device:
 /// then atrous_last_error lists everything that is missing, for example a limit with its value. With a null `device` it looks at the
 /// physical device alone, before you create one. `executor` 1: the needs of an executor as well.
 ///
@@ -48,13 +59,13 @@ fn null(name: &str) -> Failure {
 pub unsafe extern "C" fn atrous_check_requirements(info: *const AtrousCreateInfo, executor: u32) -> AtrousStatus {
     guard(|| {
         // SAFETY: `info` and its `config` are null or point to structs that begin with their size.
-        let (info, config) = unsafe {
+        let (info, declaration) = unsafe {
             let info = read("info", info)?;
-            (info, read("info->config", info.config)?.to_config()?)
+            (info, declaration_of(&info)?.0)
         };
         let legacy = flag("legacy_barriers", info.legacy_barriers)?;
         let is_executor = flag("executor", executor)? && !legacy;
-        let requirements = Requirements::new(&config.declare()?);
+        let requirements = Requirements::new(&declaration);
         let get_instance_proc_addr = functions_of(&info)?;
         // SAFETY: instance, physical device and, unless it is null, device are live and belong together.
         unsafe {

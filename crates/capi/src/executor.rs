@@ -1,19 +1,23 @@
 //! A denoiser with images, barriers and memory of its own: one call for each frame.
 
-use crate::device::load;
+use crate::device::{checks, load};
 use crate::functions::string;
+use crate::graph::declaration_of;
 use crate::handle::{self, AtrousExecutor, ExecutorState};
 use crate::pointers::{check_size, read};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::{AtrousCreateInfo, AtrousFrameParams, AtrousLentImage};
-use ash::vk::{Buffer, CommandBuffer, Handle, ImageLayout};
+use ash::vk::{AccessFlags2, Buffer, CommandBuffer, Handle, ImageLayout, PipelineStageFlags2};
 use atrous::executor::{Executor, ExecutorOptions, HostImage, LentImage};
-use atrous::{Counter, DebugView, Error, FrameContext, ResourceState, Tuning, UseFrame};
+use atrous::{Counter, DebugView, Error, FrameContext, Lifetime, Phase, ResourceDecl, ResourceState, Shape, Tuning, UseFrame};
 use std::ffi::{c_char, CStr};
 
 impl ExecutorState {
     fn newest(&self) -> Result<FrameContext, Failure> {
-        let none = || Failure { status: AtrousStatus::StaleFrame, message: "no frame yet; call atrous_executor_denoise".into() };
+        let none = || Failure {
+            status: AtrousStatus::StaleFrame,
+            message: "no frame yet; call atrous_executor_denoise or atrous_executor_begin_frame".into(),
+        };
         self.newest.ok_or_else(none)
     }
 }
@@ -33,18 +37,20 @@ pub unsafe extern "C" fn atrous_executor_create(info: *const AtrousCreateInfo, e
         unsafe {
             executor.write_unaligned(std::ptr::null_mut());
             let info = read("info", info)?;
-            let config = read("info->config", info.config)?.to_config()?;
+            let (declaration, preset) = declaration_of(&info)?;
             let options = ExecutorOptions {
                 // An output that the host does not lend can be copied: atrous_executor_record_copy.
                 extra_image_usage: ash::vk::ImageUsageFlags::TRANSFER_SRC,
                 legacy_barriers: crate::convert::flag("legacy_barriers", info.legacy_barriers)?,
                 debug_labels: crate::convert::flag("debug_labels", info.debug_labels)?,
+                checks: checks(&info)?,
+                check_guides: crate::convert::flag("check_guides", info.check_guides)?.then_some(atrous_conventions::check_frames),
                 ..Default::default()
             };
             let loaded = load(&info)?;
             let host = atrous::Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-            let made = Executor::new(host, config.declare()?, options)?;
-            let state = ExecutorState { executor: made, tuning: Tuning::for_preset(config.preset), newest: None };
+            let made = Executor::new(host, declaration, options)?;
+            let state = ExecutorState { executor: made, tuning: Tuning::for_preset(preset), newest: None, next_phase: 0 };
             executor.write_unaligned(handle::insert(state));
         }
         Ok(())
@@ -123,10 +129,7 @@ pub unsafe extern "C" fn atrous_executor_denoise(
 ) -> AtrousStatus {
     guard(|| {
         handle::change(executor, |state| {
-            let most = state.executor.denoiser().declaration().resources().len();
-            if image_count as usize > most {
-                return Err(Failure::argument(format!("image_count is {image_count}; there are {most} resources")));
-            }
+            check_image_count(state, image_count)?;
             if command_buffer.is_null() {
                 return Err(Failure::argument("command_buffer is NULL; give one that is recording"));
             }
@@ -136,10 +139,113 @@ pub unsafe extern "C" fn atrous_executor_denoise(
             // SAFETY: the command buffer is recording outside a render pass on a compute queue; lent images are live and in the
             // states that were given, and work recorded earlier with this slot is complete.
             let frame = unsafe { state.executor.denoise(command_buffer, &params, &state.tuning, &lent)? };
-            state.newest = Some(frame);
+            (state.newest, state.next_phase) = (Some(frame), Phase::ALL.len() as u32);
             Ok(())
         })
     })
+}
+
+/// Begins a frame whose phases you record one by one, for example with your path tracer between them. Images are lent as to
+/// atrous_executor_denoise; each phase finds them in the states that you give here, and leaves them so: after_layout is
+/// VK_IMAGE_LAYOUT_UNDEFINED.
+///
+/// # Safety
+/// Pointers are null or valid. Images are live until the frame is recorded.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_begin_frame(
+    executor: *mut AtrousExecutor,
+    params: *const AtrousFrameParams,
+    images: *const AtrousLentImage,
+    image_count: u32,
+) -> AtrousStatus {
+    guard(|| {
+        handle::change(executor, |state| {
+            check_image_count(state, image_count)?;
+            // SAFETY: `params` is null or points to a struct that begins with its size; `images` is null or points to
+            // `image_count` structs that begin with their size, with names that are null or strings.
+            let (params, lent) = unsafe { (read("params", params)?.to_params()?, lent_images(images, image_count)?) };
+            if let Some(image) = lent.iter().find(|image| image.after.is_some()) {
+                let message =
+                    "has an after_layout; leave it VK_IMAGE_LAYOUT_UNDEFINED, since each phase leaves images as it finds them";
+                return Err(Failure::argument(format!("{} {message}", image.name)));
+            }
+            let resources = state.executor.denoiser().declaration().resources().iter();
+            let is_lent = |name: &str| lent.iter().any(|image| image.name == name);
+            let is_shared = |resource: &&ResourceDecl| {
+                matches!(resource.lifetime, Lifetime::Input { .. } | Lifetime::Output)
+                    && matches!(resource.shape, Shape::Image { .. })
+            };
+            let others = resources.filter(is_shared).filter(|resource| !is_lent(&resource.name));
+            let others: Vec<_> = others.map(|resource| resource.name.clone()).collect();
+            others.iter().try_for_each(|name| state.executor.unbind(name))?;
+            lent.iter().try_for_each(|image| state.executor.bind_image(image.name, image.image))?;
+            (state.newest, state.next_phase) = (Some(state.executor.begin_frame(&params, &state.tuning)?), 0);
+            Ok(())
+        })
+    })
+}
+
+/// Records an AtrousPhase of the frame that was begun last, with all barriers; each phase once, in their order.
+///
+/// # Safety
+/// The command buffer is recording, outside a render pass, for a queue family with compute, and runs behind those of the phases
+/// before. Lent images are live and in their states. GPU work that was recorded earlier with the same frame_slot is complete.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_record(
+    executor: *mut AtrousExecutor,
+    command_buffer: CommandBuffer,
+    phase: u32,
+) -> AtrousStatus {
+    guard(|| {
+        let which = crate::convert::phase(phase)?;
+        if command_buffer.is_null() {
+            return Err(Failure::argument("command_buffer is NULL; give one that is recording"));
+        }
+        handle::change(executor, |state| {
+            let frame = state.newest()?;
+            if phase < state.next_phase {
+                let message = format!("phase {phase} of frame {} was recorded, or one behind it; begin a frame", frame.index);
+                return Err(Failure { status: AtrousStatus::StaleFrame, message });
+            }
+            // SAFETY: the command buffer is recording outside a render pass on a compute queue; what is lent is live and in the states
+            // that were given, and work recorded earlier with this slot is complete.
+            unsafe { state.executor.record(command_buffer, &frame, which)? };
+            state.next_phase = phase + 1;
+            Ok(())
+        })
+    })
+}
+
+/// Binds a buffer of yours, for example ATROUS_INPUT_INSTANCE_TRANSFORMS, until you bind a new one or, with a null `buffer`, none.
+/// `stage` and `access` are your own uses before each phase.
+///
+/// # Safety
+/// `name` is null or a null-terminated string. The buffer has `size` bytes and the declared usage, and is live while it is bound.
+#[no_mangle]
+pub unsafe extern "C" fn atrous_executor_bind_buffer(
+    executor: *mut AtrousExecutor,
+    name: *const c_char,
+    buffer: Buffer,
+    size: u64,
+    stage: PipelineStageFlags2,
+    access: AccessFlags2,
+) -> AtrousStatus {
+    guard(|| {
+        // SAFETY: `name` is null or a string with a null at its end, which lives through this call.
+        let name = unsafe { string("name", name)? };
+        handle::change(executor, |state| match buffer.is_null() {
+            true => Ok(state.executor.unbind(&name)?),
+            false => Ok(state.executor.bind_buffer(&name, buffer, size, stage, access)?),
+        })
+    })
+}
+
+fn check_image_count(state: &ExecutorState, image_count: u32) -> Result<(), Failure> {
+    let most = state.executor.denoiser().declaration().resources().len();
+    if image_count as usize > most {
+        return Err(Failure::argument(format!("image_count is {image_count}; there are {most} resources")));
+    }
+    Ok(())
 }
 
 /// # Safety

@@ -1,15 +1,15 @@
 //! Functions of the C ABI but recording: creation, declarations, tuning, frames.
 
 use crate::convert::{self, flag};
-use crate::device::load;
+use crate::device::{checks, load};
+use crate::graph::declaration_of;
 use crate::handle::{self, AtrousDenoiser, State};
 use crate::pointers::{check_size, read, write};
 use crate::status::{guard, AtrousStatus, Failure};
 use crate::structs::*;
 use crate::AtrousConfig;
 use atrous::contract::ResourceId;
-use atrous::{Config, Denoiser, Device, Placement, Tuning, UseFrame};
-use std::collections::BTreeMap;
+use atrous::{Denoiser, Device, Placement, Tuning, UseFrame};
 use std::ffi::{c_char, CStr};
 
 /// Fills a configuration with defaults for an extent.
@@ -47,8 +47,7 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
         unsafe {
             denoiser.write_unaligned(std::ptr::null_mut());
             let info = read("info", info)?;
-            let config = read("info->config", info.config)?.to_config()?;
-            denoiser.write_unaligned(handle::insert(create(&info, &config)?));
+            denoiser.write_unaligned(handle::insert(create(&info)?));
         }
         Ok(())
     })
@@ -56,18 +55,22 @@ pub unsafe extern "C" fn atrous_create(info: *const AtrousCreateInfo, denoiser: 
 
 /// # Safety
 /// Obligations of [`atrous_create`].
-unsafe fn create(info: &AtrousCreateInfo, config: &Config) -> Result<State, Failure> {
-    // SAFETY: the handles are live and belong together, and the host keeps them alive until `atrous_destroy`.
-    let denoiser = unsafe {
+unsafe fn create(info: &AtrousCreateInfo) -> Result<State, Failure> {
+    // SAFETY: `config` is null or points to a struct that begins with its size; the handles are live and belong together, and the host
+    // keeps them alive until `atrous_destroy`.
+    let (denoiser, preset) = unsafe {
+        let (declaration, preset) = declaration_of(info)?;
         let loaded = load(info)?;
         let host = Device { pipeline_cache: info.pipeline_cache, ..loaded.device() };
-        let denoiser = Denoiser::new(host, config.declare()?)?;
+        let mut denoiser = Denoiser::new(host, declaration)?;
+        denoiser.checks.on = checks(info)?.unwrap_or(denoiser.checks.on);
         if flag("debug_labels", info.debug_labels)? {
             denoiser.name_objects(host);
         }
-        denoiser
+        (denoiser, preset)
     };
-    Ok(State { denoiser, tuning: Tuning::for_preset(config.preset), generation: 0, frames: BTreeMap::new() })
+    let frames = vec![None; denoiser.declaration().setup().frames_in_flight as usize];
+    Ok(State { denoiser, tuning: Tuning::for_preset(preset), generation: 0, frames })
 }
 
 /// Destroys a denoiser. Your handle is invalid from then on, and stays so.
@@ -92,7 +95,7 @@ pub unsafe extern "C" fn atrous_resize(denoiser: *mut AtrousDenoiser, width: u32
         handle::change(denoiser, |state| {
             state.denoiser.resize([width, height])?;
             state.generation += 1;
-            state.frames.clear();
+            state.frames.fill(None);
             Ok(())
         })
     })
@@ -302,7 +305,10 @@ pub unsafe extern "C" fn atrous_begin_frame(
                 read("params", params)?.to_params()?
             };
             let context = state.denoiser.begin_frame(&params, &state.tuning)?;
-            state.frames.insert(context.slot, context);
+            // There is a slot for it, or it would have been refused.
+            if let Some(begun) = state.frames.get_mut(context.slot as usize) {
+                *begun = Some(context);
+            }
             let value = AtrousFrame {
                 struct_size: size_of::<AtrousFrame>() as u32,
                 frame_slot: context.slot,

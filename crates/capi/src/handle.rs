@@ -3,6 +3,7 @@
 //! Recordings share a denoiser: they take the reader's side of its lock, so that none waits for another. Calls that change it
 //! take the writer's side.
 
+use crate::graph::GraphState;
 use crate::status::{AtrousStatus, Failure};
 use crate::tracker::TrackerState;
 use atrous::executor::Executor;
@@ -26,6 +27,11 @@ pub struct AtrousTracker {
     _private: (),
 }
 
+/// A graph of your own that is being built. Opaque, as AtrousDenoiser is.
+pub struct AtrousGraph {
+    _private: (),
+}
+
 /// The object behind a handle of a denoiser.
 pub(super) struct State {
     pub denoiser: Denoiser,
@@ -33,15 +39,17 @@ pub(super) struct State {
     /// Counts resizes; a frame of an earlier generation is refused.
     pub generation: u64,
     /// The frame that was begun last, by slot.
-    pub frames: BTreeMap<u32, FrameContext>,
+    pub frames: Vec<Option<FrameContext>>,
 }
 
 /// The object behind a handle of an executor.
 pub(super) struct ExecutorState {
     pub executor: Executor,
     pub tuning: Tuning,
-    /// The frame that was denoised last.
+    /// The frame that was begun last.
     pub newest: Option<FrameContext>,
+    /// The first phase of that frame that may be recorded next.
+    pub next_phase: u32,
 }
 
 /// An opaque type of the header, and the objects that its handles stand for.
@@ -78,6 +86,15 @@ impl Opaque for AtrousTracker {
     const NAME: (&'static str, &'static str) = ("tracker", "atrous_tracker_create");
     fn table() -> &'static RwLock<Table<TrackerState>> {
         static TABLE: RwLock<Table<TrackerState>> = RwLock::new(Table::new());
+        &TABLE
+    }
+}
+
+impl Opaque for AtrousGraph {
+    type Object = GraphState;
+    const NAME: (&'static str, &'static str) = ("graph", "atrous_graph_create");
+    fn table() -> &'static RwLock<Table<GraphState>> {
+        static TABLE: RwLock<Table<GraphState>> = RwLock::new(Table::new());
         &TABLE
     }
 }

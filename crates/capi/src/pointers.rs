@@ -49,6 +49,7 @@ versioned! {
     AtrousFrameParams: debug_view, missing Self::default_for([0; 2]);
     AtrousCreateInfo: pipeline_cache;
     AtrousFrame: reset;
+    AtrousStageInfo: word_count;
     AtrousResource: name;
     AtrousPass: name;
     AtrousMemory: output;

@@ -46,7 +46,7 @@ pub unsafe extern "C" fn atrous_record(
             let bound = bound.get(..count).unwrap_or_default();
             // SAFETY: the command buffer is recording outside a render pass on a compute queue; the host keeps what is bound alive
             // and in its declared state, and work recorded earlier with this slot is complete.
-            unsafe { state.denoiser.record(command_buffer, &context, pass as usize, bound)? };
+            unsafe { state.denoiser.record(command_buffer, context, pass as usize, bound)? };
             Ok(())
         })
     })
@@ -95,7 +95,7 @@ pub unsafe extern "C" fn atrous_describe_image(
     })
 }
 
-pub(super) fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContext, Failure> {
+pub(super) fn frame_of<'s>(state: &'s State, given: &AtrousFrame) -> Result<&'s FrameContext, Failure> {
     let stale = |message: String| Failure { status: AtrousStatus::StaleFrame, message };
     if given.generation != state.generation {
         return Err(stale(format!(
@@ -103,7 +103,7 @@ pub(super) fn frame_of(state: &State, given: &AtrousFrame) -> Result<FrameContex
             given.index
         )));
     }
-    let begun = state.frames.get(&given.frame_slot).copied();
+    let begun = state.frames.get(given.frame_slot as usize).and_then(Option::as_ref);
     begun.filter(|context| context.index == given.index).ok_or_else(|| {
         stale(format!(
             "frame {} is not the one that was begun last in slot {}; call atrous_begin_frame",

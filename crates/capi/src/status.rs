@@ -30,6 +30,8 @@ pub enum AtrousStatus {
     Panicked = 8,
     /// Passes of the previous frame were left out: see atrous_set_checks.
     LeftOut = 9,
+    /// The GPU still works on the frame slot: see complete_frames of AtrousFrameParams.
+    InFlight = 10,
 }
 
 /// The reason of a failed call.
@@ -55,6 +57,7 @@ impl From<Error> for Failure {
             }
             Error::Vulkan { .. } => AtrousStatus::VulkanError,
             Error::LeftOut { .. } => AtrousStatus::LeftOut,
+            Error::InFlight { .. } => AtrousStatus::InFlight,
             Error::Binding { .. } | Error::Bindings { .. } | Error::NotBound(_) | Error::WrongKind { .. } => {
                 AtrousStatus::BadBindings
             }
@@ -95,7 +98,7 @@ pub extern "C" fn atrous_last_error() -> *const c_char {
 /// The name of a status, for logs; never null.
 #[no_mangle]
 pub extern "C" fn atrous_status_name(status: u32) -> *const c_char {
-    const NAMES: [&CStr; 10] = [
+    const NAMES: [&CStr; 11] = [
         c"ok",
         c"invalid argument",
         c"invalid handle",
@@ -106,6 +109,7 @@ pub extern "C" fn atrous_status_name(status: u32) -> *const c_char {
         c"Vulkan error",
         c"panicked",
         c"passes left out",
+        c"frame slot in flight",
     ];
     NAMES.get(status as usize).copied().unwrap_or(c"unknown status").as_ptr()
 }

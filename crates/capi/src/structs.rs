@@ -1,6 +1,6 @@
 //! Structs that cross the boundary. `struct_size` stands first: if you compiled against a different header, you get an error.
 
-use crate::{AtrousConfig, GetInstanceProcAddr};
+use crate::{AtrousConfig, AtrousGraph, GetInstanceProcAddr};
 use ash::vk::{
     AccessFlags, AccessFlags2, Buffer, BufferMemoryBarrier, BufferUsageFlags, DependencyInfo, Device, Format, Image, ImageLayout,
     ImageMemoryBarrier, ImageUsageFlags, ImageView, Instance, MemoryBarrier, PhysicalDevice, PipelineCache, PipelineStageFlags,
@@ -30,7 +30,7 @@ pub struct AtrousCreateInfo {
     pub device: Device,
     /// `vkGetInstanceProcAddr` of the loader that made the instance.
     pub get_instance_proc_addr: GetInstanceProcAddr,
-    /// Configuration; read during the call alone.
+    /// Configuration; read during the call alone. NULL if you give a graph.
     pub config: *const AtrousConfig,
     /// Your pipeline cache, or null. Used during the call alone, on several threads, so it must not
     /// be externally synchronised.
@@ -40,6 +40,14 @@ pub struct AtrousCreateInfo {
     /// 1: names every object, and an executor labels every pass. VK_EXT_debug_utils is enabled on the
     /// instance.
     pub debug_labels: u32,
+    /// A graph of your own instead of a configuration, or NULL; read during the call alone.
+    pub graph: *const AtrousGraph,
+    /// Checks of bindings and frames, see atrous_set_checks: 0, in debug builds of the library; 1, on; 2, off.
+    pub checks: u32,
+    /// Of an executor: 1 checks the guides of the first frames, as atrous_check_conventions does, and logs its findings once:
+    /// atrous_set_log. It takes a good part of a second a frame, and ends with the first answer. The images of your guides need the
+    /// usage TRANSFER_SRC.
+    pub check_guides: u32,
 }
 
 /// An image that you lend for one call of `atrous_executor_denoise`: an input, or an output to be written.
@@ -105,6 +113,9 @@ pub struct AtrousFrameParams {
     /// (fireflies), 9 (disocclusion), 10 (motion), 11 (normal), 12 (depth), 13 (surface_id), 14 (bad_values),
     /// 15 (hit_distance), 16 (lobe_angle), 17 (virtual_motion), 18 (reflection_history), 19 (visibility), 20 (penumbra).
     pub debug_view: u32,
+    /// Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
+    /// frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
+    pub complete_frames: u64,
 }
 
 /// A frame that was begun. Plain data: copy it as you like.
@@ -261,6 +272,69 @@ pub struct AtrousBarriers {
     pub buffers: *const BufferMemoryBarrier<'static>,
     /// Barriers of images.
     pub images: *const ImageMemoryBarrier<'static>,
+}
+
+/// What a node of a graph returned; 0 is none.
+pub type AtrousPort = u32;
+
+/// The content of an AtrousArgument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum AtrousArgumentKind {
+    /// `port`; 0 leaves the argument out.
+    Port = 0,
+    /// `port`, with its content of the frame before: for a binding of your stage.
+    Previous = 1,
+    /// `number`; of a flag 0 or 1.
+    Number = 2,
+    /// `text`: the name of a choice, of a tunable, or of an image.
+    Text = 3,
+    /// `number`, for a specialisation constant of your stage.
+    Constant = 4,
+}
+
+impl TryFrom<u32> for AtrousArgumentKind {
+    type Error = ();
+
+    fn try_from(number: u32) -> Result<Self, ()> {
+        [Self::Port, Self::Previous, Self::Number, Self::Text, Self::Constant].get(number as usize).copied().ok_or(())
+    }
+}
+
+/// An argument of a node: ATROUS_PORT, ATROUS_NUMBER and so on fill it.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousArgument {
+    /// Name of the argument.
+    pub name: *const c_char,
+    /// One of AtrousArgumentKind.
+    pub kind: u32,
+    /// A port of the same graph.
+    pub port: AtrousPort,
+    /// A number.
+    pub number: f64,
+    /// A text.
+    pub text: *const c_char,
+}
+
+/// A compute shader of yours, for atrous_graph_stage.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct AtrousStageInfo {
+    /// sizeof(AtrousStageInfo).
+    pub struct_size: u32,
+    /// 0: before lighting; 1: after lighting; 2: post-process.
+    pub phase: u32,
+    /// The member `level` of the push constants; 0 if there is none.
+    pub level: u32,
+    /// Side of the block of pixels for which one invocation runs and one texel is made; 0 and 1: a pixel.
+    pub per_block: u32,
+    /// Name of the stage.
+    pub name: *const c_char,
+    /// SPIR-V with its names.
+    pub spirv: *const u32,
+    /// Words of it.
+    pub word_count: u64,
 }
 
 /// Bytes of the declared resources, before you allocate any. Your device may add alignment.

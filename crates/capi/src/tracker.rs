@@ -89,7 +89,7 @@ impl TrackerState {
                 let message = "this tracker was made before atrous_resize; make one for the new images".to_owned();
                 return Err(Failure { status: AtrousStatus::StaleFrame, message });
             }
-            frame_of(state, &frame)
+            frame_of(state, &frame).copied()
         })
     }
 

@@ -15,7 +15,8 @@ fn compiler() -> String {
 /// The header without comments and preprocessor, each declaration in one line.
 fn declarations() -> Vec<String> {
     let text = std::fs::read_to_string(root().join("include/atrous.h")).expect("include/atrous.h");
-    let code = text
+    let (_, behind_head) = text.split_once("*/").expect("a comment at the head");
+    let code = behind_head
         .lines()
         .filter(|line| !line.starts_with('#') && !line.starts_with("extern"))
         .filter_map(|line| line.split("//").next());

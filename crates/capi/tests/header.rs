@@ -1,8 +1,8 @@
 //! The header is what cbindgen makes of the sources.
 
 use atrous::config::{ConfigField, Conventions, EawWeights};
-use atrous::{Choice, Config, Counter, DebugView, Input, ResetReason};
-use atrous_capi::{atrous_config_default, AtrousConfig, AtrousStatus};
+use atrous::{Choice, Config, Counter, DebugView, Input, Phase, ResetReason};
+use atrous_capi::{atrous_config_default, AtrousConfig, AtrousStatus, NodeInfo, NODES};
 use std::path::Path;
 
 /// What stands before the declarations of the header.
@@ -92,6 +92,7 @@ fn tables() -> Vec<(String, Vec<(String, u32)>)> {
         }
     }
     all.push(("eaw_weights".to_owned(), (0..).zip(EawWeights::NAMES).map(|(bit, name)| (name.to_string(), 1 << bit)).collect()));
+    all.push(("phase".to_owned(), Phase::ALL.into_iter().map(|phase| (snake(&format!("{phase:?}")), phase as u32)).collect()));
     all.push(("reset".to_owned(), or_none::<ResetReason>().collect()));
     all.push(("view".to_owned(), or_none::<DebugView>().collect()));
     all
@@ -114,6 +115,14 @@ fn scoped(name: &str, values: impl Iterator<Item = (String, u32)>) -> String {
     let lines =
         values.map(|(value, _)| format!("    {} = ATROUS_{}_{},\n", camel(&value), name.to_uppercase(), value.to_uppercase()));
     format!("\nenum class {} : uint32_t {{\n{}}};\n", camel(name), lines.collect::<String>())
+}
+
+fn snake(name: &str) -> String {
+    let word = |(at, c): (usize, char)| match c.is_uppercase() && at > 0 {
+        true => format!("_{}", c.to_lowercase()),
+        false => c.to_lowercase().to_string(),
+    };
+    name.char_indices().map(word).collect()
 }
 
 fn camel(name: &str) -> String {
@@ -145,6 +154,41 @@ fn inputs() -> String {
     format!("\n// Inputs, by the names of their resources.\n\n{}", all.join("\n"))
 }
 
+/// Names of the nodes with those of their arguments, and initialisers of arguments.
+fn nodes() -> String {
+    let mut text =
+        "\n// Nodes for atrous_graph_node with their arguments, of which those in brackets have defaults: Graph and nodes in the\n\
+        // documentation of the crate say what each means. A choice is given by its name.\n"
+            .to_owned();
+    for NodeInfo { name, needed, optional } in NODES {
+        let optional = if optional.is_empty() { String::new() } else { format!("[{}]", optional.join(", ")) };
+        let all: Vec<_> = needed.iter().map(|name| name.to_string()).chain(Some(optional).filter(|o| !o.is_empty())).collect();
+        let mut line = "\n//".to_owned();
+        for word in format!("{name}({})", all.join(", ")).split(' ') {
+            if line.len() + word.len() > 130 {
+                text += &std::mem::replace(&mut line, "\n//".to_owned());
+            }
+            line = format!("{line} {word}");
+        }
+        text += &format!("{line}\n#define ATROUS_NODE_{} \"{name}\"\n", name.to_uppercase());
+    }
+    text += "\n// Initialisers of AtrousArgument: { ATROUS_PORT(\"guides\", guides), ATROUS_NUMBER(\"levels\", 4) }.\n\n";
+    let kinds = [
+        ("PORT", "port, 0, 0"),
+        ("PREVIOUS", "port, 0, 0"),
+        ("NUMBER", "0, number, 0"),
+        ("TEXT", "0, 0, text"),
+        ("CONSTANT", "0, number, 0"),
+    ];
+    for (kind, content) in kinds {
+        let value = content.split(", ").find(|part| *part != "0").unwrap_or_default();
+        // A whole number becomes a double even where C++ would call that narrowing.
+        let content = content.replace(value, &format!("{}({value})", if value == "number" { "(double)" } else { "" }));
+        text += &format!("#define ATROUS_{kind}(name, {value}) {{(name), ATROUS_ARGUMENT_KIND_{kind}, {content}}}\n");
+    }
+    text
+}
+
 fn header() -> String {
     let vulkan = [
         "AccessFlags",
@@ -174,7 +218,7 @@ fn header() -> String {
         cpp_compat: true,
         include_guard: Some("ATROUS_H".into()),
         header: Some(HEADER.into()),
-        after_includes: Some(version() + &inputs() + &choices()),
+        after_includes: Some(version() + &inputs() + &choices() + &nodes()),
         includes: vec!["vulkan/vulkan_core.h".into()],
         sys_includes: vec!["stdint.h".into()],
         no_includes: true,
@@ -185,6 +229,8 @@ fn header() -> String {
     };
     config.export.rename = vulkan.iter().map(|n| (n.to_string(), format!("Vk{n}"))).collect();
     config.export.rename.insert("GetInstanceProcAddr".into(), "PFN_vkGetInstanceProcAddr".into());
+    // Of an argument, whose field is a number.
+    config.export.include = vec!["AtrousArgumentKind".into()];
     config.enumeration.prefix_with_name = true;
     config.enumeration.rename_variants = cbindgen::RenameRule::ScreamingSnakeCase;
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -197,6 +243,7 @@ fn header() -> String {
         "handle.rs",
         "device.rs",
         "functions.rs",
+        "graph.rs",
         "record.rs",
         "tracker.rs",
         "executor.rs",

@@ -15,6 +15,8 @@
 //! frames between which the camera moves **and turns**, in a scene with slanted surfaces, with a
 //! few pixels of motion, and with jitter on if the engine has jitter.
 //!
+//! The executor does so itself in the first frames, with `ExecutorOptions::check_guides` and `check_frames` of the feature `executor`.
+//!
 //! It runs on the CPU in a fraction of a second and needs no device. For frames of an engine, make
 //! a capture (`Executor::capture`, feature `capture`) and run `cargo run --release -p
 //! atrous-denoise -- FOLDER --check`. Or call it directly:
@@ -54,6 +56,8 @@
 
 mod contest;
 mod evidence;
+#[cfg(feature = "executor")]
+mod first_frames;
 mod geometry;
 mod motion_depth;
 mod readings;
@@ -63,6 +67,8 @@ mod trial;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "executor")]
+pub use first_frames::check_frames;
 pub use report::{Evidence, Finding, Measure, Report, Verdict};
 
 use atrous::config::Conventions;

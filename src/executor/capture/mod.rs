@@ -12,13 +12,18 @@ use ash::vk;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+mod guides;
 mod recording;
+
+pub use guides::{GuideCheck, GuideVerdict};
 
 /// The state of a capture, if there is one.
 pub(super) struct Capturing {
     device: ash::Device,
     memory_types: vk::PhysicalDeviceMemoryProperties,
     writer: Option<SequenceWriter>,
+    /// Takes the frames instead of a writer: the guides alone.
+    checker: Option<guides::Checker>,
     /// Frames that are still to begin.
     remaining: u32,
     /// The frame that the sequence starts with.
@@ -64,14 +69,15 @@ struct Copied {
 const TRANSFORM_BYTES: usize = size_of::<InstanceTransform>();
 
 impl Capturing {
-    pub(crate) fn new(host: crate::Device<'_>) -> Self {
+    pub(crate) fn new(host: crate::Device<'_>, check: Option<GuideCheck>, declaration: &Declaration) -> Self {
         // SAFETY: the handles are live, as `Executor::new` demands.
         let memory_types = unsafe { host.instance.get_physical_device_memory_properties(host.physical_device) };
         Self {
             device: host.device.clone(),
             memory_types,
             writer: None,
-            remaining: 0,
+            checker: check.map(|check| guides::Checker::new(check, declaration.setup().conventions)),
+            remaining: check.map_or(0, |_| guides::CHECKED_FRAMES),
             first_index: None,
             begun: None,
             slots: BTreeMap::new(),
@@ -81,6 +87,9 @@ impl Capturing {
 
     /// Frames that were asked for and are not written yet.
     fn outstanding(&self) -> u32 {
+        if self.checker.is_some() {
+            return 0;
+        }
         self.remaining + u32::from(self.begun.is_some()) + self.slots.values().filter(|s| s.frame.is_some()).count() as u32
     }
 
@@ -123,6 +132,9 @@ impl Capturing {
     /// # Safety
     /// GPU work recorded with the slot is complete.
     unsafe fn write(&mut self, slot: u32) {
+        if self.checker.is_some() {
+            return self.check_guides(slot);
+        }
         let (Some(slot), Some(writer)) = (self.slots.get_mut(&slot), &mut self.writer) else { return };
         let Some(frame) = slot.frame.take() else { return };
         let copies = std::mem::take(&mut slot.copies);
@@ -148,6 +160,10 @@ impl Capturing {
 
     /// Ends the capture where the copies of a frame may never run.
     pub(crate) fn forget(&mut self) {
+        if let Some(checker) = &mut self.checker {
+            checker.forget();
+            return self.drop_frames();
+        }
         let waiting = self.slots.values().find_map(|slot| slot.frame);
         if let Some((frame, writer)) = waiting.zip(self.writer.as_ref()) {
             let number = frame.index.wrapping_sub(self.first_index.unwrap_or(frame.index));
@@ -157,10 +173,19 @@ impl Capturing {
 
     /// Ends the capture. What the GPU may still write to is kept until its slot comes round.
     fn fail(&mut self, error: Error) {
-        log::error!("atrous: the capture ends early: {error}");
-        self.failure.get_or_insert(error);
+        if self.checker.take().is_some() {
+            log::warn!("atrous: the guides are not checked: {error}");
+        } else {
+            log::error!("atrous: the capture ends early: {error}");
+            self.failure.get_or_insert(error);
+        }
         self.remaining = 0;
         self.begun = None;
+        self.drop_frames();
+    }
+
+    /// Forgets what was copied. The buffers stay, since the GPU may still write to them.
+    fn drop_frames(&mut self) {
         for slot in self.slots.values_mut() {
             slot.frame = None;
             slot.copies.clear();
@@ -188,6 +213,9 @@ impl Capturing {
     pub(crate) unsafe fn end_before_resize(&mut self) {
         // SAFETY: all GPU work that was recorded is complete.
         unsafe { self.write_all() };
+        if let Some(checker) = &mut self.checker {
+            checker.forget();
+        }
         let lacking = self.outstanding();
         if let Some(writer) = self.writer.as_ref().filter(|_| lacking > 0) {
             let problem = format!("{lacking} frames are lacking, since the images were resized; start another capture behind that");
@@ -198,6 +226,9 @@ impl Capturing {
     /// # Safety
     /// All GPU work that was recorded is complete.
     unsafe fn finish(&mut self) -> Result<u32, Error> {
+        if self.checker.is_some() {
+            return Ok(0);
+        }
         // SAFETY: all GPU work that was recorded is complete.
         unsafe { self.write_all() };
         self.begun = None;
@@ -249,6 +280,10 @@ impl Executor {
             }
         }
         let writer = SequenceWriter::new(folder, self.denoiser.declaration())?;
+        if self.capture.checker.take().is_some() {
+            self.capture.begun = None;
+            self.capture.drop_frames();
+        }
         self.capture.failure = None;
         (self.capture.first_index, self.capture.writer, self.capture.remaining) = (None, Some(writer), frames);
         Ok(())

@@ -18,7 +18,9 @@ impl Executor {
         }
         let declaration = self.denoiser.declaration();
         let last_phase = |id| declaration.life(id).map(|(_, last)| declaration.passes()[last].phase);
-        let inputs: Vec<_> = inputs(declaration).map(|(id, name)| (id, name.to_owned())).collect();
+        let is_wanted = |name: &str| self.capture.checker.is_none() || guides::NAMES.contains(&name);
+        let inputs: Vec<_> =
+            inputs(declaration).filter(|(_, name)| is_wanted(name)).map(|(id, name)| (id, name.to_owned())).collect();
         let is_last = inputs.iter().filter_map(|(id, _)| last_phase(*id)).max() == Some(phase);
         let here: Vec<_> = inputs.iter().filter(|(id, _)| last_phase(*id) == Some(phase)).collect();
         for (id, name) in here {

@@ -5,22 +5,25 @@
 pub(crate) mod twin;
 
 use super::{by_signals, pass, UNREAD};
+use crate::choice::choices;
 use crate::graph::{Estimate, Graph, Guides, History, Image, Pass, Port, Reflection, Value, VolumeEstimate, HDR};
 use crate::shaders::{self, Shader};
 
 mod kernel;
 pub use kernel::Kernel;
 
-/// How far a tap of another luminance counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum LuminanceWeight {
-    /// `exp(−x)` by the deviation of 3×3 pixels, \[SVGF\] eq. 5: for deviations of samples.
-    #[default]
-    Published,
-    /// `exp(−x²/2)` by deviations of means, which taps share. A part of the weight that a tap loses
-    /// stays on the centre, so that rare light keeps its mean. For [`super::Estimator::OfMean`].
-    OfMeans,
+choices! {
+    /// How far a tap of another luminance counts.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum LuminanceWeight {
+        /// `exp(−x)` by the deviation of 3×3 pixels, \[SVGF\] eq. 5: for deviations of samples.
+        #[default]
+        Published = 0 => "published",
+        /// `exp(−x²/2)` by deviations of means, which taps share. A part of the weight that a tap loses
+        /// stays on the centre, so that rare light keeps its mean. For [`super::Estimator::OfMean`].
+        OfMeans = 1 => "of_means",
+    }
 }
 
 /// Parameters of the node `atrous`.

@@ -5,24 +5,27 @@
 pub(crate) mod twin;
 
 use super::pass;
+use crate::choice::choices;
 use crate::config::Sampling;
 use crate::contract::Input;
 use crate::graph::{Gradient, GradientSamples, Graph, Guides, Image, Irradiance, Pass, Radiance, Value, HDR};
 use crate::shaders;
 
-/// The reflectance that divides radiance, and multiplies it again.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Albedo {
-    /// None: the radiance passes as it is.
-    None,
-    /// The optional input `albedo` of the host.
-    #[default]
-    Diffuse,
-    /// The optional input `specular_albedo` of the host: what the coat or metal reflects of light from everywhere. A host without one
-    /// may give `specular_f0`, the reflectance at normal incidence, from which it is computed \[Karis 2014\]. The optional input
-    /// `specular_hit_distance` says how far away is what is seen in the surface.
-    Specular,
+choices! {
+    /// The reflectance that divides radiance, and multiplies it again.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum Albedo {
+        /// None: the radiance passes as it is.
+        None = 0 => "none",
+        /// The optional input `albedo` of the host.
+        #[default]
+        Diffuse = 1 => "diffuse",
+        /// The optional input `specular_albedo` of the host: what the coat or metal reflects of light from everywhere. A host without one
+        /// may give `specular_f0`, the reflectance at normal incidence, from which it is computed \[Karis 2014\]. The optional input
+        /// `specular_hit_distance` says how far away is what is seen in the surface.
+        Specular = 2 => "specular",
+    }
 }
 
 /// Parameters of the node `demodulate`.

@@ -6,24 +6,27 @@
 pub(crate) mod twin;
 
 use super::{by_signals, pass, UNREAD};
+use crate::choice::choices;
 use crate::graph::{Accumulated, Estimate, Graph, Guides, History, Image, Pass, Port, Value, VolumeAccumulated, VolumeEstimate};
 use crate::shaders;
 
-/// The estimator of the variance of a pixel with a short past.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Estimator {
-    /// Estimate over 7×7 pixels while the past is short \[SVGF\].
-    #[default]
-    Switched,
-    /// Estimate over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
-    Fading,
-    /// The past of the pixel alone, for a graph that accumulates and does not filter. The deviation
-    /// of a pixel without a past is 0.
-    Temporal,
-    /// Of the accumulated mean instead of a sample: from the past and from 5×5 pixels, whose smooth
-    /// structure does not count. It is never below the noise that neighbouring means still show.
-    OfMean,
+choices! {
+    /// The estimator of the variance of a pixel with a short past.
+    #[derive(Default)]
+    #[non_exhaustive]
+    pub enum Estimator {
+        /// Estimate over 7×7 pixels while the past is short \[SVGF\].
+        #[default]
+        Switched = 0 => "switched",
+        /// Estimate over 5×5 pixels, with a share that fades as the past grows \[PSVGF\].
+        Fading = 1 => "fading",
+        /// The past of the pixel alone, for a graph that accumulates and does not filter. The deviation
+        /// of a pixel without a past is 0.
+        Temporal = 2 => "temporal",
+        /// Of the accumulated mean instead of a sample: from the past and from 5×5 pixels, whose smooth
+        /// structure does not count. It is never below the noise that neighbouring means still show.
+        OfMean = 3 => "of_mean",
+    }
 }
 
 /// Parameters of the node `variance`.
