@@ -2,8 +2,11 @@
 // Blends the visibility of a light with its past, as far as the shadows of this frame bear it out, and measures its penumbra.
 // Source: [Mehta et al. 2012], the filter's width from the distances of occluders; the search is that of [Fernando 2005]; history by [SVGF]
 // 4.1, bounded by the interval of [Wilson 1927]. Ours: how far a penumbra reaches, and that motion may not blur more than a penumbra does.
-// In:  visibility_samples, guide (current, previous), surface_motion, depth_gradient, visibility_history of the previous frame.
+// What casts a shadow is followed as [Zeng et al. 2021] 4.1.
+// In:  visibility_samples, guide (current, previous), surface_motion, depth_gradient, visibility_history of the previous frame; of the host
+// occluder_distance, which samples have rounded; occluder_id; occluder_motion, scene units; instance_transforms.
 // Out: visibility_history (visibility.glsl).
+// optional: occluder_id, occluder_motion, instance_transforms
 #extension GL_EXT_control_flow_attributes : require
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
@@ -19,25 +22,40 @@ layout(push_constant) uniform Push {
     float normal_tolerance;
     float sigma_n;
     float sigma_z;
+    uint present;
 } push;
 
 #include "cubic.glsl"
 #include "frame.glsl"
 #include "geometry_weights.glsl"
+#include "optional.glsl"
 #include "packed_image.glsl"
+#include "statistics.glsl"
 #include "surface_test.glsl"
 #include "visibility.glsl"
 
-PACKED_IMAGE(1, guide);
-PACKED_IMAGE(2, previous_guide);
-layout(set = 0, binding = 3) uniform utexture2D surface_motion;
-layout(set = 0, binding = 4) uniform utexture2D depth_gradient;
-PACKED_IMAGE_32(5, visibility_samples);
-layout(set = 0, binding = 6) uniform utexture2D previous_visibility_history;
-layout(set = 0, binding = 7, r32ui) uniform writeonly uimage2D visibility_history;
+const uint OCCLUDER_ID = 8u;
+const uint OCCLUDER_MOTION = 9u;
+const uint INSTANCE_TRANSFORMS = 10u;
+
+PACKED_IMAGE(2, guide);
+PACKED_IMAGE(3, previous_guide);
+layout(set = 0, binding = 4) uniform utexture2D surface_motion;
+layout(set = 0, binding = 5) uniform utexture2D depth_gradient;
+PACKED_IMAGE_32(6, visibility_samples);
+layout(set = 0, binding = 7) uniform utexture2D previous_visibility_history;
+layout(set = 0, binding = OCCLUDER_ID) uniform utexture2D occluder_id;
+layout(set = 0, binding = OCCLUDER_MOTION) uniform texture2D occluder_motion;
+layout(set = 0, binding = INSTANCE_TRANSFORMS, std430) readonly buffer InstanceTransforms { vec4 rows[]; } instance_transforms;
+layout(set = 0, binding = 11) uniform texture2D occluder_distance;
+layout(set = 0, binding = 12, r32ui) uniform writeonly uimage2D visibility_history;
+
+#include "shadow_motion.glsl"
 
 // Of weights of taps: less is nothing.
 const float NOTHING = 1e-3;
+// Of weights of samples that may be equal but for rounding: the first one counts.
+const float CLEARLY = 1.001;
 // Pixels that always count as near: an edge that is sharp, and stands still, runs between them.
 const float NEAR = 1.5;
 // Standard deviations of the interval that history is clamped to, by the radius of the penumbra in pixels: where motion blurs as much as the
@@ -64,6 +82,8 @@ struct Search {
     float occluded;
     float lit;
     float occluder_distance;
+    float nearest_weight;    // of the occluded sample that weighs most, and whose occluder is known
+    ivec2 nearest;
 };
 
 // Samples around a pixel, within its penumbra.
@@ -105,11 +125,15 @@ void search_tap(inout Search found, inout float known, Centre centre, ivec2 p, i
     found.lit += weight * taken.x * reach(squared, own_reach);
     found.occluder_distance += occluded * taken.y;
     known += taken.y > 0.0 ? occluded : 0.0;
+    if (taken.y > 0.0 && occluded > CLEARLY * found.nearest_weight) {
+        found.nearest_weight = occluded;
+        found.nearest = p + offset;
+    }
 }
 
 // 5x5 pixels, and 5x5 three pixels apart. A penumbra is twice as wide as the light's disc is seen from its occluder on either side.
 Search search(Centre centre, ivec2 p, vec2 own) {
-    Search found = Search(0.0, 0.0, 0.0);
+    Search found = Search(0.0, 0.0, 0.0, 0.0, p);
     float known = 0.0, own_reach = 2.0 * push.light_radius * (own.x < 1.0 ? own.y : 0.0) + NEAR * centre.longer;
     [[dont_unroll]] for (int i = 0; i < 50; ++i) {
         int place = i % 25, stride = i < 25 ? 1 : 3;
@@ -219,6 +243,33 @@ VisibilityHistory accumulate(float v, VisibilityHistory before, vec2 allowed, fl
     return VisibilityHistory(alpha < 1.0 ? mix(mean, v, alpha) : v, sqrt(variance), min(history_length, 1.0 / alpha), before.occluder_distance);
 }
 
+// A pixel's own occluder that should have a motion or a transform, and has none that can be used.
+void count_bad_occluder(ivec2 p, vec2 own) {
+    if (own.x < 0.0 || own.x >= 1.0 || own.y == 0.0) return;
+    if (is_present(OCCLUDER_MOTION) && !is_finite(texelFetch(occluder_motion, p, 0).xyz)) count_bad(BAD_OCCLUDER_MOTION);
+    vec4 rows[3];
+    uint id = is_present(OCCLUDER_ID) && is_present(INSTANCE_TRANSFORMS) ? texelFetch(occluder_id, p, 0).x : 0u;
+    if (id != 0u && !instance_rows(id, rows)) count_bad(BAD_OCCLUDER_ID);
+}
+
+// The past of the shadow that reaches the pixel, where that moved; else, and where it lay on no such surface, of the surface.
+Gathered past_of(ivec2 p, GuideBits packed, vec2 gradient, Search found, Centre centre, out float blur) {
+    SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
+    vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5, shadow_position;
+    Expected expected = expected_surface(packed, m, gradient, m.previous_normal), there = expected;
+    Receiver receiver = receiver_at(p, guide_depth(packed), m, position);
+    vec3 shadow;
+    bool moved = found.nearest_weight > 0.0 && shadow_before(receiver, found.nearest, shadow) && previous_pixel_position(shadow, shadow_position);
+    there.depth = (frame.previous_view_from_world * vec4(shadow, 1.0)).z * forward_sign();
+    Gathered past = Gathered(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
+    [[dont_unroll]] for (int i = moved ? 0 : 1; i < 2 && past.weight == 0.0; ++i) {
+        vec2 place = i == 0 ? shadow_position : position;
+        past = gather(place, i == 0 ? there : expected);
+        blur = blur_of(place, centre) * (past.is_sharp ? CUBIC_BLUR : 1.0);
+    }
+    return past;
+}
+
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (!is_inside(p)) return;
@@ -234,10 +285,8 @@ void main() {
     Gathered past = Gathered(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, false);
     float blur = 0.0;
     if (!has_flag(FLAG_RESET)) {
-        SurfaceMotion m = unpack_surface_motion(texelFetch(surface_motion, p, 0));
-        vec2 position = previous_position(p, m.motion, frame.render_extent, frame.previous_render_extent) - 0.5;
-        past = gather(position, expected_surface(packed, m, gradient, m.previous_normal));
-        blur = blur_of(position, centre) * (past.is_sharp ? CUBIC_BLUR : 1.0);
+        past = past_of(p, packed, gradient, found, centre, blur);
+        count_bad_occluder(p, own);
     }
     float distance = found.occluder_distance;
     if (past.occluder_distance > 0.0 && distance > 0.0) distance = mix(past.occluder_distance, distance, DISTANCE_ALPHA);

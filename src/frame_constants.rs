@@ -27,6 +27,8 @@ pub struct FrameConstants {
     pub filter_exposure: f32,
     pub inverse_filter_exposure: f32,
     pub eye: [f32; 4],
+    pub lights: [[f32; 4]; 4],
+    pub previous_lights: [[f32; 4]; 4],
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and your conventions.

@@ -110,6 +110,8 @@ fn frame_parameters_out_of_range_are_named() {
         ("clip_from_view", FrameParams { clip_from_view: [[f32::NAN; 4]; 4], ..good }),
         ("jitter", FrameParams { jitter: [0.0, 3.0], ..good }),
         ("exposure_ratio", FrameParams { exposure_ratio: 0.0, ..good }),
+        ("lights", FrameParams { lights: [[0.0, 1.0, 0.0, f32::NAN]; 4], ..good }),
+        ("lights", FrameParams { lights: [[0.0, 1.0, 0.0, 0.5]; 4], ..good }),
         ("frame_slot", FrameParams { frame_slot: 2, ..good }),
     ];
     for (name, params) in cases {

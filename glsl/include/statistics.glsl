@@ -23,8 +23,10 @@ const uint HISTORY_KEPT = 12u;
 const uint SATURATED = 17u;
 
 const uint BAD_HIT_ID = 18u;
+const uint BAD_OCCLUDER_ID = 19u;
+const uint BAD_OCCLUDER_MOTION = 20u;
 
-layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[19]; } statistics;
+layout(set = 0, binding = 1, std430) buffer Statistics { uint counts[21]; } statistics;
 
 void count_bad(uint which) { atomicAdd(statistics.counts[which], 1u); }
 

@@ -1,4 +1,4 @@
-// The surface point of a pixel in view space, and the size of a pixel. Twin: src/reference/projection.rs.
+// The surface point of a pixel in view space and in the world, the size of a pixel, and where a point of the world was. Twin: src/reference/projection.rs.
 #ifndef VIEW_POSITION_GLSL
 #define VIEW_POSITION_GLSL
 #include "frame.glsl"
@@ -24,5 +24,16 @@ vec2 pixel_size(float linear_depth) {
 
 // From the eye through a pixel, of unit length, world space.
 vec3 line_of_sight(ivec2 p) { return normalize(mat3(frame.world_from_view) * (view_position(p, 1.0) - view_position(p, 0.0))); }
+
+vec3 world_position(ivec2 p, float linear_depth) { return (frame.world_from_view * vec4(view_position(p, linear_depth), 1.0)).xyz; }
+
+// Where a point of the world that stands still was on the screen; false: behind the camera.
+bool previous_pixel_position(vec3 world, out vec2 position) {
+    vec4 clip = frame.previous_clip_from_world * vec4(world, 1.0);
+    vec2 extent = vec2(frame.previous_render_extent);
+    position = (clip.xy / clip.w * 0.5 + 0.5) * extent - frame.jitter * (extent / vec2(frame.render_extent)) - 0.5;
+    // What lies far outside has no pixel, and its number none either.
+    return clip.w > 0.0 && all(lessThan(abs(position), vec2(1e6)));
+}
 
 #endif

@@ -18,8 +18,6 @@ struct Mirror {
     vec2 surface_position;  // in the previous frame, pixels; centres are whole numbers
 };
 
-vec3 world_position(ivec2 p, float linear_depth) { return (frame.world_from_view * vec4(view_position(p, linear_depth), 1.0)).xyz; }
-
 Mirror mirror_at(ivec2 p, GuideBits packed, vec2 motion) {
     vec2 surface_position = previous_position(p, motion, frame.render_extent, frame.previous_render_extent) - 0.5;
     return Mirror(p, packed, world_position(p, guide_depth(packed)), line_of_sight(p), guide_normal(packed), surface_position);
@@ -50,15 +48,6 @@ Step step_along(Mirror c, ivec2 axis) {
 }
 
 Curvature curvature_at(Mirror c) { return curvature_by(c.normal, c.sight, step_along(c, ivec2(1, 0)), step_along(c, ivec2(0, 1))); }
-
-// Where a point of the world that stands still was on the screen; false: behind the camera.
-bool previous_pixel_position(vec3 world, out vec2 position) {
-    vec4 clip = frame.previous_clip_from_world * vec4(world, 1.0);
-    vec2 extent = vec2(frame.previous_render_extent);
-    position = (clip.xy / clip.w * 0.5 + 0.5) * extent - frame.jitter * (extent / vec2(frame.render_extent)) - 0.5;
-    // What lies far outside has no pixel, and its number none either.
-    return clip.w > 0.0 && all(lessThan(abs(position), vec2(1e6)));
-}
 
 // Where every line of sight of the previous frame came from, times the w of that homogeneous point: 0 where they are parallel.
 vec3 previous_eye_from(vec3 world) {

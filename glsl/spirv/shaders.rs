@@ -7,10 +7,12 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, flags) == 420);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 416);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, inverse_filter_exposure) == 444);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, lights) == 464);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 432);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 408);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_lights) == 528);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 392);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 192);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 384);
@@ -965,13 +967,18 @@ pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
     stage: Cow::Borrowed("visibility_accumulation"), name: Cow::Borrowed("visibility_accumulation"), spirv: Cow::Borrowed(include_bytes!("visibility_accumulation.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
         ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 7, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("statistics"), kind: BindingKind::StorageBuffer(BindingAccess::ReadWrite), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 3, name: Cow::Borrowed("previous_guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 4, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("depth_gradient"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("visibility_samples"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_visibility_history"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("occluder_id"), kind: BindingKind::SampledImage(Component::Uint), optional: true },
+        ShaderBinding { number: 9, name: Cow::Borrowed("occluder_motion"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 10, name: Cow::Borrowed("instance_transforms"), kind: BindingKind::StorageBuffer(BindingAccess::ReadOnly), optional: true },
+        ShaderBinding { number: 11, name: Cow::Borrowed("occluder_distance"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 12, name: Cow::Borrowed("visibility_history"), kind: BindingKind::StorageImage(TexelFormat::R32ui, BindingAccess::WriteOnly), optional: false },
     ]),
     members: Cow::Borrowed(&[
         PushMember { name: Cow::Borrowed("light_radius"), offset: 0, scalar: Scalar::Float },
@@ -980,8 +987,10 @@ pub(crate) static VISIBILITY_ACCUMULATION: Shader = Shader {
         PushMember { name: Cow::Borrowed("normal_tolerance"), offset: 12, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_n"), offset: 16, scalar: Scalar::Float },
         PushMember { name: Cow::Borrowed("sigma_z"), offset: 20, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("present"), offset: 24, scalar: Scalar::Uint },
     ]),
     constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };

@@ -19,6 +19,9 @@ struct Frame {
     exposure_ratio: f64,
     reset: Reset,
     reshaded: bool,
+    /// Left out where no place is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lights: Option<[[f64; 4]; 4]>,
     tuning: BTreeMap<&'static str, f64>,
     view: [[f64; 4]; 4],
     proj: [[f64; 4]; 4],
@@ -54,6 +57,7 @@ pub(super) fn frame([number, index]: [u64; 2], params: &FrameParams, tuning: &Tu
         exposure_ratio: params.exposure_ratio.into(),
         reset: params.reset.map_or(Reset::No(false), Reset::Reason),
         reshaded: params.reshaded,
+        lights: (params.lights != [[0.0; 4]; 4]).then(|| params.lights.map(|light| light.map(f64::from))),
         tuning: tunables(tuning, Some(first)),
         view: rows(&params.view_from_world),
         proj: rows(&params.clip_from_view),

@@ -70,7 +70,14 @@ pub struct FrameParams {
     /// not say.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub complete_frames: Option<u64>,
+    /// The places of the lights of [`crate::Config::visibility`], in world space: x, y, z, 1 of a lamp; x, y, z, 0 is the direction towards
+    /// a sun. With a place the shadows of things and lights that move are followed. Default: 0, not known.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub lights: [[f32; 4]; MOST_LIGHTS],
 }
+
+/// Lights of which a frame knows the places.
+const MOST_LIGHTS: usize = 4;
 
 /// The exposure ratio of a file that has none.
 #[cfg(feature = "serde")]
@@ -93,6 +100,7 @@ impl FrameParams {
             reshaded: false,
             debug_view: None,
             complete_frames: None,
+            lights: [[0.0; 4]; MOST_LIGHTS],
         }
     }
 
@@ -121,6 +129,10 @@ impl FrameParams {
                 name: "exposure_ratio",
                 problem: "must be positive and finite; 1 where exposure did not change",
             });
+        }
+        if !self.lights.iter().all(|[x, y, z, w]| [x, y, z].iter().all(|c| c.is_finite()) && [0.0, 1.0].contains(w)) {
+            let problem = "must be finite, with w 1 for a lamp and 0 for a sun; all 0 where the place is not known";
+            return Err(Error::FrameParams { name: "lights", problem });
         }
         Ok(())
     }
@@ -235,7 +247,21 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         filter_exposure: 1.0,
         inverse_filter_exposure: 1.0,
         eye: eye.extend(0.0).as_vec4().into(),
+        lights: now.lights.map(|light| from_eye(light, eye)),
+        // A light that was not known stood still.
+        previous_lights: std::array::from_fn(|i| {
+            from_eye(if before.lights[i] == UNKNOWN { now.lights[i] } else { before.lights[i] }, eye)
+        }),
     }
+}
+
+/// The place of a light that is not known.
+const UNKNOWN: [f32; 4] = [0.0; 4];
+
+/// A homogeneous place as it is seen from an eye.
+fn from_eye([x, y, z, w]: [f32; 4], eye: DVec3) -> [f32; 4] {
+    let [x, y, z, w] = [x, y, z, w].map(f64::from);
+    (DVec3::new(x, y, z) - w * eye).extend(w).as_vec4().into()
 }
 
 /// Where a view looks from: the origin of the world that shaders see.

@@ -170,8 +170,7 @@ inputs! {
     /// reflections move as their surfaces do
     SPECULAR_HIT_DISTANCE = "specular_hit_distance": Guide Scalar, true, Some(Counter::HitDistance),
         captured(&["hitdist", "hit_distance"], &["D"]);
-    /// the `surface_id` of the surface that the specular path hit: with `instance_transforms`, the filter follows things that move in
-    /// a mirror, and mirrors that move
+    /// the `surface_id` at that hit: with `instance_transforms`, moving things in mirrors, and moving mirrors, are followed
     SPECULAR_HIT_ID = "specular_hit_id": Guide Id, true, Some(Counter::HitId), captured(&["hit_id"], &["I"]);
     /// with `Config::forward_motion`, for gradients: motion of deforming surfaces from the previous frame to this one
     FORWARD_MOTION = "forward_motion": Change Vector, false, Some(Counter::ForwardMotion), captured(&["forward_motion"], XYZ);
@@ -186,8 +185,8 @@ inputs! {
         common(&["other_denoised"], RGB);
     /// with `Config::volume`: light that fog or smoke scatters towards the camera
     NOISY_VOLUME = "noisy_volume": Signal Colour, false, Some(Counter::Radiance), captured(&["volume"], RGB);
-    /// with `Config::volume`: linear depth of one point that contributes much, such as a distance chosen by transmittance; gives
-    /// the volume its own motion
+    /// with `Config::volume`: linear depth of a point that contributes much, for example chosen by transmittance; gives the
+    /// volume its own motion
     SCATTERING_DEPTH = "scattering_depth": Guide Scalar, true, Some(Counter::ScatteringDepth),
         captured(&["scattering_depth"], &["Z"]);
     /// with `Config::visibility`: 0 (occluded) to 1 (lit), by one shadow ray. Leave this light out of the noisy radiance
@@ -195,8 +194,12 @@ inputs! {
     /// with `Config::visibility`: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
     OCCLUDER_DISTANCE = "occluder_distance": Guide Scalar, false, Some(Counter::OccluderDistance),
         captured(&["occluder_distance"], &["Z"]);
-    /// with `Config::visibility`: the reflected light if nothing occluded it, albedo included; `denoised_radiance` then contains
-    /// the product
+    /// the `surface_id` of the occluder: with `instance_transforms` and `FrameParams::lights`, moving shadows are followed
+    OCCLUDER_ID = "occluder_id": Guide Id, true, Some(Counter::OccluderId), captured(&["occluder_id"], &["I"]);
+    /// instead of ids: previous − current place of the occluding point, world space
+    OCCLUDER_MOTION = "occluder_motion": Guide Vector, true, Some(Counter::OccluderMotion),
+        captured(&["occluder_motion"], XYZ);
+    /// with `Config::visibility`: the reflected light without occluders, albedo included; `denoised_radiance` then has the product
     UNSHADOWED_DIRECT = "unshadowed_direct": Composition Colour, true, Some(Counter::Radiance),
         captured(&["unshadowed_direct"], RGB);
 }

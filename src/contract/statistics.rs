@@ -53,6 +53,10 @@ choices! {
         /// A `specular_hit_id` without a transform: beyond the end of `instance_transforms`, or one that is not finite. Of surfaces whose
         /// hit distance is known, and not in a frame with a reset.
         HitId = 18 => "hit_id",
+        /// An `occluder_id` without a transform, as [`Self::HitId`]. Of occluded surfaces, and not in a frame with a reset.
+        OccluderId = 19 => "occluder_id",
+        /// An `occluder_motion` that is not finite. Of occluded surfaces, and not in a frame with a reset.
+        OccluderMotion = 20 => "occluder_motion",
     }
 }
 

@@ -43,6 +43,7 @@ pub(crate) mod render_rect;
 pub(crate) mod reprojection;
 pub(crate) mod rules;
 pub(crate) mod scenery;
+pub(crate) mod shadow_motion;
 pub(crate) mod specular_albedo;
 mod stage;
 pub(crate) mod statistics;

@@ -113,6 +113,11 @@ fn params(dice: &mut Dice, config: &Config, frame: u32) -> FrameParams {
         reshaded: dice.coin(),
         debug_view: config.debug_view.then(|| dice.one_of(&DebugView::ALL)),
         complete_frames: None,
+        lights: [0; 4].map(|_: i32| {
+            let far = 10_f32.powi(dice.below(9) as i32 - 2);
+            let mut at = || if dice.below(4) == 0 { 0.0 } else { far * (of_scale(dice, 2.0) - 1.0) };
+            [at(), at(), at(), f32::from(dice.coin())]
+        }),
     }
 }
 

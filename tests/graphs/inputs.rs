@@ -5,11 +5,15 @@ use atrous::executor::Session;
 use atrous::reference::{Engine, InstanceTransform};
 use atrous::{Declaration, Error, Lifetime, ResourceDecl, Shape};
 
+/// Inputs of ids, beside that of surfaces.
+const HIT_IDS: [&str; 2] = ["specular_hit_id", "occluder_id"];
+
 /// The inputs of one frame by name; those that are `None` are left out.
 pub struct Inputs {
     pub(super) images: Vec<(String, Option<Vec<[f32; 4]>>)>,
     pub(super) surface_id: Option<Vec<u32>>,
-    pub(super) specular_hit_id: Option<Vec<u32>>,
+    /// Ids of what rays met.
+    hit_ids: Vec<(&'static str, Vec<u32>)>,
     pub(super) transforms: Option<Vec<InstanceTransform>>,
 }
 
@@ -23,7 +27,7 @@ impl Inputs {
         let is_input = |r: &&ResourceDecl| matches!(r.lifetime, Lifetime::Input { .. });
         for (k, resource) in (0..).zip(declaration.resources().iter().filter(is_input)) {
             let Shape::Image { .. } = resource.shape else { continue };
-            if ["surface_id", "specular_hit_id"].contains(&resource.name.as_str()) {
+            if resource.name == "surface_id" || HIT_IDS.contains(&resource.name.as_str()) {
                 continue;
             }
             let extent = resource.extent(declaration.allocated_extent()).expect("an image");
@@ -37,16 +41,17 @@ impl Inputs {
         let transforms = transforms.filter(|_| declaration.find("instance_transforms").is_some());
         let surface_id = declaration.find("surface_id").is_some().then_some(guides.surface_id);
         // One of them has no transform.
-        let hit_ids = (0..scene.allocated[0] * scene.allocated[1]).map(|i| hash(seed, i / 7, 201) % 4).collect();
-        let specular_hit_id = declaration.find("specular_hit_id").map(|_| hit_ids);
-        Self { images, surface_id, specular_hit_id, transforms }
+        let hit_id = |i| hash(seed, i / 7, 201) % 4;
+        let hit_ids: Vec<u32> = (0..scene.allocated[0] * scene.allocated[1]).map(hit_id).collect();
+        let declared = HIT_IDS.into_iter().filter(|name| declaration.find(name).is_some());
+        Self { images, surface_id, hit_ids: declared.map(|name| (name, hit_ids.clone())).collect(), transforms }
     }
 
     /// What a host binds: texels of the images by name, `None` for one that is left out.
     pub fn images(&self) -> impl Iterator<Item = (&str, Option<Vec<u8>>)> {
         let bytes = |texels: &Option<Vec<[f32; 4]>>| texels.as_ref().map(|t| bytemuck::cast_slice(t).to_vec());
         let ids = self.surface_id.as_ref().map(|ids| ("surface_id", Some(bytemuck::cast_slice(ids).to_vec())));
-        let hit_ids = self.specular_hit_id.as_ref().map(|ids| ("specular_hit_id", Some(bytemuck::cast_slice(ids).to_vec())));
+        let hit_ids = self.hit_ids.iter().map(|(name, ids)| (*name, Some(bytemuck::cast_slice(ids).to_vec())));
         self.images.iter().map(move |(name, texels)| (name.as_str(), bytes(texels))).chain(ids).chain(hit_ids)
     }
 
@@ -63,7 +68,7 @@ impl Inputs {
             }
         }
         self.surface_id.as_ref().map_or(Ok(()), |ids| s.upload_ids("surface_id", ids))?;
-        self.specular_hit_id.as_ref().map_or(Ok(()), |ids| s.upload_ids("specular_hit_id", ids))?;
+        self.hit_ids.iter().try_for_each(|(name, ids)| s.upload_ids(name, ids))?;
         self.transforms.as_ref().map_or(Ok(()), |t| s.upload_buffer("instance_transforms", bytemuck::cast_slice(t)))
     }
 
@@ -75,7 +80,7 @@ impl Inputs {
             }
         }
         self.surface_id.as_ref().map_or(Ok(()), |ids| engine.upload_ids("surface_id", ids))?;
-        self.specular_hit_id.as_ref().map_or(Ok(()), |ids| engine.upload_ids("specular_hit_id", ids))?;
+        self.hit_ids.iter().try_for_each(|(name, ids)| engine.upload_ids(name, ids))?;
         self.transforms.as_ref().map_or(Ok(()), |t| engine.upload_buffer("instance_transforms", bytemuck::cast_slice(t)))
     }
 }
@@ -100,6 +105,7 @@ fn texels(name: &str, [width, height]: [u32; 2], guides: &Guides, before: &Guide
         "emission" => make(|i, _| if i % 50 == 0 { [2.0, 1.0, 0.5, 0.0] } else { [0.0; 4] }),
         "confidence" => make(|i, frame| [if i % 31 == 0 { f32::NAN } else { 1.4 * random(i, frame, 6) - 0.2 }; 4]),
         "forward_motion" => make(|i, frame| [0.02 * random(i, frame, 7), -0.01, 5.0, 0.0]),
+        "occluder_motion" => make(|i, frame| [if i % 37 == 0 { f32::NAN } else { 0.1 * random(i, frame, 10) }, 0.03, 0.0, 0.0]),
         "sparse_gradient" => make(|i, frame| [random(i, frame, 8) - 0.5, random(i, frame, 9), 0.0, 0.0]),
         "reshaded_radiance" => before.noisy_radiance.iter().map(|t| t.map(|c| 0.8 * c)).collect(),
         other => panic!("the tests have no image for the input `{other}`"),

@@ -7,6 +7,7 @@ mod debug_view;
 mod import;
 mod specular;
 mod tone_map;
+mod visibility;
 mod volume;
 
 use super::sampling::is_sampled;
@@ -75,6 +76,7 @@ pub const TESTS: &[DeviceTest] = &[
         let tuning = Tuning { light_radius: 0.05, penumbra_blur: 1.0, visibility_alpha: 0.0, ..svgf_tuning() };
         tuned_sequence(&Config { visibility: true, preset: Preset::Eaw, ..Config::new([61, 35]) }, [61, 35], tuning);
     }),
+    ("moving_shadows", visibility::moving_shadows),
     ("volume_at_other_resolutions", volume::other_resolutions),
     ("volume_without_depths", volume::without_depths),
     ("import_in_every_encoding", import::every_encoding),

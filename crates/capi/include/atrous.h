@@ -73,7 +73,7 @@
 // guide, number, optional: distance from the surface to the hit of the specular path, scene units; 0 or infinite: nothing was hit. Without it reflections move as their surfaces do
 #define ATROUS_INPUT_SPECULAR_HIT_DISTANCE "specular_hit_distance"
 
-// guide, id, optional: the surface_id of the surface that the specular path hit: with instance_transforms, the filter follows things that move in a mirror, and mirrors that move
+// guide, id, optional: the surface_id at that hit: with instance_transforms, moving things in mirrors, and moving mirrors, are followed
 #define ATROUS_INPUT_SPECULAR_HIT_ID "specular_hit_id"
 
 // change, vector: with Config::forward_motion, for gradients: motion of deforming surfaces from the previous frame to this one
@@ -94,7 +94,7 @@
 // signal, colour: with Config::volume: light that fog or smoke scatters towards the camera
 #define ATROUS_INPUT_NOISY_VOLUME "noisy_volume"
 
-// guide, number, optional: with Config::volume: linear depth of one point that contributes much, such as a distance chosen by transmittance; gives the volume its own motion
+// guide, number, optional: with Config::volume: linear depth of a point that contributes much, for example chosen by transmittance; gives the volume its own motion
 #define ATROUS_INPUT_SCATTERING_DEPTH "scattering_depth"
 
 // signal, number: with Config::visibility: 0 (occluded) to 1 (lit), by one shadow ray. Leave this light out of the noisy radiance
@@ -103,7 +103,13 @@
 // guide, number: with Config::visibility: distance of the occluder along the shadow ray, scene units; 0 or infinite: none or not known
 #define ATROUS_INPUT_OCCLUDER_DISTANCE "occluder_distance"
 
-// composition, colour, optional: with Config::visibility: the reflected light if nothing occluded it, albedo included; denoised_radiance then contains the product
+// guide, id, optional: the surface_id of the occluder: with instance_transforms and FrameParams::lights, moving shadows are followed
+#define ATROUS_INPUT_OCCLUDER_ID "occluder_id"
+
+// guide, vector, optional: instead of ids: previous − current place of the occluding point, world space
+#define ATROUS_INPUT_OCCLUDER_MOTION "occluder_motion"
+
+// composition, colour, optional: with Config::visibility: the reflected light without occluders, albedo included; denoised_radiance then has the product
 #define ATROUS_INPUT_UNSHADOWED_DIRECT "unshadowed_direct"
 
 // Choices, by the names of the fields that take them.
@@ -262,9 +268,11 @@ typedef enum AtrousCounter {
   ATROUS_COUNTER_LOST_NORMAL = 16,
   ATROUS_COUNTER_SATURATED = 17,
   ATROUS_COUNTER_HIT_ID = 18,
+  ATROUS_COUNTER_OCCLUDER_ID = 19,
+  ATROUS_COUNTER_OCCLUDER_MOTION = 20,
 } AtrousCounter;
 
-#define ATROUS_COUNTER_COUNT 19
+#define ATROUS_COUNTER_COUNT 21
 
 // Nodes for atrous_graph_node with their arguments, of which those in brackets have defaults: Graph and nodes in the
 // documentation of the crate say what each means. A choice is given by its name.
@@ -648,6 +656,9 @@ typedef struct AtrousFrameParams {
   // Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
   // frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
   uint64_t complete_frames;
+  // The places of up to four lights whose visibility you give, one after the other: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
+  // in world space. 0: not known.
+  float lights[16];
 } AtrousFrameParams;
 
 // A buffer for a name.

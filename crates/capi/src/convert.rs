@@ -74,6 +74,7 @@ impl AtrousFrameParams {
             reshaded: flag("reshaded", self.reshaded)?,
             debug_view: choice_or_none("debug_view", self.debug_view)?,
             complete_frames: Some(self.complete_frames).filter(|count| *count != u64::MAX),
+            lights: matrix(self.lights),
             ..FrameParams::new([self.render_width, self.render_height])
         })
     }
@@ -94,6 +95,7 @@ impl AtrousFrameParams {
             reshaded: 0,
             debug_view: 0,
             complete_frames: u64::MAX,
+            lights: [0.0; 16],
         }
     }
 }

@@ -135,6 +135,7 @@ impl Passes {
             let ids = match name.as_str() {
                 "surface_id" => frame.surface_id.as_ref(),
                 "specular_hit_id" => frame.hit_id.as_ref(),
+                "occluder_id" => frame.occluder_id.as_ref(),
                 _ => None,
             };
             match (ids, frame.images.get(name.as_str()), transforms) {

@@ -31,6 +31,8 @@ pub struct Camera {
     pub reset: Option<ResetReason>,
     /// The noisy radiance has re-shaded samples at the pixels that the forward projection picks.
     pub reshaded: bool,
+    /// Places of the lights whose visibility the frames have.
+    pub lights: [[f32; 4]; 4],
     /// Tunables that are not those of the sequence.
     pub tuning: BTreeMap<String, f32>,
 }
@@ -84,6 +86,8 @@ struct JsonFrame {
     #[serde(default)]
     reshaded: bool,
     #[serde(default)]
+    lights: [[f32; 4]; 4],
+    #[serde(default)]
     tuning: BTreeMap<String, f32>,
 }
 
@@ -134,6 +138,7 @@ pub fn parse(path: &Path, text: &str) -> Result<SequenceFile> {
             exposure_ratio: frame.exposure_ratio,
             reset: frame.reset,
             reshaded: frame.reshaded,
+            lights: frame.lights,
             tuning: of_today(frame.tuning).map_err(problem)?,
         };
         if cameras.insert(number, camera).is_some() {

@@ -45,6 +45,8 @@ pub struct FrameInputs {
     pub surface_id: Option<Vec<u32>>,
     /// Surface ids of what is seen in the surfaces.
     pub hit_id: Option<Vec<u32>>,
+    /// Surface ids of what casts the shadows.
+    pub occluder_id: Option<Vec<u32>>,
     /// The noisy radiance with everything in it, for scores and pictures.
     pub noisy: Vec<[f32; 3]>,
     /// Alpha of the beauty, which is passed through.
@@ -86,6 +88,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
     }
     let negative = if setup.is_verbatim() { 0 } else { even_out(&mut images, setup) };
     let (surface_id, hit_id) = (channels.surface_ids(&images), channels.hit_ids(&images));
+    let occluder_id = channels.occluder_ids(&images);
     let noisy = channels.total(&images);
     let alpha = channels.scalars(Role::Alpha);
     let reference = channels.vectors(Role::Reference).map(rgb);
@@ -112,6 +115,7 @@ pub fn load(files: &FrameFiles, setup: &Setup) -> Result<FrameInputs> {
         images,
         surface_id,
         hit_id,
+        occluder_id,
         noisy,
         alpha,
         reference,
@@ -148,6 +152,7 @@ fn fill(channels: &mut Channels<'_>, camera: Option<&Camera>, images: &mut BTree
     if config.visibility {
         images.extend(channels.vectors(Role::Visibility).map(|v| ("noisy_visibility", v)));
         images.extend(channels.vectors(Role::OccluderDistance).map(|d| ("occluder_distance", d)));
+        images.extend(channels.vectors(Role::OccluderMotion).map(|m| ("occluder_motion", m)));
         images.extend(channels.vectors(Role::UnshadowedDirect).map(|l| ("unshadowed_direct", l)));
     }
 }
@@ -198,6 +203,7 @@ fn params(setup: &Setup, camera: Option<&Camera>) -> FrameParams {
         params.exposure_ratio = camera.exposure_ratio;
         params.reset = camera.reset;
         params.reshaded = camera.reshaded;
+        params.lights = camera.lights;
     }
     if setup.stills {
         params.reset = params.reset.or(Some(ResetReason::CameraCut));

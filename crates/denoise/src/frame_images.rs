@@ -245,6 +245,11 @@ impl Channels<'_> {
         self.ids(Role::HitId, images.get("specular_hit_distance")?, |distance| distance > 0.0)
     }
 
+    /// Ids of what casts the shadows, with 0 where nothing does.
+    pub fn occluder_ids(&mut self, images: &BTreeMap<&'static str, Texels>) -> Option<Vec<u32>> {
+        self.ids(Role::OccluderId, images.get("occluder_distance")?, |distance| distance > 0.0)
+    }
+
     /// Only this project's data sets keep 0 free for what has no id, which is told by its distance elsewhere.
     fn ids(&mut self, role: Role, distances: &Texels, has_id: impl Fn(f32) -> bool) -> Option<Vec<u32>> {
         let name = self.setup.mapping.roles.get(&role)?.first()?;

@@ -130,6 +130,8 @@ pub const ENTRIES: &[Entry] = &[
     of(Role::ScatteringDepth, Input::SCATTERING_DEPTH, DEPTH),
     of(Role::Visibility, Input::NOISY_VISIBILITY, DEPTH),
     of(Role::OccluderDistance, Input::OCCLUDER_DISTANCE, DEPTH),
+    of(Role::OccluderId, Input::OCCLUDER_ID, ID),
+    of(Role::OccluderMotion, Input::OCCLUDER_MOTION, XYZ),
     of(Role::UnshadowedDirect, Input::UNSHADOWED_DIRECT, RGB),
     of(Role::OtherDenoised, Input::OTHER_DENOISED_RADIANCE, RGB),
 ];

@@ -170,6 +170,7 @@ fn images(setup: &Setup) -> u64 {
         Role::ScatteringDepth,
         Role::Visibility,
         Role::OccluderDistance,
+        Role::OccluderMotion,
         Role::UnshadowedDirect,
     ];
     let motion = u64::from(setup.mapping.has(Role::Motion) || setup.sequence.is_none());
@@ -184,7 +185,7 @@ fn images(setup: &Setup) -> u64 {
 
 /// Images of ids: see [`crate::frame::FrameInputs`].
 fn ids(setup: &Setup) -> u64 {
-    [Role::Id, Role::HitId].map(|role| u64::from(setup.mapping.has(role))).iter().sum()
+    [Role::Id, Role::HitId, Role::OccluderId].map(|role| u64::from(setup.mapping.has(role))).iter().sum()
 }
 
 /// Inputs, history and images between passes.

@@ -83,6 +83,10 @@ pub enum Role {
     Visibility,
     /// How far along the shadow ray something is in the way.
     OccluderDistance,
+    /// [`Role::Id`] of that thing.
+    OccluderId,
+    /// Where it was, minus where it is.
+    OccluderMotion,
     /// What that light would give the surface if nothing were.
     UnshadowedDirect,
 }
@@ -160,6 +164,8 @@ const ROLES: &[(Role, &str, Kind, &str)] = &[
     (Role::ScatteringDepth, "scattering_depth", Kind::Scalar, ""),
     (Role::Visibility, "visibility", Kind::Scalar, ""),
     (Role::OccluderDistance, "occluder_distance", Kind::Scalar, ""),
+    (Role::OccluderId, "occluder_id", Kind::Id, ""),
+    (Role::OccluderMotion, "occluder_motion", Kind::Vector, ""),
     (Role::UnshadowedDirect, "unshadowed_direct", Kind::Colour, ""),
 ];
 

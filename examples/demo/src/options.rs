@@ -21,7 +21,7 @@ pub struct Options {
     /// Another thing to do
     #[command(subcommand)]
     pub command: Option<Command>,
-    /// Scenes: cornell, pillars, glossy, mirror, mirror_moving, hall, fog, leaves, lamps, tiles, door, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
+    /// Scenes: cornell, pillars, glossy, mirror, mirror_moving, hall, hall_railings, hall_sun, fog, leaves, lamps, tiles, door, or a glTF 2.0 file (.glb, .gltf); may be given several times. Default: cornell and pillars
     #[arg(long = "scene")]
     pub scenes: Vec<String>,
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720

@@ -89,7 +89,7 @@ fn an_unknown_scene_is_told_which_there_are() {
     let error =
         atrous_engine::Scene::load("cornel", &atrous_engine::SceneOptions::default()).map(|_| ()).expect_err("no such scene");
     let message = error.to_string();
-    for name in ["\"cornel\"", "cornell, pillars, glossy, mirror, mirror_moving, hall, fog", ".glb"] {
+    for name in ["\"cornel\"", "cornell, pillars, glossy, mirror, mirror_moving, hall, hall_railings, hall_sun, fog", ".glb"] {
         assert!(message.contains(name), "{message}");
     }
 }

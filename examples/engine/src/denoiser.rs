@@ -26,6 +26,10 @@ pub struct DenoiserOptions {
     pub volume_motion: bool,
     /// Reflections follow the thing in them by its id; else only the eye and the surface.
     pub hit_ids: bool,
+    /// Shadows follow the thing that casts them by its id.
+    pub occluder_ids: bool,
+    /// They follow the light, whose place is told.
+    pub light_place: bool,
     /// Per-frame numbers to start with.
     pub tuning: Tuning,
     /// The eye for which gradient samples are shaded. `None`: the current one, but where specular light is apart and no medium lies before
@@ -49,6 +53,8 @@ impl DenoiserOptions {
             config: Config { preset, signals, post_process: PostProcess::ToneMap, ..Config::new([1; 2]) },
             volume_motion: true,
             hit_ids: true,
+            occluder_ids: true,
+            light_place: true,
             sample_eye: None,
             graph: None,
             tuning: Tuning::for_preset(preset),
@@ -99,6 +105,7 @@ pub struct FrameDenoiser {
     gpu: Gpu,
     tuning: Tuning,
     reset: Option<ResetReason>,
+    light_place: bool,
     frame: Option<FrameContext>,
     /// What another denoiser writes, and this one reads.
     followed: Option<Image>,
@@ -142,6 +149,7 @@ impl FrameDenoiser {
             gpu: gpu.clone(),
             tuning,
             reset: None,
+            light_place: options.light_place,
             frame: None,
             followed: None,
         })
@@ -173,6 +181,7 @@ impl FrameDenoiser {
             jitter: camera.jitter,
             reset: self.reset,
             reshaded: self.reshading.is_some(),
+            lights: [self.light_place.then(|| tracer.sun_place()).flatten().unwrap_or_default(), [0.0; 4], [0.0; 4], [0.0; 4]],
             ..FrameParams::new([extent.width, extent.height])
         };
         let frame = self.executor.begin_frame(&params, &self.tuning)?;
@@ -357,6 +366,7 @@ fn inputs<'a>(tracer: &'a PathTracer, options: &DenoiserOptions) -> Vec<(&'stati
         inputs.push(("noisy_visibility", &sun.noisy_visibility));
         inputs.push(("occluder_distance", &sun.occluder_distance));
         inputs.push(("unshadowed_direct", &sun.unshadowed_direct));
+        inputs.extend(options.occluder_ids.then_some(("occluder_id", &sun.occluder_id)));
     }
     inputs
 }

@@ -225,6 +225,11 @@ impl Reprojected {
         }
     }
 
+    /// The surface at another place of its plane.
+    pub(crate) fn at(self, s: Vec2, linear_depth: f32) -> Self {
+        Self { s, linear_depth, ..self }
+    }
+
     /// Pixels that show this surface, with weights that sum to 1, those beyond the valid ones have weight 0; and 4×4 with the weights
     /// of a cubic, where all show it.
     pub(crate) fn taps(&self, surfaces: &Image<Surface>) -> Option<Taps> {

@@ -8,11 +8,14 @@ use crate::reference::compare::{Reading, Rule, Tolerance, Unit};
 use crate::reference::conventions::is_reset;
 use crate::reference::geometry_weights::Geometry;
 use crate::reference::guide::unpack_guide;
-use crate::reference::rules::rule;
+use crate::reference::projection::Projections;
+use crate::reference::rules::{rule, STATISTICS};
+use crate::reference::shadow_motion::{Occluders, Receiver};
+use crate::reference::statistics::count;
 use crate::reference::surface_motion::{unpack_depth_gradient, unpack_surface_motion};
 use crate::reference::visibility::{pack_visibility, unpack_visibility, Ruler, VisibilityHistory, LONGEST_HISTORY};
 use crate::reference::{render_rect::RenderRect, Image};
-use crate::{Error, FrameConstants, Tuning};
+use crate::{Counter, Error, FrameConstants, Statistics, Tuning};
 use glam::IVec2;
 
 #[cfg(test)]
@@ -20,6 +23,8 @@ mod tests;
 
 /// Sums of weights up to this are nothing.
 const NOTHING: f32 = 1e-3;
+/// Of weights of samples that may be equal but for rounding: the first one counts.
+const CLEARLY: f32 = 1.001;
 /// Pixels that always count as near.
 const NEAR: f32 = 1.5;
 /// Standard deviations of the interval that the history is clamped to, by the radius of the penumbra in pixels.
@@ -46,6 +51,8 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
     pub depth_gradient: &'a Image<u32>,
     /// Samples, from the stage `visibility_samples`.
     pub samples: &'a Image<u32>,
+    /// By what occluders move.
+    pub occluders: Occluders<'a>,
     /// Guide and output of this stage of the previous frame; not read in a reset frame, and `None` is treated as one.
     pub previous: Option<(&'a Image<[u16; 4]>, &'a Image<u32>)>,
 }
@@ -54,6 +61,15 @@ pub(crate) struct VisibilityAccumulationInputs<'a> {
 #[derive(Clone, Copy, Default)]
 struct Sample {
     visibility: Option<f32>,
+    distance: f32,
+}
+
+/// A sample beside a pixel: its squared distance on the surface, and its weight by geometry.
+struct Tap {
+    q: IVec2,
+    squared: f32,
+    weight: f32,
+    visibility: f32,
     distance: f32,
 }
 
@@ -67,12 +83,22 @@ struct Surroundings<'a> {
     p: IVec2,
 }
 
-/// Mean, deviation and history length of visibility, see [`crate::reference::unpack_visibility`].
+/// What is around a pixel: the distance of the occluders whose penumbra reaches it, weights of occluded and of lit samples, and the occluded
+/// sample that weighs most, of which the occluder is known.
+struct Search {
+    distance: f32,
+    occluded: f32,
+    lit: f32,
+    nearest: Option<IVec2>,
+}
+
+/// Mean, deviation and history length of visibility, see [`crate::reference::unpack_visibility`]; with the counters of occluders that have no
+/// motion that can be used.
 pub(crate) fn visibility_accumulation(
     frame: &FrameConstants,
     tuning: &Tuning,
     inputs: &VisibilityAccumulationInputs,
-) -> Image<u32> {
+) -> (Image<u32>, Statistics) {
     let geometry = Geometry::new(frame, tuning, inputs.guide, inputs.depth_gradient);
     let samples = inputs.samples.map(|texel| {
         let (v, distance) = (from_half_bits(*texel as u16), from_half_bits((texel >> 16) as u16));
@@ -81,26 +107,40 @@ pub(crate) fn visibility_accumulation(
     let previous = inputs.previous.filter(|_| !is_reset(frame));
     let before =
         previous.map(|(guide, _)| Image::compute(guide.extent(), frame.previous_render_extent, |p| unpack_guide(guide.at(p))));
-    Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
+    let (projections, occluders) = (Projections::new(frame), &inputs.occluders);
+    let texels = Image::compute(inputs.guide.extent(), frame.render_extent, |p| {
         let surface = unpack_guide(inputs.guide.at(p));
         if surface.is_background() {
-            return pack_visibility(&VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() });
+            return (pack_visibility(&VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() }), false, false);
         }
         let gradient = unpack_depth_gradient(inputs.depth_gradient.at(p));
         let ruler = Ruler::new(frame, surface.linear_depth, gradient);
         let rect = RenderRect::new(frame.render_extent);
         let around = Surroundings { geometry: &geometry, samples: &samples, rect, ruler, light_radius: tuning.light_radius, p };
+        let search = around.search();
         let past = previous.zip(before.as_ref()).and_then(|((_, history), surfaces)| {
             let motion = unpack_surface_motion(inputs.surface_motion.at(p));
             let reprojected = Reprojected::new(frame, tuning, (surface, p), &motion, gradient);
-            let (taps, cubic) = reprojected.taps(surfaces)?;
-            let (past, blur) = (weighted_history(&taps, history), ruler.blur(reprojected.s - reprojected.s.floor()));
-            let Some(cubic) = cubic else { return Some((past, blur)) };
-            let mean: f32 = cubic.iter().map(|(q, weight)| weight * unpack_visibility(history.at(*q)).mean).sum();
-            Some((VisibilityHistory { mean: mean.clamp(0.0, 1.0), ..past }, CUBIC_BLUR * blur))
+            let past_at = |at: Reprojected| {
+                let (taps, cubic) = at.taps(surfaces)?;
+                let (past, blur) = (weighted_history(&taps, history), ruler.blur(at.s - at.s.floor()));
+                let Some(cubic) = cubic else { return Some((past, blur)) };
+                let mean: f32 = cubic.iter().map(|(q, weight)| weight * unpack_visibility(history.at(*q)).mean).sum();
+                Some((VisibilityHistory { mean: mean.clamp(0.0, 1.0), ..past }, CUBIC_BLUR * blur))
+            };
+            let receiver = Receiver::new(frame, &projections, &surface, p, &motion, reprojected.s);
+            let shadow = search.nearest.and_then(|nearest| occluders.shadow_before(frame, &projections, &receiver, nearest));
+            shadow.and_then(|at| past_at(reprojected.at(at.position, at.linear_depth))).or_else(|| past_at(reprojected))
         });
-        pack_visibility(&around.accumulate(tuning, past))
-    })
+        let Sample { visibility, distance } = samples.at(p);
+        let is_followed = previous.is_some() && visibility.is_some_and(|v| v < 1.0) && distance > 0.0;
+        let bad = [occluders.lacks_transform(p), occluders.has_bad_motion(p)].map(|bad| bad && is_followed);
+        (pack_visibility(&around.accumulate(tuning, &search, past)), bad[0], bad[1])
+    });
+    let mut statistics = Statistics::default();
+    statistics[Counter::OccluderId] = count(texels.texels().iter().map(|t| t.1));
+    statistics[Counter::OccluderMotion] = count(texels.texels().iter().map(|t| t.2));
+    (texels.map(|t| t.0), statistics)
 }
 
 /// The mean over taps with weights that sum to 1; of the distance the largest.
@@ -123,37 +163,44 @@ fn reach(squared: f32, radius: f32) -> f32 {
 }
 
 impl Surroundings<'_> {
-    /// Samples of 5×5 pixels, `step` apart, that lie on the surface: offset, weight by geometry, visibility and distance.
-    fn taps(&self, step: i32) -> impl Iterator<Item = (f32, f32, f32, f32)> + '_ {
+    /// Samples of 5×5 pixels, `step` apart, that lie on the surface.
+    fn taps(&self, step: i32) -> impl Iterator<Item = Tap> + '_ {
         self.rect.window(self.p, 2, step).filter(|(_, q)| !self.geometry.is_background(*q)).filter_map(move |(offset, q)| {
             let Sample { visibility, distance } = self.samples.at(q);
-            Some((self.ruler.squared((offset * step).as_vec2()), self.geometry.weight(self.p, q), visibility?, distance))
+            let squared = self.ruler.squared((offset * step).as_vec2());
+            Some(Tap { q, squared, weight: self.geometry.weight(self.p, q), visibility: visibility?, distance })
         })
     }
 
-    /// The distance of the occluders whose penumbra reaches the pixel, and weights of occluded and of lit samples.
-    fn search(&self) -> (f32, [f32; 2]) {
+    fn search(&self) -> Search {
         let near = NEAR * self.ruler.longer();
         let own = self.samples.at(self.p);
         let own_distance = if own.visibility.unwrap_or(0.0) < 1.0 { own.distance } else { 0.0 };
-        let (mut occluded_sum, mut lit_sum, mut distance_sum, mut known) = (0.0, 0.0, 0.0, 0.0);
-        let apart = self.taps(3).filter(|tap| tap.0 > 0.0);
-        for (squared, weight, visibility, distance) in self.taps(1).chain(apart) {
+        let mut found = Search { distance: 0.0, occluded: 0.0, lit: 0.0, nearest: None };
+        let (mut distance_sum, mut known, mut nearest) = (0.0, 0.0, 0.0);
+        let apart = self.taps(3).filter(|tap| tap.squared > 0.0);
+        for Tap { q, squared, weight, visibility, distance } in self.taps(1).chain(apart) {
             let occluded = weight * (1.0 - visibility) * reach(squared, 2.0 * self.light_radius * distance + near);
-            occluded_sum += occluded;
-            lit_sum += weight * visibility * reach(squared, 2.0 * self.light_radius * own_distance + near);
-            distance_sum += occluded * distance;
-            known += if distance > 0.0 { occluded } else { 0.0 };
+            found.occluded += occluded;
+            found.lit += weight * visibility * reach(squared, 2.0 * self.light_radius * own_distance + near);
+            if distance > 0.0 {
+                distance_sum += occluded * distance;
+                known += occluded;
+                if occluded > CLEARLY * nearest {
+                    (nearest, found.nearest) = (occluded, Some(q));
+                }
+            }
         }
-        (if known > 0.0 { distance_sum / known } else { 0.0 }, [occluded_sum, lit_sum])
+        found.distance = if known > 0.0 { distance_sum / known } else { 0.0 };
+        found
     }
 
     /// Weight of the samples within the penumbra, and of the lit ones.
     fn window(&self, radius: f32) -> [f32; 2] {
         let longer = self.ruler.longer();
-        self.taps(1).fold([0.0; 2], |[sum, lit], (squared, weight, visibility, _)| {
-            let weight = weight * reach(squared, radius + NEAR * longer);
-            [sum + weight, lit + weight * visibility]
+        self.taps(1).fold([0.0; 2], |[sum, lit], tap| {
+            let weight = tap.weight * reach(tap.squared, radius + NEAR * longer);
+            [sum + weight, lit + weight * tap.visibility]
         })
     }
 
@@ -162,8 +209,8 @@ impl Surroundings<'_> {
         TOLERATED_BLUR * radius * radius + TOLERATED_BLUR_OF_ANY * self.ruler.squared_lengths().element_sum() / 2.0
     }
 
-    fn accumulate(&self, tuning: &Tuning, past: Option<(VisibilityHistory, f32)>) -> VisibilityHistory {
-        let (searched, [occluded, lit]) = self.search();
+    fn accumulate(&self, tuning: &Tuning, search: &Search, past: Option<(VisibilityHistory, f32)>) -> VisibilityHistory {
+        let &Search { distance: searched, occluded, lit, .. } = search;
         let known = past.map_or(0.0, |(h, _)| h.occluder_distance);
         let distance = if known > 0.0 && searched > 0.0 { known + DISTANCE_ALPHA * (searched - known) } else { searched };
         let radius = self.light_radius * distance;
@@ -226,19 +273,28 @@ fn blend(tuning: &Tuning, v: f32, before: &VisibilityHistory, allowed: [f32; 2],
 
 /// A step of the packing, next to a test that may fall the other way: whether a penumbra reaches a pixel.
 pub(crate) const RULES: &[Rule] = &[
+    STATISTICS,
     rule("visibility_history", Unit::Pixel, Reading::Visibility, Tolerance { relative: 0.0, absolute: 1e-3, outliers: 2e-3 }),
     rule("visibility_history", Unit::Pixel, Reading::VisibilitySteps, Tolerance { relative: 0.0, absolute: 1.0, outliers: 2e-3 }),
 ];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
+    let transforms = b.instance_transforms()?;
     let inputs = VisibilityAccumulationInputs {
         guide: b.packed("guide")?,
         surface_motion: b.packed("surface_motion")?,
         depth_gradient: b.uint("depth_gradient")?,
         samples: b.uint("visibility_samples")?,
+        occluders: Occluders {
+            distance: Some(b.colour("occluder_distance")?),
+            id: b.optional_uint("occluder_id")?,
+            motion: b.optional_colour("occluder_motion")?,
+            transforms: transforms.as_deref(),
+        },
         previous: Some((b.packed("previous_guide")?, b.uint("previous_visibility_history")?)),
     };
-    let history = visibility_accumulation(b.frame, b.tuning, &inputs);
+    let (history, statistics) = visibility_accumulation(b.frame, b.tuning, &inputs);
+    b.count(&statistics)?;
     b.write("visibility_history", history)
 }

@@ -7,6 +7,7 @@ mod error;
 pub mod evaluate;
 pub mod files;
 pub mod measure;
+pub mod moving_shadows;
 pub mod progress;
 pub mod report;
 pub mod running;

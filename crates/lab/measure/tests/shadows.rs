@@ -4,6 +4,7 @@ use ash::vk::Extent2D;
 use atrous::config::Preset;
 use atrous_engine::testing::{built_in, mean, render, rgb, tracer, Validated};
 use atrous_engine::{DenoiserOptions, FrameDenoiser, PathTracer, SceneOptions, TracerOptions};
+use atrous_measure::moving_shadows::MovingShadows;
 use atrous_measure::shadows::{ShadowEdges, ShadowGuides};
 
 /// The light of the sun times its visibility, with the light that has none of it, is all light.
@@ -57,5 +58,23 @@ fn edges_of_shadows_are_sharp_and_nearly_right() {
             assert!(errors[1] < 0.6 * errors[0], "{errors:?}");
             assert!(widths[1].expect("edges") < widths[2].expect("edges") + 1.5, "{widths:?}");
         }
+    }
+}
+
+/// Railings that slide, and a sun that swings: with ids and the place of the light, the filter follows their shadows.
+#[test]
+fn shadows_that_move_are_followed() {
+    let Some(gpu) = Validated::new() else { return };
+    let mut found = Vec::new();
+    for scene in ["hall_railings", "hall_sun"] {
+        let extent = Extent2D { width: 640, height: 360 };
+        let shadows = MovingShadows { scene, extent, frames: 16, reference_rays: 64, static_camera: true };
+        let [without, with] = shadows.measure(&gpu.0).expect("frames");
+        println!("{scene}: {without:.4?} without, {with:.4?} with");
+        found.push((scene, without, with));
+    }
+    for (scene, without, with) in found {
+        assert!(with.rmse < 0.85 * without.rmse, "{scene}: {without:?} {with:?}");
+        assert!(without.lag < 2.0 && with.lag < 2.0, "{scene}: {without:?} {with:?}");
     }
 }

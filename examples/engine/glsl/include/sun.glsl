@@ -11,6 +11,7 @@ const uint SUN_SEED = 0x68e31da4u;
 struct SunSample {
     float visibility;         // 0 or 1
     float occluder_distance;  // scene units along the ray; 0: nothing is in the way
+    uint occluder_id;         // its surface_id; 0: nothing is in the way
     vec3 unshadowed;          // radiance towards the eye, as it reaches it
 };
 
@@ -24,7 +25,7 @@ SunSample sample_visible_sun(Surface s, inout Rng rng) {
     LightSample sun = sample_sun(light, random2(rng));
     Hit hit = closest_hit(ray_origin(s), sun.direction);
     bool lit = hit.instance == NO_INSTANCE;
-    return SunSample(lit ? 1.0 : 0.0, lit ? 0.0 : hit.distance, reflected);
+    return SunSample(lit ? 1.0 : 0.0, lit ? 0.0 : hit.distance, lit ? 0u : hit.instance + 1u, reflected);
 }
 
 #endif

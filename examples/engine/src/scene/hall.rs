@@ -1,6 +1,8 @@
 //! A columned hall. The sun falls through the arcade on the right, thin railings run between the columns, and the
 //! camera walks.
 
+use std::f32::consts::TAU;
+
 use glam::{vec2, vec3, Affine3A, Vec2, Vec3};
 
 use super::mesh::Mesh;
@@ -15,11 +17,28 @@ const WALL: f32 = 4.3;
 const HEIGHT: f32 = 4.6;
 
 pub fn scene() -> Scene {
-    let mut scene = Scene::new("hall", view(0.0));
+    with_railings("hall", || Placement::Fixed(Affine3A::IDENTITY))
+}
+
+/// The railings slide to and fro.
+pub fn railings_moving() -> Scene {
+    let sliding = |time: f32| Affine3A::from_translation(Vec3::X * (to_and_fro(1.5 * time, 1.2) - 0.6));
+    with_railings("hall_railings", || Placement::Animated(Box::new(sliding)))
+}
+
+/// The sun swings from side to side.
+pub fn sun_moving() -> Scene {
+    let mut scene = with_railings("hall_sun", || Placement::Fixed(Affine3A::IDENTITY));
+    scene.set_lamp_path(|time| Affine3A::from_rotation_y(0.3 * (TAU * 0.2 * time).sin()));
+    scene
+}
+
+fn with_railings(name: &str, placement: impl Fn() -> Placement) -> Scene {
+    let mut scene = Scene::new(name, view(0.0));
     shell(&mut scene);
     arcade(&mut scene);
     columns(&mut scene);
-    railings(&mut scene);
+    railings(&mut scene, placement);
     ornaments(&mut scene);
     scene.lamps.push(Lamp::Sun {
         direction: vec3(0.84, 0.47, -0.20).normalize(),
@@ -84,7 +103,7 @@ fn columns(scene: &mut Scene) {
     }
 }
 
-fn railings(scene: &mut Scene) {
+fn railings(scene: &mut Scene, placement: impl Fn() -> Placement) {
     let mut bars = Mesh::default();
     let (front, back) = (-AISLE - 0.012, -AISLE + 0.012);
     let (far, near) = (NEAR - length() + 0.5 * BAY, NEAR - 0.5 * BAY);
@@ -96,9 +115,12 @@ fn railings(scene: &mut Scene) {
         let z = near - 0.3 * post as f32;
         bars.append(&cuboid(vec3(front, 0.0, z - 0.01), vec3(back, 0.98, z + 0.01)));
     }
-    let iron = Material::metal(vec3(0.35, 0.34, 0.33), 0.4);
-    scene.place(bars.clone(), iron, Affine3A::IDENTITY);
-    scene.place(bars, iron, Affine3A::from_translation(vec3(2.0 * AISLE, 0.0, 0.0)));
+    let other_side = bars.clone().translated(Vec3::X * 2.0 * AISLE);
+    let iron = scene.add_material(Material::metal(vec3(0.35, 0.34, 0.33), 0.4));
+    for bars in [bars, other_side] {
+        let mesh = scene.add_mesh(bars);
+        scene.add_instance(mesh, iron, placement());
+    }
 }
 
 fn ornaments(scene: &mut Scene) {

@@ -1,6 +1,6 @@
 //! Light that does not come from meshes.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 
 /// A light that no ray can hit by chance.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +23,29 @@ pub enum Lamp {
         /// Where a spot shines, and the cosines of its inner and outer angle.
         spot: Option<(Vec3, f32, f32)>,
     },
+}
+
+impl Lamp {
+    /// Towards it, for a sun.
+    pub fn sun_direction(&self) -> Option<Vec3> {
+        match *self {
+            Self::Sun { direction, .. } => Some(direction),
+            Self::Point { .. } => None,
+        }
+    }
+
+    /// The same after a movement.
+    pub(super) fn moved(self, by: &Affine3A) -> Self {
+        match self {
+            Self::Sun { direction, irradiance, radius } => {
+                Self::Sun { direction: by.transform_vector3(direction).normalize(), irradiance, radius }
+            }
+            Self::Point { position, intensity, spot } => {
+                let turned = |(axis, inner, outer)| (by.transform_vector3(axis).normalize(), inner, outer);
+                Self::Point { position: by.transform_point3(position), intensity, spot: spot.map(turned) }
+            }
+        }
+    }
 }
 
 /// Light from everywhere, as a gradient. All black: none.

@@ -35,8 +35,21 @@ use crate::error::{Error, Result};
 pub const FRAMES_PER_SECOND: f32 = 30.0;
 
 /// The built-in scenes' names.
-pub const BUILT_IN: [&str; 11] =
-    ["cornell", "pillars", "glossy", "mirror", "mirror_moving", "hall", "fog", "leaves", "lamps", "tiles", "door"];
+pub const BUILT_IN: [&str; 13] = [
+    "cornell",
+    "pillars",
+    "glossy",
+    "mirror",
+    "mirror_moving",
+    "hall",
+    "hall_railings",
+    "hall_sun",
+    "fog",
+    "leaves",
+    "lamps",
+    "tiles",
+    "door",
+];
 
 /// Parts of the animation that stand still.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -111,6 +124,7 @@ pub struct Scene {
     pub instances: Vec<Instance>,
     /// Lights that are not meshes.
     pub lamps: Vec<Lamp>,
+    lamp_path: Option<Box<dyn Fn(f32) -> Affine3A + Send + Sync>>,
     /// Light from everywhere.
     pub environment: Environment,
     /// What lies between the surfaces, if anything.
@@ -131,6 +145,7 @@ impl Scene {
             textures: Vec::new(),
             instances: Vec::new(),
             lamps: Vec::new(),
+            lamp_path: None,
             environment: Environment::default(),
             medium: None,
             camera: Box::new(move |_| view),
@@ -153,6 +168,8 @@ impl Scene {
             "mirror" => mirror::scene(),
             "mirror_moving" => mirror_moving::scene(),
             "hall" => hall::scene(),
+            "hall_railings" => hall::railings_moving(),
+            "hall_sun" => hall::sun_moving(),
             "fog" => fog::scene(),
             "leaves" => leaves::scene(),
             "lamps" => lamps::scene(),
@@ -216,17 +233,29 @@ impl Scene {
             .collect()
     }
 
+    /// The lights that are not meshes at a time in seconds.
+    pub fn lamps_at(&self, time: f32) -> Vec<Lamp> {
+        let path = self.lamp_path.as_ref().map(|path| path(time));
+        self.lamps.iter().map(|lamp| path.map_or(*lamp, |path| lamp.moved(&path))).collect()
+    }
+
     /// Whether the world looks alike at two moments: time may pass where nothing moves and no light changes.
     pub fn looks_alike(&self, a: &Moment, b: &Moment) -> bool {
         let lit = |moment: &Moment| (self.light_scale(moment.light_frame), self.emissions(moment.light_frame));
+        let placed = |time: f32| (self.transforms(time), self.lamps_at(time));
         a.view == b.view
-            && (a.object_time == b.object_time || self.transforms(a.object_time) == self.transforms(b.object_time))
+            && (a.object_time == b.object_time || placed(a.object_time) == placed(b.object_time))
             && (a.light_frame == b.light_frame || lit(a) == lit(b))
     }
 
     /// Sets the camera's path.
     pub fn set_camera(&mut self, path: impl Fn(f32) -> View + Send + Sync + 'static) {
         self.camera = Box::new(path);
+    }
+
+    /// Sets the path of the lights that are not meshes.
+    pub fn set_lamp_path(&mut self, path: impl Fn(f32) -> Affine3A + Send + Sync + 'static) {
+        self.lamp_path = Some(Box::new(path));
     }
 
     /// Sets the lights' intensity over the frames.

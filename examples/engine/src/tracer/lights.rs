@@ -8,7 +8,7 @@ use std::f32::consts::PI;
 use glam::{Affine3A, Vec3};
 
 use super::layout::{with, LightData, MaterialData, CHECKER_TEXTURE, NO_TEXTURE};
-use crate::scene::{Lamp, Material, Pattern, Scene};
+use crate::scene::{Lamp, Material, Moment, Pattern, Scene};
 
 const KIND_TRIANGLE: u32 = 0;
 const KIND_SUN: u32 = 1;
@@ -45,9 +45,9 @@ fn material_data(material: &Material, emission: Vec3) -> MaterialData {
     }
 }
 
-/// All lights at a frame. `first_triangles` says where each mesh begins among the attributes; `diagonal` gives a sun its power.
-pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], frame: u32, diagonal: f32) -> Lights {
-    let (materials, scale) = (materials(scene, frame), scene.light_scale(frame));
+/// All lights at a moment. `first_triangles` says where each mesh begins among the attributes; `diagonal` gives a sun its power.
+pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], now: &Moment, diagonal: f32) -> Lights {
+    let (materials, scale) = (materials(scene, now.light_frame), scene.light_scale(now.light_frame));
     let mut data = Vec::new();
     let mut weights = Vec::new();
     let mut sun = 0;
@@ -81,8 +81,8 @@ pub fn lights(scene: &Scene, transforms: &[Affine3A], first_triangles: &[u32], f
             });
         }
     }
-    for lamp in &scene.lamps {
-        let (light, weight) = lamp_data(lamp, scale, diagonal);
+    for lamp in scene.lamps_at(now.object_time) {
+        let (light, weight) = lamp_data(&lamp, scale, diagonal);
         if weight > 0.0 {
             data.push(light);
             weights.push(weight);
@@ -145,7 +145,7 @@ mod tests {
     fn a_lamp_that_flickers_changes_no_choice_of_a_light() {
         let scene = Scene::load("lamps", &Default::default()).expect("a scene");
         let (transforms, triangles) = (scene.transforms(0.0), vec![0; scene.meshes.len()]);
-        let at = |frame| lights(&scene, &transforms, &triangles, frame, 10.0);
+        let at = |frame| lights(&scene, &transforms, &triangles, &scene.moment(frame), 10.0);
         let (bright, dim) = (at(0), at(6));
         assert_ne!(
             materials(&scene, 0).iter().map(|m| m.emission_weight[0]).sum::<f32>(),

@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::error::Result;
 use crate::gpu::{storage_images, Bound, Buffer, DescriptorSet, Gpu, Image, Pipeline, SetLayout};
-use crate::scene::{Environment, Moment, Scene, View};
+use crate::scene::{Environment, Lamp, Moment, Scene, View};
 use barriers::{general_barrier, memory_barrier};
 use layout::FrameConstants;
 use scene_buffers::SceneBuffers;
@@ -84,6 +84,8 @@ pub struct PathTracer {
     options: TracerOptions,
     frame: u32,
     view: View,
+    /// Of the last frame that was begun, seconds.
+    lamp_time: f32,
     buffers: SceneBuffers,
     outputs: Outputs,
     scene_set: DescriptorSet,
@@ -123,6 +125,7 @@ impl PathTracer {
             options,
             frame: 0,
             view: scene.view(0),
+            lamp_time: 0.0,
             buffers,
             sun: if options.sun_apart { Sun::new(gpu, scene, &scene_layout, &outputs)? } else { None },
             volume: scene.medium.map(|_| Volume::new(gpu, &scene_layout, &outputs)).transpose()?,
@@ -151,6 +154,7 @@ impl PathTracer {
     pub fn begin_moment(&mut self, frame: u32, now: &Moment, before: &Moment) -> Result<()> {
         self.frame = frame;
         self.view = now.view;
+        self.lamp_time = now.object_time;
         let state = self.buffers.animate(&self.scene, now, before)?;
         let jitter = self.jitter(frame);
         let Environment { zenith, horizon, ground } = self.scene.environment;
@@ -249,6 +253,12 @@ impl PathTracer {
     /// The sun, where the scene has one and [`TracerOptions::sun_apart`] asks for it; written by every lighting pass.
     pub fn sun(&self) -> Option<&Sun> {
         self.sun.as_ref()
+    }
+
+    /// Where the sun stands: its direction, homogeneous; `None` where it is not apart.
+    pub fn sun_place(&self) -> Option<[f32; 4]> {
+        let lamps = self.scene.lamps_at(self.lamp_time);
+        self.sun.as_ref().and_then(|_| lamps.iter().find_map(Lamp::sun_direction)).map(|direction| layout::with(direction, 0.0))
     }
 
     /// For each `surface_id` three rows of the map from world space now to world space in the previous frame (entry 0:

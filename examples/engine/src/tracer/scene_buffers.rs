@@ -89,7 +89,7 @@ impl SceneBuffers {
             self.set_tree(&tree);
             self.built_for.clone_from(&transforms);
         }
-        let lights = lights::lights(scene, &transforms, &self.first_triangles, now.light_frame, self.diagonal);
+        let lights = lights::lights(scene, &transforms, &self.first_triangles, now, self.diagonal);
         self.lights.write(&lights.data);
         self.materials.write(&lights::materials(scene, now.light_frame));
         self.write_transforms(scene, &transforms, &previous);

@@ -14,6 +14,8 @@ pub struct Sun {
     pub noisy_visibility: Image,
     /// `R32_SFLOAT`: how far along that ray something is in the way, scene units; 0: nothing is.
     pub occluder_distance: Image,
+    /// `R32_UINT`: `surface_id` of that thing; 0: nothing is.
+    pub occluder_id: Image,
     /// `R32G32B32A32_SFLOAT`: radiance that it gives the surface where nothing is in the way. a: 1. Times the visibility it adds to the light of
     /// [`Outputs`], which has none of it.
     pub unshadowed_direct: Image,
@@ -35,14 +37,15 @@ impl Sun {
         let noisy_visibility = Image::new(gpu, "noisy_visibility", vk::Format::R32_SFLOAT, extent)?;
         let occluder_distance = Image::new(gpu, "occluder_distance", vk::Format::R32_SFLOAT, extent)?;
         let unshadowed_direct = Image::new(gpu, "unshadowed_direct", vk::Format::R32G32B32A32_SFLOAT, extent)?;
-        let layout = SetLayout::new(gpu, &storage_images(5))?;
-        let images = [&outputs.visibility, &outputs.seed, &noisy_visibility, &occluder_distance, &unshadowed_direct];
+        let occluder_id = Image::new(gpu, "occluder_id", vk::Format::R32_UINT, extent)?;
+        let layout = SetLayout::new(gpu, &storage_images(6))?;
+        let images = [&outputs.visibility, &outputs.seed, &noisy_visibility, &occluder_distance, &unshadowed_direct, &occluder_id];
         let set = DescriptorSet::of_images(gpu, &layout, &images.map(|image| image.view))?;
         let pipeline = Pipeline::new(gpu, &shaders::SUN, &[scene_layout, &layout], 0)?;
-        Ok(Some(Self { noisy_visibility, occluder_distance, unshadowed_direct, radius, set, pipeline }))
+        Ok(Some(Self { noisy_visibility, occluder_distance, occluder_id, unshadowed_direct, radius, set, pipeline }))
     }
 
-    pub(super) fn images(&self) -> [&Image; 3] {
-        [&self.noisy_visibility, &self.occluder_distance, &self.unshadowed_direct]
+    pub(super) fn images(&self) -> [&Image; 4] {
+        [&self.noisy_visibility, &self.occluder_distance, &self.unshadowed_direct, &self.occluder_id]
     }
 }

@@ -4,7 +4,8 @@ use super::*;
 use crate::nodes::visibility_samples::twin::NO_SAMPLE;
 use crate::reference::binary16::half_bits;
 use crate::reference::test_scene::*;
-use crate::reference::{pack_depth_gradient, pack_surface_motion};
+use crate::reference::{pack_depth_gradient, pack_surface_motion, InstanceTransform};
+use crate::FrameParams;
 
 const EXTENT: [u32; 2] = [24, 24];
 
@@ -18,6 +19,9 @@ fn samples(of: impl Fn(i32, i32) -> (f32, f32)) -> Image<u32> {
 
 struct Sequence {
     guides: Guides,
+    frame: FrameConstants,
+    /// Of every occluder, by the id 1.
+    transform: Option<InstanceTransform>,
     history: Option<Image<u32>>,
     tuning: Tuning,
 }
@@ -26,19 +30,23 @@ impl Sequence {
     fn new() -> Self {
         // One scene unit of occluder distance is a penumbra of half a pixel to either side.
         let tuning = Tuning { light_radius: 1.0 / 24.0, ..svgf_tuning() };
-        Self { guides: guides(EXTENT, |_, _| surface(1.0)), history: None, tuning }
+        Self { guides: guides(EXTENT, |_, _| surface(1.0)), frame: frame(EXTENT), transform: None, history: None, tuning }
     }
 
     fn frame(&mut self, samples: &Image<u32>) -> Image<VisibilityHistory> {
         let g = &self.guides;
+        let distance = samples.map(|texel| [from_half_bits((texel >> 16) as u16); 4]);
+        let (id, transforms) = (Image::new(EXTENT, 1), self.transform.map(|transform| [transform; 2]));
+        let transforms = transforms.as_ref().map(<[_; 2]>::as_slice);
         let inputs = VisibilityAccumulationInputs {
             guide: &g.guide,
             surface_motion: &g.surface_motion,
             depth_gradient: &g.depth_gradient,
             samples,
+            occluders: Occluders { distance: Some(&distance), id: Some(&id), transforms, motion: None },
             previous: self.history.as_ref().map(|history| (&g.guide, history)),
         };
-        let history = visibility_accumulation(&frame(EXTENT), &self.tuning, &inputs);
+        let (history, _) = visibility_accumulation(&self.frame, &self.tuning, &inputs);
         let result = history.map(|texel| unpack_visibility(*texel));
         self.history = Some(history);
         result
@@ -109,6 +117,51 @@ fn motion_does_not_blur_what_is_sharp_and_blurs_what_is_soft_a_little() {
 }
 
 #[test]
+fn a_shadow_that_moves_takes_its_history_along() {
+    // Under a sun that stands above, half a pixel a frame.
+    let params = FrameParams { lights: [[0.0, 0.0, 1.0, 0.0]; 4], ..FrameParams::new(EXTENT) };
+    let moved = [[1.0, 0.0, 0.0, -1.0 / 24.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
+    let error = |transform: Option<InstanceTransform>| {
+        let mut sequence = Sequence::new();
+        sequence.frame = frame_with(&crate::Config::new(EXTENT), &params, &params);
+        sequence.transform = transform;
+        let mut last = Image::new([1, 1], VisibilityHistory::default());
+        for i in 0..24 {
+            last = sequence.frame(&edge(2.0 + i as f32 / 2.0, 5.0, i));
+        }
+        let expected = |x: i32| (0.5 + 0.5 * (x as f32 + 0.5 - 13.5) / 5.0_f32).clamp(0.0, 1.0);
+        let squares = (0..24).flat_map(|y| (9..18).map(move |x| (x, y))).map(|(x, y)| (last.at(IVec2::new(x, y)).mean - expected(x)).powi(2));
+        (squares.sum::<f32>() / (24.0 * 9.0)).sqrt()
+    };
+    let (without, with) = (error(None), error(Some(moved)));
+    assert!(with < 0.6 * without, "{without} to {with}");
+}
+
+#[test]
+fn occluders_without_a_motion_that_can_be_used_are_counted() {
+    let shadow = samples(|x, _| if x < 12 { (0.0, 2.0) } else { (1.0, 0.0) });
+    let g = guides(EXTENT, |_, _| surface(1.0));
+    let (id, motion) = (Image::new(EXTENT, 3), Image::new(EXTENT, [f32::NAN; 4]));
+    let count = |occluders: Occluders, frame: &FrameConstants| {
+        let inputs = VisibilityAccumulationInputs {
+            guide: &g.guide,
+            surface_motion: &g.surface_motion,
+            depth_gradient: &g.depth_gradient,
+            samples: &shadow,
+            occluders,
+            previous: Some((&g.guide, &shadow)),
+        };
+        let (_, statistics) = visibility_accumulation(frame, &svgf_tuning(), &inputs);
+        [Counter::OccluderId, Counter::OccluderMotion].map(|counter| statistics[counter])
+    };
+    let transforms = [[[0.0; 4]; 3]; 3];
+    let by_id = Occluders { id: Some(&id), transforms: Some(&transforms), ..Default::default() };
+    assert_eq!(count(by_id, &frame(EXTENT)), [12 * 24, 0], "of occluded pixels");
+    assert_eq!(count(Occluders { motion: Some(&motion), ..Default::default() }, &frame(EXTENT)), [0, 12 * 24]);
+    assert_eq!(count(Occluders { motion: Some(&motion), ..by_id }, &reset(frame(EXTENT))), [0, 0]);
+}
+
+#[test]
 fn a_pixel_without_a_sample_takes_those_around() {
     let mut sequence = Sequence::new();
     let hole = |v: f32| samples(move |x, y| if (x, y) == (8, 8) { (NO_SAMPLE, 0.0) } else { (v, if v < 1.0 { 2.0 } else { 0.0 }) });
@@ -132,9 +185,10 @@ fn a_reset_frame_and_the_background_have_no_past() {
         surface_motion: &g.surface_motion,
         depth_gradient: &Image::new(EXTENT, pack_depth_gradient([0.0; 2])),
         samples: &lit,
+        occluders: Occluders::default(),
         previous: Some((&sequence.guides.guide, sequence.history.as_ref().expect("a frame"))),
     };
-    let after = visibility_accumulation(&reset(frame(EXTENT)), &sequence.tuning, &inputs);
+    let (after, _) = visibility_accumulation(&reset(frame(EXTENT)), &sequence.tuning, &inputs);
     let fresh = VisibilityHistory { mean: 1.0, history_length: 1.0, ..Default::default() };
     assert!(after.texels().iter().all(|texel| unpack_visibility(*texel) == fresh));
 }

@@ -84,7 +84,8 @@ pub fn content(scene: &Scene, frame: u32) -> u64 {
     let moment = scene.moment(frame);
     let instances: Vec<_> = scene.instances.iter().map(|instance| (instance.mesh, instance.material)).collect();
     let things = (&scene.meshes, &scene.materials, &scene.textures, instances, scene.transforms(moment.object_time));
-    let light = (scene.emissions(frame), scene.light_scale(frame), &scene.lamps, scene.environment, scene.medium);
+    let light =
+        (scene.emissions(frame), scene.light_scale(frame), scene.lamps_at(moment.object_time), scene.environment, scene.medium);
     // Numbers print with all their digits.
     let _ = write!(text, "{:?} {things:?} {light:?}", moment.view);
     text.0.finish()
