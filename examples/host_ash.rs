@@ -6,7 +6,7 @@
 use ash::vk;
 use atrous::{
     Access, Binding, Config, Denoiser, Device, FrameContext, FrameParams, LegacyBarriers, Phase, PhysicalResource, ResourceDecl,
-    ResourceId, ResourceState, Shape, Tracker, Tuning,
+    ResourceId, ResourceState, Setup, Shape, Tracker, Tuning,
 };
 use atrous_synthetic as synthetic;
 
@@ -165,7 +165,7 @@ unsafe fn create(host: Device<'_>, decl: &ResourceDecl, flags: vk::MemoryPropert
                 Ok(Resource { physical: PhysicalResource::buffer(buffer), memory })
             }
             Shape::Image { format, .. } => {
-                let [width, height] = decl.extent(synthetic::EXTENT).unwrap_or(synthetic::EXTENT);
+                let [width, height] = decl.extent(&Setup::new(synthetic::EXTENT)).unwrap_or(synthetic::EXTENT);
                 let is_float_input = synthetic::NAMES.contains(&decl.name.as_str());
                 let format = if is_float_input { vk::Format::R32G32B32A32_SFLOAT } else { format.preferred() };
                 let usage = decl.image_usage | vk::ImageUsageFlags::TRANSFER_DST | vk::ImageUsageFlags::TRANSFER_SRC;

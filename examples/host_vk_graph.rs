@@ -5,7 +5,7 @@
 
 use ash::vk;
 use atrous::{
-    Access, Binding, Config, Declaration, Denoiser, Device, FrameContext, FrameParams, Phase, ResourceDecl, Shape, Tuning,
+    Access, Binding, Config, Declaration, Denoiser, Device, FrameContext, FrameParams, Phase, ResourceDecl, Setup, Shape, Tuning,
 };
 use atrous_synthetic as synthetic;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -168,7 +168,7 @@ fn bind(graph: &mut Graph, resource: &Resource) -> Node {
 }
 
 fn create(device: &GraphDevice, decl: &ResourceDecl) -> Result<Resource> {
-    Ok(match (decl.shape, decl.extent(synthetic::EXTENT)) {
+    Ok(match (decl.shape, decl.extent(&Setup::new(synthetic::EXTENT))) {
         (Shape::Image { format, .. }, Some([width, height])) => {
             let is_float_input = synthetic::NAMES.contains(&decl.name.as_str());
             let format = if is_float_input { vk::Format::R32G32B32A32_SFLOAT } else { format.preferred() };

@@ -6,7 +6,7 @@
 
 use ash::vk::Handle;
 use atrous::{Access, Binding, Config, Denoiser, Device, FrameContext, FrameParams, Lifetime, Phase, ResourceDecl};
-use atrous::{Declaration, Shape, Tuning, UseFrame};
+use atrous::{Declaration, Setup, Shape, Tuning, UseFrame};
 use atrous_synthetic as synthetic;
 use std::sync::Arc;
 use vulkano::buffer::{Buffer, BufferCreateInfo, BufferUsage, Subbuffer};
@@ -297,7 +297,7 @@ fn is_left_out(decl: &ResourceDecl) -> bool {
 
 /// How to create an image; `None` for a buffer.
 fn image_info(decl: &ResourceDecl) -> Result<Option<ImageCreateInfo>> {
-    let (Shape::Image { format, .. }, Some([width, height])) = (decl.shape, decl.extent(synthetic::EXTENT)) else {
+    let (Shape::Image { format, .. }, Some([width, height])) = (decl.shape, decl.extent(&Setup::new(synthetic::EXTENT))) else {
         return Ok(None);
     };
     let is_float_input = synthetic::NAMES.contains(&decl.name.as_str());

@@ -2,9 +2,12 @@
 // Tone map: HDR radiance to display-referred linear values, for what comes after the denoiser (TAA, a swapchain).
 // Source: x/(1+luminance) [Reinhard 2002], and the fit of the ACES curve of [Narkowicz 2015].
 // In:  radiance of surfaces, of a volume, or of both, which are added; linear Rec. 709. Out: tone_mapped, linear 0..1.
+// Constant OUTPUT: the radiance has the size of the output.
 // optional: radiance_1
 #extension GL_EXT_samplerless_texture_functions : require
 #extension GL_GOOGLE_include_directive : require
+
+layout(constant_id = 1) const bool OUTPUT = false;
 
 layout(push_constant) uniform Push {
     uint present;
@@ -32,7 +35,7 @@ vec3 aces(vec3 x) { return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14
 
 void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
-    if (!is_inside(p)) return;
+    if (any(greaterThanEqual(p, ivec2(OUTPUT ? frame.output_extent : frame.render_extent)))) return;
     vec3 radiance = texelFetch(radiance_0, p, 0).rgb;
     if (is_present(RADIANCE_1)) radiance += texelFetch(radiance_1, p, 0).rgb;
     // Beyond any light, so that what is made of it is finite.

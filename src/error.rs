@@ -24,6 +24,14 @@ pub enum Error {
         /// Extent that images were allocated with.
         allocated: [u32; 2],
     },
+    /// The output is smaller than the rendered picture, or more than three times as wide or high.
+    #[error("Config::output_extent is {output:?} for {rendered:?} rendered pixels; each side must be 1 to 3 times theirs. Render more or fewer pixels, or leave it out")]
+    OutputExtent {
+        /// Output extent as given.
+        output: [u32; 2],
+        /// Allocated extent, or render extent of a frame.
+        rendered: [u32; 2],
+    },
     /// A structural setting is out of range.
     #[error("Config::{name} is {given}; allowed is {min} to {max}")]
     Config {

@@ -29,6 +29,8 @@ pub struct FrameConstants {
     pub eye: [f32; 4],
     pub lights: [[f32; 4]; 4],
     pub previous_lights: [[f32; 4]; 4],
+    pub output_extent: [u32; 2],
+    pub previous_output_extent: [u32; 2],
 }
 
 /// Bits of [`FrameConstants::flags`]: the reset, and your conventions.

@@ -181,7 +181,7 @@ fn upload_extras(s: &mut Session, guides: &Guides, before: Option<&Guides>) {
     }
     if let Some(id) = declaration.find("sparse_gradient") {
         let Shape::Image { .. } = declaration.resource(id).shape else { panic!("an image") };
-        let [w, h] = declaration.resource(id).extent(declaration.allocated_extent()).expect("an image");
+        let [w, h] = declaration.resource(id).extent(declaration.setup()).expect("an image");
         let texels: Vec<_> = (0..w * h).map(|i| [0.1 * (i % 5) as f32, 0.5, 0.0, 0.0]).collect();
         s.upload("sparse_gradient", &texels).expect("sparse_gradient");
     }

@@ -48,6 +48,7 @@ mod specular;
 mod stereo;
 mod support;
 mod sync_validation;
+mod upscaling;
 mod visibility;
 mod volume;
 
@@ -106,6 +107,7 @@ fn main() {
         Group { name: "sync_validation", tests: sync_validation::TESTS, needs_device: true },
         Group { name: "stereo", tests: stereo::TESTS, needs_device: true },
         Group { name: "specular", tests: specular::TESTS, needs_device: true },
+        Group { name: "upscaling", tests: upscaling::TESTS, needs_device: true },
         Group { name: "visibility", tests: visibility::TESTS, needs_device: true },
         Group { name: "volume", tests: volume::TESTS, needs_device: true },
     ];

@@ -125,7 +125,7 @@ fn made(declaration: &Declaration, memory: &mut Memory, id: ResourceId) -> Vec<P
         Shape::Image { format, .. } => {
             let wide = vk::Format::R32G32B32A32_SFLOAT;
             let format = if is_input && format.accepts(wide) { wide } else { format.preferred() };
-            let extent = resource.extent(declaration.allocated_extent()).expect("an image");
+            let extent = resource.extent(declaration.setup()).expect("an image");
             let bare = memory.image(format, extent, resource.image_usage);
             let block = memory.allocate(bare.needs, vk::MemoryPropertyFlags::empty());
             match memory.bind(bare, block, 0) {

@@ -32,6 +32,8 @@ layout(set = 0, binding = 0, std140) FRAME_ACCESS FrameConstants {
     vec4 eye;                       // of this frame, in the host's world space; w is 0
     vec4 lights[4];                 // of which a host gives the visibility: homogeneous places; 0: not known
     vec4 previous_lights[4];        // in the previous frame
+    uvec2 output_extent;            // pixels
+    uvec2 previous_output_extent;   // pixels
 } frame;
 
 const uint FLAG_RESET = 1u;

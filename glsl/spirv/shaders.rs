@@ -8,11 +8,13 @@ const _: () = assert!(std::mem::offset_of!(FrameConstants, frame_index) == 416);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, inverse_filter_exposure) == 444);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, jitter) == 400);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, lights) == 464);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, output_extent) == 592);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_from_world) == 128);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_offset) == 436);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_clip_w_scale) == 432);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_jitter) == 408);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_lights) == 528);
+const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_output_extent) == 600);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_render_extent) == 392);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, previous_view_from_world) == 192);
 const _: () = assert!(std::mem::offset_of!(FrameConstants, render_extent) == 384);
@@ -805,24 +807,6 @@ pub(crate) static SPECULAR_ACCUMULATION: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("CONVENTIONS"), id: 30, scalar: Scalar::Uint, default: 0 },
     ]),
 };
-pub(crate) static TAA: Shader = Shader {
-    stage: Cow::Borrowed("taa"), name: Cow::Borrowed("taa"), spirv: Cow::Borrowed(include_bytes!("taa.spv")), workgroup: [8, 8, 1],
-    bindings: Cow::Borrowed(&[
-        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
-        ShaderBinding { number: 1, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 2, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
-        ShaderBinding { number: 3, name: Cow::Borrowed("tone_mapped"), kind: BindingKind::SampledImage(Component::Float), optional: false },
-        ShaderBinding { number: 4, name: Cow::Borrowed("previous_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
-        ShaderBinding { number: 5, name: Cow::Borrowed("taa_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-        ShaderBinding { number: 6, name: Cow::Borrowed("display"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
-    ]),
-    members: Cow::Borrowed(&[
-        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 0, scalar: Scalar::Float },
-        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 4, scalar: Scalar::Float },
-    ]),
-    constants: Cow::Borrowed(&[
-    ]),
-};
 pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_1: Shader = Shader {
     stage: Cow::Borrowed("temporal_accumulation"), name: Cow::Borrowed("temporal_accumulation_signals_1"), spirv: Cow::Borrowed(include_bytes!("temporal_accumulation_signals_1.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -897,6 +881,60 @@ pub(crate) static TEMPORAL_ACCUMULATION_SIGNALS_2: Shader = Shader {
         SpecialisationConstant { name: Cow::Borrowed("STRATUM_SIZE"), id: 8, scalar: Scalar::Uint, default: 3 },
     ]),
 };
+pub(crate) static TEMPORAL_UPSCALE_FLOAT_0: Shader = Shader {
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_0"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_0.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 0 },
+    ]),
+};
+pub(crate) static TEMPORAL_UPSCALE_FLOAT_1: Shader = Shader {
+    stage: Cow::Borrowed("temporal_upscale"), name: Cow::Borrowed("temporal_upscale_float_1"), spirv: Cow::Borrowed(include_bytes!("temporal_upscale_float_1.spv")), workgroup: [8, 8, 1],
+    bindings: Cow::Borrowed(&[
+        ShaderBinding { number: 0, name: Cow::Borrowed("frame"), kind: BindingKind::UniformBuffer, optional: false },
+        ShaderBinding { number: 1, name: Cow::Borrowed("radiance_0"), kind: BindingKind::SampledImage(Component::Float), optional: false },
+        ShaderBinding { number: 2, name: Cow::Borrowed("radiance_1"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 3, name: Cow::Borrowed("albedo"), kind: BindingKind::SampledImage(Component::Float), optional: true },
+        ShaderBinding { number: 4, name: Cow::Borrowed("guide"), kind: BindingKind::StorageImage(TexelFormat::Rgba16ui, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 5, name: Cow::Borrowed("previous_guide"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 6, name: Cow::Borrowed("surface_motion"), kind: BindingKind::SampledImage(Component::Uint), optional: false },
+        ShaderBinding { number: 7, name: Cow::Borrowed("previous_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::ReadOnly), optional: false },
+        ShaderBinding { number: 8, name: Cow::Borrowed("upscale_history"), kind: BindingKind::StorageImage(TexelFormat::Rgba16f, BindingAccess::WriteOnly), optional: false },
+        ShaderBinding { number: 9, name: Cow::Borrowed("upscaled_radiance"), kind: BindingKind::StorageImage(TexelFormat::Rgba32f, BindingAccess::WriteOnly), optional: false },
+    ]),
+    members: Cow::Borrowed(&[
+        PushMember { name: Cow::Borrowed("present"), offset: 0, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("tone_curve"), offset: 4, scalar: Scalar::Uint },
+        PushMember { name: Cow::Borrowed("exposure"), offset: 8, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_alpha"), offset: 12, scalar: Scalar::Float },
+        PushMember { name: Cow::Borrowed("taa_gamma"), offset: 16, scalar: Scalar::Float },
+    ]),
+    constants: Cow::Borrowed(&[
+        SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("SHOWN"), id: 1, scalar: Scalar::Bool, default: 0 },
+        SpecialisationConstant { name: Cow::Borrowed("WIDE"), id: 9, scalar: Scalar::Bool, default: 1 },
+    ]),
+};
 pub(crate) static TONE_MAP: Shader = Shader {
     stage: Cow::Borrowed("tone_map"), name: Cow::Borrowed("tone_map"), spirv: Cow::Borrowed(include_bytes!("tone_map.spv")), workgroup: [8, 8, 1],
     bindings: Cow::Borrowed(&[
@@ -912,6 +950,7 @@ pub(crate) static TONE_MAP: Shader = Shader {
     ]),
     constants: Cow::Borrowed(&[
         SpecialisationConstant { name: Cow::Borrowed("WIRED"), id: 0, scalar: Scalar::Uint, default: 4294967295 },
+        SpecialisationConstant { name: Cow::Borrowed("OUTPUT"), id: 1, scalar: Scalar::Bool, default: 0 },
     ]),
 };
 pub(crate) static VARIANCE_SIGNALS_1: Shader = Shader {
@@ -1100,4 +1139,4 @@ pub(crate) static VOLUME_POINTS: Shader = Shader {
     ]),
 };
 #[cfg(test)]
-pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TAA, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];
+pub(crate) static ALL: &[&Shader] = &[&ATROUS_SIGNALS_1, &ATROUS_SIGNALS_2, &ATROUS_SIGNALS_1_SPECULAR_1, &BLOCK_DIFFERENCE, &BLOCK_PERCENTILES, &CHANGE_TEST, &CLEAR_CLAIMS, &DEBUG_VIEW, &DEMODULATE_LUMINANCE_0, &DEMODULATE_LUMINANCE_1, &EAW_SIGNALS_1, &EAW_SIGNALS_2, &FILL_HOLES, &FILTER_EXPOSURE, &FIREFLY, &FIREFLY_LIMITS_RETURNING_0, &FIREFLY_LIMITS_RETURNING_1, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_0_FORWARD_MOTION_1, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_0, &FORWARD_PROJECT_RESOLVE_1_FORWARD_MOTION_1, &GRADIENT, &GRADIENT_ATROUS_RATIO_0, &GRADIENT_ATROUS_RATIO_1, &HISTORY_CONFIDENCE_SOURCE_0, &HISTORY_CONFIDENCE_SOURCE_1, &IMPORT_SURFACE_ID_0, &IMPORT_SURFACE_ID_1, &MODULATE_FLOAT_0, &MODULATE_FLOAT_1, &PERCENTILE_RULE, &SAMPLE_ALBEDO, &SHADOWED_LIGHT_FLOAT_0, &SHADOWED_LIGHT_FLOAT_1, &SPECULAR_ACCUMULATION, &TEMPORAL_ACCUMULATION_SIGNALS_1, &TEMPORAL_ACCUMULATION_SIGNALS_2, &TEMPORAL_UPSCALE_FLOAT_0, &TEMPORAL_UPSCALE_FLOAT_1, &TONE_MAP, &VARIANCE_SIGNALS_1, &VARIANCE_SIGNALS_2, &VISIBILITY_ACCUMULATION, &VISIBILITY_FILTER_LAST_0, &VISIBILITY_FILTER_LAST_1, &VISIBILITY_SAMPLES, &VOLUME_MOTION_RESOLVE_0, &VOLUME_MOTION_RESOLVE_1, &VOLUME_POINTS, ];

@@ -193,14 +193,14 @@ impl SequenceWriter {
 
     fn layer(&self, name: &str, image: &InputImage<'_>, extent: [u32; 2]) -> Result<Layer, Error> {
         let rule = self.declaration.find(name).map(|id| self.declaration.resource(id).shape);
-        let (Some(texel), Some(Shape::Image { format, divisor })) = (Texel::of(image.format), rule) else {
+        let (Some(texel), Some(Shape::Image { format, texels })) = (Texel::of(image.format), rule) else {
             return Err(refused_format(name, image.format));
         };
         if !format.accepts(image.format) {
             return Err(refused_format(name, image.format));
         }
         let bytes = texel.bytes();
-        let [width, height] = extent.map(|side| side.div_ceil(divisor));
+        let [width, height] = texels.extent(extent, self.declaration.setup().output_of(extent));
         let needed = width as usize * height as usize * bytes;
         if image.texels.len() != needed {
             let needed = format!("{needed} ({width}x{height} texels of {bytes} bytes)");

@@ -27,7 +27,7 @@ choices! {
         None = 0 => "none",
         /// Tone map into `display`.
         ToneMap = 1 => "tone_map",
-        /// Tone map, then temporal anti-aliasing into `display`.
+        /// Temporal anti-aliasing, then tone map into `display`.
         ToneMapTaa = 2 => "tone_map_taa",
     }
 

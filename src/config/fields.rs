@@ -77,6 +77,11 @@ macro_rules! config_fields {
                 /// [`crate::DebugView`]. It keeps the shown images alive to the end, so you cannot alias these
                 /// transients. You may leave the pass out of a frame. Default: false.
                 debug_view: host flag bool = false;
+                /// Width and height of the picture that you show, 1 to 3 times those of the rendered one, each by itself.
+                /// The post-process then gathers the jittered frames at this size. Its result is `display`, or
+                /// `upscaled_radiance` with [`PostProcess::None`]. Costs 16 bytes per pixel of the output, and 8 of the
+                /// result. None: the picture has the size that you rendered. Default: none.
+                output_extent: host extent_or_none Option<[u32; 2]> = None;
             }
             conventions {
                 /// Encoding of depth. Default: [`DepthEncoding::Linear`].
@@ -174,9 +179,23 @@ macro_rules! parse {
             fields::number($text).map(Some)
         }
     };
+    (extent_or_none $type:ty, $text:expr) => {
+        if $text == "none" {
+            Ok(None)
+        } else {
+            fields::extent($text).map(Some)
+        }
+    };
     ($kind:ident $type:ty, $text:expr) => {
         $text.parse::<$type>()
     };
+}
+
+/// Width and height, such as `640x360`.
+pub(super) fn extent(text: &str) -> Result<[u32; 2], Error> {
+    let sides = text.split_once('x').and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    let allowed = "none, or width and height like 640x360".to_owned();
+    sides.ok_or_else(|| Error::Choice { kind: "extent", given: text.to_owned(), allowed })
 }
 
 pub(super) fn number(text: &str) -> Result<u32, Error> {

@@ -94,6 +94,7 @@ impl Config {
     /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
+        check_output_extent(self.output_extent, self.allocated_extent)?;
         let ranges = [
             ("frames_in_flight", self.frames_in_flight, 1, 8),
             ("levels", self.levels(), 1, 10),
@@ -123,6 +124,20 @@ pub(crate) fn check_extent(what: &'static str, given: [u32; 2]) -> Result<(), Er
         return Err(Error::Extent { what, given, max: Config::MAX_SIDE });
     }
     Ok(())
+}
+
+/// The largest side of an output over that of the rendered picture.
+const LARGEST_RATIO: u32 = 3;
+
+/// Checks the output of a picture of so many pixels.
+pub(crate) fn check_output_extent(output: Option<[u32; 2]>, rendered: [u32; 2]) -> Result<(), Error> {
+    let Some(output) = output else { return Ok(()) };
+    check_extent("Config::output_extent", output)?;
+    let fits = |i: usize| (rendered[i]..=rendered[i] * LARGEST_RATIO).contains(&output[i]);
+    match fits(0) && fits(1) {
+        true => Ok(()),
+        false => Err(Error::OutputExtent { output, rendered }),
+    }
 }
 
 #[cfg(test)]

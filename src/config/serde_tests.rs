@@ -31,6 +31,7 @@ fn config() -> Config {
         post_process: PostProcess::ToneMapTaa,
         float_output: true,
         debug_view: true,
+        output_extent: Some([96, 72]),
         conventions: Conventions {
             depth: DepthEncoding::Device,
             background_depth: 0.1,

@@ -160,7 +160,7 @@ impl Declaration {
         if !format.accepts(given) {
             return Err(Error::Format { resource: name.to_owned(), given, allowed: format.to_string() });
         }
-        let extent = resource.extent(self.allocated_extent()).unwrap_or([1, 1]);
+        let extent = resource.extent(self.setup()).unwrap_or([1, 1]);
         let needed = extent[0] as usize * extent[1] as usize;
         if count != needed {
             let needed = format!("{needed} texels ({}x{})", extent[0], extent[1]);

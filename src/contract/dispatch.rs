@@ -61,6 +61,8 @@ pub(crate) enum Grid {
     Strata(u32),
     /// One a column of so many pixels of this frame.
     Columns(u32),
+    /// One per pixel of the output.
+    Output,
 }
 
 impl PassDecl {

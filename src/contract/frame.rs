@@ -2,7 +2,7 @@
 
 use super::{DebugView, Setup, Tuning};
 use crate::choice::choices;
-use crate::config::check_extent;
+use crate::config::{check_extent, check_output_extent};
 use crate::error::Error;
 use crate::frame_constants::{Flags, FrameConstants};
 use glam::{DMat4, DVec3, Mat4};
@@ -109,6 +109,7 @@ impl FrameParams {
         if (0..2).any(|i| self.render_extent[i] > setup.allocated_extent[i]) {
             return Err(Error::RenderExtent { render: self.render_extent, allocated: setup.allocated_extent });
         }
+        check_output_extent(setup.output_extent, self.render_extent)?;
         if self.frame_slot >= setup.frames_in_flight {
             return Err(Error::FrameSlot { given: self.frame_slot, frames_in_flight: setup.frames_in_flight });
         }
@@ -147,6 +148,8 @@ pub struct FrameContext {
     pub slot: u32,
     /// The render extent: [`FrameParams::render_extent`].
     pub render_extent: [u32; 2],
+    /// Pixels of the picture that you show: [`crate::Config::output_extent`], or the render extent.
+    pub output_extent: [u32; 2],
     /// The reason why history is dropped in this frame, if it is.
     pub reset: Option<ResetReason>,
     /// The view: [`FrameParams::debug_view`]. Change it to record the pass `debug_view` again with
@@ -196,7 +199,8 @@ impl FrameState {
         // A lower percentile above the upper one would turn the range round.
         let tuning = Tuning { percentile_low: tuning.percentile_low.min(tuning.percentile_up), ..*tuning };
         let FrameParams { frame_slot: slot, render_extent, debug_view, .. } = *params;
-        Ok(FrameContext { index, slot, render_extent, reset, debug_view, constants, tuning })
+        let output_extent = constants.output_extent;
+        Ok(FrameContext { index, slot, render_extent, output_extent, reset, debug_view, constants, tuning })
     }
 
     /// Makes the next frame drop all history. Call it after you re-created or lost images.
@@ -252,6 +256,8 @@ fn constants(setup: &Setup, now: &FrameParams, before: &FrameParams, index: u64,
         previous_lights: std::array::from_fn(|i| {
             from_eye(if before.lights[i] == UNKNOWN { now.lights[i] } else { before.lights[i] }, eye)
         }),
+        output_extent: setup.output_of(now.render_extent),
+        previous_output_extent: setup.output_of(before.render_extent),
     }
 }
 

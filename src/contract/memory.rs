@@ -45,7 +45,7 @@ pub struct Placement {
 impl Declaration {
     /// Bytes, known before you allocate any.
     pub fn memory(&self) -> Memory {
-        let bytes = |r: &ResourceDecl| r.bytes(self.allocated_extent()) * r.lifetime.copies() as u64;
+        let bytes = |r: &ResourceDecl| r.bytes(self.setup()) * r.lifetime.copies() as u64;
         let sum = |want: fn(Lifetime) -> bool| self.resources.iter().filter(|r| want(r.lifetime)).map(bytes).sum();
         let spans: Vec<Span> = self.transients().map(|(id, first, last)| self.span(id, first, last)).collect();
         Memory {
@@ -90,7 +90,7 @@ impl Declaration {
     }
 
     fn span(&self, id: ResourceId, first: usize, last: usize) -> Span {
-        Span { first, last, size: self.resource(id).bytes(self.allocated_extent()), alignment: 1 }
+        Span { first, last, size: self.resource(id).bytes(self.setup()), alignment: 1 }
     }
 }
 

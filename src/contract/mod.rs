@@ -44,7 +44,7 @@ pub use history_watch::{HistoryLoss, HistoryWatch};
 pub use inputs::{Input, InputKind, InputLayer, InputRole};
 pub use memory::{Memory, Placement, ResourceMemory};
 pub use pipeline_decl::{PipelineConstant, PipelineDecl};
-pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape};
+pub use resource::{Lifetime, ResourceDecl, ResourceId, Shape, TexelGrid};
 pub use setup::Setup;
 pub(crate) use setup::MAX_FRAMES_IN_FLIGHT;
 pub(crate) use statistics::STATISTICS_BYTES;

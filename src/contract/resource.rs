@@ -1,7 +1,7 @@
 //! Resources of passes: images and buffers with an owner and a life.
 
 use super::texel::Texel;
-use super::ImageFormat;
+use super::{ImageFormat, Setup};
 use ash::vk;
 
 /// The owner of a resource and the life of its content.
@@ -49,18 +49,45 @@ impl Lifetime {
 /// Closed by the contract: you may match every one, since a new one would be a breaking change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// A 2D image with one mip level and one layer, of `div_ceil(allocated_extent, divisor)` texels.
+    /// A 2D image with one mip level and one layer.
     Image {
         /// Format.
         format: ImageFormat,
-        /// 1: per pixel; 3: per 3×3 stratum.
-        divisor: u32,
+        /// Its texels.
+        texels: TexelGrid,
     },
     /// A buffer.
     Buffer {
         /// Bytes.
         size: u64,
     },
+}
+
+/// The texels of an image.
+///
+/// Closed by the contract: you may match every one, since a new one would be a breaking change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TexelGrid {
+    /// One for every square of so many rendered pixels a side: 1, per pixel; 3, per 3×3 stratum.
+    Rendered(u32),
+    /// One for every pixel of the output: [`crate::Config::output_extent`].
+    Output,
+}
+
+impl TexelGrid {
+    /// Columns and rows for an extent that is rendered and one that is put out.
+    pub(crate) fn extent(self, rendered: [u32; 2], output: [u32; 2]) -> [u32; 2] {
+        match self {
+            Self::Rendered(side) => rendered.map(|pixels| pixels.div_ceil(side.max(1))),
+            Self::Output => output,
+        }
+    }
+}
+
+impl From<u32> for TexelGrid {
+    fn from(side: u32) -> Self {
+        Self::Rendered(side)
+    }
 }
 
 /// Index into [`super::Declaration::resources`].
@@ -83,18 +110,18 @@ pub struct ResourceDecl {
 }
 
 impl ResourceDecl {
-    /// Texels of an image for an allocated extent; `None` for a buffer.
-    pub fn extent(&self, allocated_extent: [u32; 2]) -> Option<[u32; 2]> {
+    /// Columns and rows of an image for the extents of a setup; `None` for a buffer.
+    pub fn extent(&self, setup: &Setup) -> Option<[u32; 2]> {
         match self.shape {
-            Shape::Image { divisor, .. } => Some(allocated_extent.map(|side| side.div_ceil(divisor))),
+            Shape::Image { texels, .. } => Some(texels.extent(setup.allocated_extent, setup.largest_output())),
             Shape::Buffer { .. } => None,
         }
     }
 
     /// Bytes of the texels of one copy, without the alignment of a device. 0 for a format that none
     /// of our images can have.
-    pub fn bytes(&self, allocated_extent: [u32; 2]) -> u64 {
-        match (self.shape, self.extent(allocated_extent)) {
+    pub fn bytes(&self, setup: &Setup) -> u64 {
+        match (self.shape, self.extent(setup)) {
             (Shape::Image { format, .. }, Some([w, h])) => {
                 let texel = Texel::of(format.preferred()).map_or(0, |texel| texel.bytes() as u64);
                 u64::from(w) * u64::from(h) * texel

@@ -1,6 +1,6 @@
 //! Settings that are fixed for every frame of a denoiser.
 
-use crate::config::{check_extent, Config, Conventions};
+use crate::config::{check_extent, check_output_extent, Config, Conventions};
 use crate::error::Error;
 
 /// The largest [`Setup::frames_in_flight`].
@@ -11,6 +11,8 @@ pub(crate) const MAX_FRAMES_IN_FLIGHT: u32 = 8;
 pub struct Setup {
     /// Width and height of the allocated images; each frame renders into their top left part.
     pub allocated_extent: [u32; 2],
+    /// Width and height of the output; none: those of each frame's render extent. Default: none.
+    pub output_extent: Option<[u32; 2]>,
     /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub frames_in_flight: u32,
     /// Encodings of your guides. Default: [`Conventions::default`].
@@ -20,7 +22,7 @@ pub struct Setup {
 impl Setup {
     /// The defaults, for an extent.
     pub fn new(allocated_extent: [u32; 2]) -> Self {
-        Self { allocated_extent, frames_in_flight: 2, conventions: Conventions::default() }
+        Self { allocated_extent, output_extent: None, frames_in_flight: 2, conventions: Conventions::default() }
     }
 
     /// Checks every field.
@@ -29,18 +31,29 @@ impl Setup {
     /// [`Error::Extent`], [`Error::Config`] or [`Error::Conventions`] for the first field that is out of range.
     pub fn validate(&self) -> Result<(), Error> {
         check_extent("Config::allocated_extent", self.allocated_extent)?;
+        check_output_extent(self.output_extent, self.allocated_extent)?;
         let (given, min, max) = (self.frames_in_flight, 1, MAX_FRAMES_IN_FLIGHT);
         if !(min..=max).contains(&given) {
             return Err(Error::Config { name: "frames_in_flight", given, min, max });
         }
         self.conventions.validate()
     }
+
+    /// The extent of images of output size.
+    pub(crate) fn largest_output(&self) -> [u32; 2] {
+        self.output_extent.unwrap_or(self.allocated_extent)
+    }
+
+    /// The output of a frame.
+    pub(crate) fn output_of(&self, render_extent: [u32; 2]) -> [u32; 2] {
+        self.output_extent.unwrap_or(render_extent)
+    }
 }
 
 impl Config {
     /// The settings that are fixed for every frame.
     pub fn setup(&self) -> Setup {
-        let &Self { allocated_extent, frames_in_flight, conventions, .. } = self;
-        Setup { allocated_extent, frames_in_flight, conventions }
+        let &Self { allocated_extent, output_extent, frames_in_flight, conventions, .. } = self;
+        Setup { allocated_extent, output_extent, frames_in_flight, conventions }
     }
 }

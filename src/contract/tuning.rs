@@ -170,10 +170,11 @@ tuning! {
     specular_blur: "lobe radii", 0.0 ..= 16.0, 2.0;
     /// Scale of the radiance before the tone curve. Raising it brightens the picture.
     exposure: "1", 0.0 ..= 65504.0, 1.0;
-    /// Weight of the new frame in temporal anti-aliasing (Karis 2014). Raising it is sharper and jitters more.
-    taa_alpha: "1", 0.01 ..= 1.0, 0.33;
-    /// Size of the colour box that clips the history of temporal anti-aliasing. Raising it flickers less and ghosts more.
-    taa_gamma: "standard deviations", 0.0 ..= 8.0, 2.0;
+    /// Smallest weight of a new sample in temporal upscaling and anti-aliasing, where surfaces move (Karis 2014). Raising it is
+    /// sharper and flickers more.
+    taa_alpha: "1", 0.01 ..= 1.0, 0.45;
+    /// Size of the colour box that clips the history of temporal upscaling and anti-aliasing. Raising it flickers less and ghosts more.
+    taa_gamma: "standard deviations", 0.0 ..= 8.0, 6.0;
 }
 
 /// Those of the default preset.

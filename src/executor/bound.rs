@@ -46,7 +46,7 @@ impl Executor {
         let declaration = self.denoiser.declaration();
         let id = declaration.named(name)?;
         let resource = declaration.resource(id);
-        let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
+        let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.setup())) else {
             return Err(Error::WrongKind { resource: name.to_owned(), needed: "an input image or an output image" });
         };
         if !matches!(resource.lifetime, Lifetime::Input { .. } | Lifetime::Output) {

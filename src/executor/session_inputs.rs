@@ -40,12 +40,12 @@ impl Session {
         let Shape::Image { format, .. } = resource.shape else {
             return Err(Error::WrongKind { resource: name.to_owned(), needed: "an image" });
         };
-        let needed = resource.bytes(declaration.allocated_extent());
+        let needed = resource.bytes(declaration.setup());
         if bytes.len() as u64 != needed {
             let (given, needed) = (format!("{} bytes", bytes.len()), format!("{needed} bytes"));
             return Err(Error::Size { resource: name.to_owned(), given, needed });
         }
-        let [width, height] = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
+        let [width, height] = resource.extent(declaration.setup()).unwrap_or([1, 1]);
         self.upload_image(name, format.preferred(), width as usize * height as usize, bytes)
     }
 

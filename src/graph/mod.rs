@@ -138,6 +138,16 @@ impl Graph {
         Self { setup: Setup { conventions, ..self.setup }, ..self }
     }
 
+    /// Sets the size of the picture that you show: see [`Config::output_extent`]. Set it before you add nodes. Default: none.
+    pub fn output_extent(self, output_extent: Option<[u32; 2]>) -> Self {
+        Self { setup: Setup { output_extent, ..self.setup }, ..self }
+    }
+
+    /// Whether the output has a size of its own.
+    pub(crate) fn has_output_extent(&self) -> bool {
+        self.setup.output_extent.is_some()
+    }
+
     /// Frames that you record before you wait for the oldest, 1 to 8. Default: 2.
     pub fn frames_in_flight(self, frames_in_flight: u32) -> Self {
         Self { setup: Setup { frames_in_flight, ..self.setup }, ..self }

@@ -1,7 +1,7 @@
 //! Images and buffers of a graph: names, formats, lifetimes, and who reads the previous copy.
 
 use super::{Feedback, GradientSamples, Graph, History, Image, Port, Radiance, ResourceState};
-use crate::contract::{component_of, Component, ImageFormat, Input, Lifetime, ResourceDecl, ResourceId, Shape};
+use crate::contract::{component_of, Component, ImageFormat, Input, Lifetime, ResourceDecl, ResourceId, Shape, TexelGrid};
 use ash::vk;
 
 /// Linear HDR colour with a fourth value.
@@ -105,9 +105,16 @@ impl Graph {
     }
 
     /// An image of a signal.
-    pub(crate) fn named_image(&mut self, base: &str, label: &str, format: ImageFormat, divisor: u32, lifetime: Lifetime) -> Image {
+    pub(crate) fn named_image(
+        &mut self,
+        base: &str,
+        label: &str,
+        format: ImageFormat,
+        texels: impl Into<TexelGrid>,
+        lifetime: Lifetime,
+    ) -> Image {
         let name = self.scoped(base, label);
-        let image = self.image(name, format, divisor, lifetime);
+        let image = self.image(name, format, texels, lifetime);
         self.states[image.id.0 as usize].label = label.to_owned();
         image
     }
@@ -155,9 +162,10 @@ impl Graph {
         self.resource(name.to_owned(), Shape::Buffer { size }, lifetime)
     }
 
-    fn image(&mut self, name: String, format: ImageFormat, divisor: u32, lifetime: Lifetime) -> Image {
+    fn image(&mut self, name: String, format: ImageFormat, texels: impl Into<TexelGrid>, lifetime: Lifetime) -> Image {
         self.claim_name(&name, &name);
-        let id = self.resource(name, Shape::Image { format, divisor }, lifetime);
+        let texels = texels.into();
+        let id = self.resource(name, Shape::Image { format, texels }, lifetime);
         self.current(id)
     }
 
@@ -193,6 +201,15 @@ impl Graph {
         let own = Some(image).filter(|image| image.graph == self.key);
         match self.resources.get(own?.id.0 as usize)?.shape {
             Shape::Image { format, .. } => Some(format),
+            Shape::Buffer { .. } => None,
+        }
+    }
+
+    /// The texels of an image of this graph.
+    pub(crate) fn texels_of(&self, image: Image) -> Option<TexelGrid> {
+        let own = Some(image).filter(|image| image.graph == self.key);
+        match self.resources.get(own?.id.0 as usize)?.shape {
+            Shape::Image { texels, .. } => Some(texels),
             Shape::Buffer { .. } => None,
         }
     }

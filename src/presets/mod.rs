@@ -32,7 +32,7 @@ use crate::config::{Config, PostProcess, Preset, Signals};
 use crate::contract::Declaration;
 use crate::error::Error;
 use crate::graph::{Graph, Guides, Irradiance, Radiance};
-use crate::nodes::{Import, Intermediates, Usual};
+use crate::nodes::{Import, Intermediates, TemporalUpscale, Usual};
 use visibility::{visibility, visibility_accumulated};
 
 /// The outputs of a preset.
@@ -166,17 +166,21 @@ pub fn filter_exposure(g: &mut Graph, config: &Config) {
     g.filter_exposure(&light);
 }
 
-/// Tone map and temporal anti-aliasing into the output `display`, as configured.
+/// Brings the radiance to the size of the output, where the graph has one, and maps its tones into the output `display`, as
+/// configured. Without a tone map the result is the output `upscaled_radiance`.
 pub fn post_process(g: &mut Graph, guides: &Guides, post_process: PostProcess, radiance: &Radiance) {
-    let display = match post_process {
-        PostProcess::None => return,
-        PostProcess::ToneMap => g.tone_map(radiance),
-        PostProcess::ToneMapTaa => {
-            let tone_mapped = g.tone_map(radiance);
-            g.taa(guides, &tone_mapped)
-        }
+    let upscales = g.has_output_extent();
+    let tone_mapped = post_process != PostProcess::None;
+    let radiance = match upscales || post_process == PostProcess::ToneMapTaa {
+        true => g.temporal_upscale(guides, radiance, TemporalUpscale { tone_mapped }),
+        false => *radiance,
     };
-    g.output("display", &display);
+    if tone_mapped {
+        let display = g.tone_map(&radiance);
+        g.output("display", &display);
+    } else if upscales {
+        g.output("upscaled_radiance", &radiance);
+    }
 }
 
 /// Takes outliers out before the history, where that is wanted.

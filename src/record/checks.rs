@@ -119,7 +119,7 @@ fn wrong_layout(access: Access, layout: vk::ImageLayout) -> Option<String> {
 }
 
 fn wrong_image(declaration: &Declaration, resource: &ResourceDecl, access: Access, image: &ImageDescription) -> Option<String> {
-    let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.allocated_extent())) else {
+    let (Shape::Image { format, .. }, Some(extent)) = (resource.shape, resource.extent(declaration.setup())) else {
         return None;
     };
     if !format.accepts(image.format) {

@@ -77,7 +77,8 @@ impl Requirements {
             let count = |p: &crate::PassDecl| p.shader().map_or(0, |s| s.bindings.iter().filter(|b| want(b.kind)).count());
             self.declaration.passes().iter().map(count).max().unwrap_or(0) as u32
         };
-        let side = self.declaration.allocated_extent().into_iter().max().unwrap_or(1);
+        let setup = self.declaration.setup();
+        let side = setup.allocated_extent.into_iter().chain(setup.largest_output()).max().unwrap_or(1);
         let workgroups = || self.declaration.passes().iter().filter_map(|p| p.shader()).map(|shader| shader.workgroup);
         let invocations = workgroups().map(|sides| sides.iter().product()).max().unwrap_or(1);
         let narrowest = workgroups().map(|[x, y, _]| x.min(y)).min().unwrap_or(1).max(1);

@@ -261,7 +261,7 @@ fn zeroed(declaration: &Declaration, id: ResourceId) -> Result<Texels, Error> {
     match resource.shape {
         Shape::Buffer { size } => Ok(Texels::Bytes(vec![0; size as usize])),
         Shape::Image { format, .. } => {
-            let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
+            let extent = resource.extent(declaration.setup()).unwrap_or([1, 1]);
             Texels::zeroed(ImageFormat::Exactly(format.preferred()), extent)
         }
     }

@@ -3,7 +3,7 @@
 use super::bindings::Bindings;
 use super::stage::{compare_host_stage, CpuStage};
 use super::texels::Texels;
-use crate::contract::{Declaration, Dispatch, FrameContext, Parameter, PassDecl, Shape, Tuning, Use};
+use crate::contract::{Declaration, Dispatch, FrameContext, Parameter, PassDecl, Shape, TexelGrid, Tuning, Use};
 use crate::error::Error;
 use crate::shaders::LEVEL;
 
@@ -101,17 +101,19 @@ impl Declaration {
         };
         let constants = dispatch.named_constants();
         let name = &dispatch.shader.stage;
+        let shape = self.resource(pass.uses[index].resource).shape;
+        let (divisor, pixels) = match shape {
+            Shape::Image { texels: TexelGrid::Output, .. } => (1, frame.output_extent),
+            Shape::Image { texels: TexelGrid::Rendered(divisor), .. } => (divisor, frame.render_extent),
+            Shape::Buffer { .. } => (1, frame.render_extent),
+        };
         match dispatch.on_cpu().filter(|stage| !stage.rules.is_empty()) {
             Some(stage) => {
-                let compared = stage.compare(binding, &constants, frame.render_extent, gpu, twin);
+                let compared = stage.compare(binding, &constants, pixels, gpu, twin);
                 compared.map_err(|message| format!("{name}: {message}"))
             }
             None => {
-                let divisor = match self.resource(pass.uses[index].resource).shape {
-                    Shape::Image { divisor, .. } => divisor,
-                    Shape::Buffer { .. } => 1,
-                };
-                let compared = compare_host_stage(divisor, frame.render_extent, gpu, twin);
+                let compared = compare_host_stage(divisor, pixels, gpu, twin);
                 compared.map_err(|message| format!("{}, {binding}: {message}", pass.name))
             }
         }
@@ -121,7 +123,7 @@ impl Declaration {
     pub(crate) fn texel_extent(&self, u: &Use) -> [u32; 2] {
         let resource = self.resource(u.resource);
         match resource.shape {
-            Shape::Image { .. } => resource.extent(self.allocated_extent()).unwrap_or([1, 1]),
+            Shape::Image { .. } => resource.extent(self.setup()).unwrap_or([1, 1]),
             Shape::Buffer { size } => [size as u32, 1],
         }
     }

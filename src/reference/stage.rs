@@ -22,7 +22,7 @@ impl CpuStage {
         Self { twin, rules: &[] }
     }
 
-    /// Compares what the GPU and the twin wrote to one binding of a pass, in a frame of `render_extent` pixels. `constants` are the
+    /// Compares what the GPU and the twin wrote to one binding of a pass, in a picture of `pixels`. `constants` are the
     /// specialisation constants of the pass: they say how large strata are, and which rules hold.
     ///
     /// # Errors
@@ -31,7 +31,7 @@ impl CpuStage {
         &self,
         binding: &str,
         constants: &[(&str, u32)],
-        render_extent: [u32; 2],
+        pixels: [u32; 2],
         gpu: &Texels,
         twin: &Texels,
     ) -> Result<(), String> {
@@ -40,14 +40,14 @@ impl CpuStage {
         if rules.peek().is_none() {
             return Err(format!("there is no rule by which `{binding}` is compared"));
         }
-        rules.try_for_each(|rule| rule.compare(stratum_size, render_extent, gpu, twin))
+        rules.try_for_each(|rule| rule.compare(stratum_size, pixels, gpu, twin))
     }
 }
 
 /// Compares the output of a host's stage, one texel for every `divisor` × `divisor` pixels: half floats whose weights have the
 /// device's own precision.
-pub(super) fn compare_host_stage(divisor: u32, render_extent: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
-    strata("its output", WEIGHTED).compare(divisor, render_extent, gpu, twin)
+pub(super) fn compare_host_stage(divisor: u32, pixels: [u32; 2], gpu: &Texels, twin: &Texels) -> Result<(), String> {
+    strata("its output", WEIGHTED).compare(divisor, pixels, gpu, twin)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use atrous::config::{
     NormalSpace, PostProcess, Preset, RoughnessEncoding, Sampling, Signals, ViewForward,
 };
 use atrous::executor::Session;
-use atrous::{Component, Config, DebugView, FrameParams, ImageFormat, Lifetime, ResetReason, Shape, Tuning};
+use atrous::{Component, Config, DebugView, FrameParams, ImageFormat, Lifetime, ResetReason, Shape, TexelGrid, Tuning};
 
 /// Drawn from all that there are. No field has a default here: one that is new does not compile until it is drawn as well.
 pub fn config(dice: &mut Dice) -> Config {
@@ -44,6 +44,8 @@ pub fn config(dice: &mut Dice) -> Config {
         post_process: dice.one_of(&PostProcess::ALL),
         float_output: dice.coin(),
         debug_view: dice.coin(),
+        // Its frames render any part of the allocation.
+        output_extent: None,
         conventions,
     }
 }
@@ -140,13 +142,13 @@ fn images(session: &Session) -> (Vec<(String, usize)>, Vec<String>) {
     let declaration = session.executor().denoiser().declaration();
     let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
     for resource in declaration.resources() {
-        let Shape::Image { format, divisor } = resource.shape else { continue };
-        let [width, height] = resource.extent(declaration.allocated_extent()).expect("an image");
+        let Shape::Image { format, texels } = resource.shape else { continue };
+        let [width, height] = resource.extent(declaration.setup()).expect("an image");
         match (resource.lifetime, format) {
             (Lifetime::Input { .. }, ImageFormat::Any(Component::Float, _)) => {
                 inputs.push((resource.name.clone(), (width * height) as usize))
             }
-            (Lifetime::Output, format) if divisor == 1 && format!("{format}").contains("SFLOAT") => {
+            (Lifetime::Output, format) if texels == TexelGrid::Rendered(1) && format!("{format}").contains("SFLOAT") => {
                 outputs.push(resource.name.clone())
             }
             _ => {}

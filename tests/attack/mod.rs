@@ -87,13 +87,14 @@ impl Wall {
     fn new(config: &Config) -> Self {
         let extent = config.allocated_extent;
         let mut session = session(config);
-        let resources = session.executor().denoiser().declaration().resources().to_vec();
+        let declaration = session.executor().denoiser().declaration();
+        let (resources, setup) = (declaration.resources().to_vec(), *declaration.setup());
         let of = |want: fn(&&ResourceDecl) -> bool| resources.iter().filter(want).collect::<Vec<_>>();
         let is_float = |r: &&ResourceDecl| {
             matches!(r.shape, Shape::Image { format: ImageFormat::Any(atrous::Component::Float, _), .. })
                 && matches!(r.lifetime, Lifetime::Input { .. })
         };
-        let texels = |r: &ResourceDecl| r.extent(extent).map_or(0, |[w, h]| w as usize * h as usize);
+        let texels = |r: &ResourceDecl| r.extent(&setup).map_or(0, |[w, h]| w as usize * h as usize);
         let inputs: Vec<_> = of(is_float).into_iter().map(|r| (r.name.clone(), texels(r))).collect();
         let is_output = |r: &&ResourceDecl| r.lifetime == Lifetime::Output && r.name.starts_with("denoised");
         let outputs = of(is_output).into_iter().map(|r| r.name.clone()).collect();

@@ -30,7 +30,7 @@ impl Inputs {
             if resource.name == "surface_id" || HIT_IDS.contains(&resource.name.as_str()) {
                 continue;
             }
-            let extent = resource.extent(declaration.allocated_extent()).expect("an image");
+            let extent = resource.extent(declaration.setup()).expect("an image");
             let is_optional = resource.lifetime == Lifetime::Input { optional: true };
             let is_there = !is_optional || !hash(seed, k, 100 + index / 2).is_multiple_of(4);
             images.push((resource.name.clone(), is_there.then(|| texels(&resource.name, extent, &guides, &before, index))));

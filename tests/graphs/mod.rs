@@ -14,7 +14,9 @@ use atrous::config::{Conventions, NormalEncoding};
 use atrous::executor::{Session, SessionOptions};
 use atrous::graph::Graph;
 use atrous::reference::{Engine, Texels};
-use atrous::{DebugView, Declaration, FrameParams, ImageFormat, Lifetime, ResetReason, ResourceDecl, Shape, Tuning, UseFrame};
+use atrous::{
+    DebugView, Declaration, FrameParams, ImageFormat, Lifetime, ResetReason, ResourceDecl, Setup, Shape, Tuning, UseFrame,
+};
 use atrous_harness::DeviceTest;
 use inputs::Inputs;
 use std::collections::BTreeSet;
@@ -73,7 +75,9 @@ fn seeds_reach_every_stage() {
     let stages: BTreeSet<_> = declarations.iter().flat_map(|d| d.passes()).filter_map(|pass| pass.stage()).collect();
     let known: BTreeSet<_> = atrous::nodes::STAGES.iter().copied().collect();
     assert_eq!(stages, known);
-    for part in ["temporal_accumulation_again", "atrous_other_0", "temporal_accumulation_ao", "forward_project_resolve", "taa"] {
+    for part in
+        ["temporal_accumulation_again", "atrous_other_0", "temporal_accumulation_ao", "forward_project_resolve", "temporal_upscale"]
+    {
         assert!(declarations.iter().any(|d| d.passes().iter().any(|pass| pass.name == part)), "no graph has {part}");
     }
 }
@@ -172,7 +176,7 @@ fn passes_agree_on_wild_inputs(seed: u32) {
 fn texels(output: &ResourceDecl, bytes: Vec<u8>) -> Texels {
     match output.shape {
         Shape::Image { format: ImageFormat::Exactly(format), .. } => {
-            Texels::from_bytes(format, output.extent(EXTENT).expect("an image"), &bytes).expect(&output.name)
+            Texels::from_bytes(format, output.extent(&Setup::new(EXTENT)).expect("an image"), &bytes).expect(&output.name)
         }
         _ => Texels::Bytes(bytes),
     }

@@ -41,8 +41,9 @@ pub fn declare_with(seed: u32, extent: [u32; 2], conventions: Conventions) -> De
     let fog = dice.coin().then(|| volume(&mut g, &mut dice, &guides));
     if dice.coin() {
         let radiance = fog.as_ref().map_or(surfaces.radiance, |fog| g.pair(&surfaces.radiance, &fog.radiance));
-        let tone_mapped = g.tone_map(&radiance);
-        let display = if dice.coin() { g.taa(&guides, &tone_mapped) } else { tone_mapped };
+        let radiance =
+            if dice.coin() { g.temporal_upscale(&guides, &radiance, TemporalUpscale { tone_mapped: true }) } else { radiance };
+        let display = g.tone_map(&radiance);
         g.output("display", &display);
     }
     if dice.coin() {

@@ -12,7 +12,7 @@ use atrous::config::{PostProcess, Preset, Signals};
 use atrous::executor::{Executor, ExecutorOptions, HostImage};
 use atrous::{
     Access, Config, Declaration, FrameContext, FrameParams, Lifetime, PassDecl, Phase, ResourceDecl, ResourceId, ResourceState,
-    Shape, Tuning, Use, UseFrame,
+    Setup, Shape, Tuning, Use, UseFrame,
 };
 use atrous_harness::DeviceTest;
 use recorder::{Barrier, Event, Place, Recorder, Side};
@@ -214,7 +214,7 @@ fn host_image(resource: &ResourceDecl, handle: u64) -> HostImage {
         image: vk::Image::from_raw(handle),
         view: vk::ImageView::null(),
         format: format.preferred(),
-        extent: resource.extent(EXTENT).expect("an image"),
+        extent: resource.extent(&Setup::new(EXTENT)).expect("an image"),
         layout: vk::ImageLayout::GENERAL,
         stage: vk::PipelineStageFlags2::ALL_COMMANDS,
         access: vk::AccessFlags2::MEMORY_READ | vk::AccessFlags2::MEMORY_WRITE,

@@ -11,7 +11,6 @@ pub type Captured = Vec<Option<Texels>>;
 /// What a pass touches, of the accesses that are wanted.
 pub fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result<Captured, Error> {
     let declaration = s.executor().denoiser().declaration().clone();
-    let allocated = declaration.allocated_extent();
     let texels = declaration.passes()[pass].uses.iter().map(|u| {
         let resource = declaration.resource(u.resource);
         if !want(u.access) || u.access == Access::Uniform {
@@ -20,8 +19,8 @@ pub fn capture(s: &mut Session, pass: usize, want: fn(Access) -> bool) -> Result
         // An optional input that nothing is bound to has no bytes.
         let Ok(bytes) = s.download_bytes(&resource.name, u.frame) else { return Ok(None) };
         match resource.shape {
-            Shape::Image { format, divisor } => {
-                let extent = allocated.map(|side| side.div_ceil(divisor));
+            Shape::Image { format, .. } => {
+                let extent = resource.extent(declaration.setup()).expect("an image");
                 Texels::from_bytes(kept_as(format), extent, &bytes).map(Some)
             }
             Shape::Buffer { .. } => Ok(Some(Texels::Bytes(bytes))),

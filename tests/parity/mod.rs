@@ -100,6 +100,14 @@ pub const TESTS: &[DeviceTest] = &[
     ("best_without_ratio", best::sparse_and_confidence),
     ("best_without_samples", || sequence(&Config { preset: Preset::Best, ..Config::new([61, 35]) })),
     ("debug_views", debug_view::every_view),
+    ("output_of_twice_the_extent", || sequence(&Config { output_extent: Some([122, 70]), ..svgf([61, 35]) })),
+    ("output_of_other_ratios", || {
+        sequence(&Config { output_extent: Some([40, 69]), signals: Signals::Specular, float_output: true, ..svgf([40, 23]) })
+    }),
+    ("output_of_one_pixel", || sequence(&Config { output_extent: Some([3, 2]), volume: true, ..svgf([1, 1]) })),
+    ("output_of_a_rect_in_a_larger_image", || {
+        sequence_of(&Config { output_extent: Some([96, 60]), volume: true, ..svgf([64, 40]) }, [37, 21])
+    }),
     ("holes", holes),
     ("best_with_holes", best::with_holes),
 ];

@@ -63,7 +63,7 @@ impl Host {
                     Shape::Image { format, .. } => {
                         let wide = vk::Format::R32G32B32A32_SFLOAT;
                         let format = if format.accepts(wide) { wide } else { format.preferred() };
-                        let extent = resource.extent(declaration.allocated_extent()).expect("an image");
+                        let extent = resource.extent(declaration.setup()).expect("an image");
                         let bare = self.memory.image(format, extent, resource.image_usage);
                         if is_transient_image(declaration, id) {
                             transients.push((id, bare));
@@ -196,7 +196,7 @@ impl Host {
         for (resource, [stored, _]) in declaration.resources().iter().zip(self.stored.clone()) {
             let is_output = resource.lifetime == Lifetime::Output && !resource.name.starts_with("debug_view");
             let Some(Stored::Image { image, extent, .. }) = stored.filter(|_| is_output) else { continue };
-            let size = resource.bytes(declaration.allocated_extent());
+            let size = resource.bytes(declaration.setup());
             let target = self.memory.mapped(size, vk::BufferUsageFlags::TRANSFER_DST);
             let (device, layout) = (self.gpu.device(), vk::ImageLayout::TRANSFER_SRC_OPTIMAL);
             // SAFETY: the command buffer is recording behind a barrier of everything; the buffer has room for the image.

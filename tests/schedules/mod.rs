@@ -21,8 +21,7 @@ pub const TESTS: &[DeviceTest] = &[
 const EXTENT: [u32; 2] = [33, 21];
 
 fn plan(declaration: &Declaration, seed: u32) -> Plan {
-    let extent = declaration.allocated_extent();
-    Plan::random(declaration, &mut Dice::new(seed), |id| (declaration.resource(id).bytes(extent), 64))
+    Plan::random(declaration, &mut Dice::new(seed), |id| (declaration.resource(id).bytes(declaration.setup()), 64))
 }
 
 fn a_plan_that_is_wrong_is_found() {

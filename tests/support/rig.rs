@@ -71,7 +71,7 @@ impl Rig {
         for id in (0..declaration.resources().len() as u32).map(ResourceId) {
             let decl = declaration.resource(id);
             let (Shape::Image { format, .. }, Lifetime::Input { .. }) = (decl.shape, decl.lifetime) else { continue };
-            let extent = decl.extent(declaration.allocated_extent()).expect("an image");
+            let extent = decl.extent(declaration.setup()).expect("an image");
             let wide = vk::Format::R32G32B32A32_SFLOAT;
             let format = if format.accepts(wide) { wide } else { format.preferred() };
             let aspect = vk::ImageAspectFlags::COLOR;

@@ -380,8 +380,8 @@ typedef enum AtrousCounter {
 // tone_map(denoised)
 #define ATROUS_NODE_TONE_MAP "tone_map"
 
-// taa(guides, tone_mapped)
-#define ATROUS_NODE_TAA "taa"
+// temporal_upscale(guides, radiance, [tone_mapped])
+#define ATROUS_NODE_TEMPORAL_UPSCALE "temporal_upscale"
 
 // volume()
 #define ATROUS_NODE_VOLUME "volume"
@@ -590,6 +590,11 @@ typedef struct AtrousConfig {
   // images alive to the end, so you cannot alias these transients. You may leave the pass out of a frame. 0 (false), 1
   // (true). Default: 0.
   uint32_t debug_view;
+  // Width and height of the picture that you show, 1 to 3 times those of the rendered one, each by itself. The
+  // post-process then gathers the jittered frames at this size. Its result is `display`, or `upscaled_radiance` with
+  // `PostProcess::None`. Costs 16 bytes per pixel of the output, and 8 of the result. None: the picture has the size
+  // that you rendered. 0, 0 is none. Default: 0, 0.
+  uint32_t output_extent[2];
 } AtrousConfig;
 
 // The device of the passes. Handles stay yours.

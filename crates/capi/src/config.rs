@@ -11,6 +11,9 @@ macro_rules! c_type {
     (distance) => {
         f32
     };
+    (extent_or_none) => {
+        [u32; 2]
+    };
     ($kind:ident) => {
         u32
     };
@@ -30,6 +33,9 @@ macro_rules! from_c {
     (number_or_none $name:expr, $given:expr) => {
         ($given > 0).then_some($given)
     };
+    (extent_or_none $name:expr, $given:expr) => {
+        ($given != [0; 2]).then_some($given)
+    };
     ($kind:ident $name:expr, $given:expr) => {
         $given
     };
@@ -47,6 +53,9 @@ macro_rules! to_c {
     };
     (number_or_none $value:expr) => {
         $value.unwrap_or(0)
+    };
+    (extent_or_none $value:expr) => {
+        $value.unwrap_or([0; 2])
     };
     ($kind:ident $value:expr) => {
         $value

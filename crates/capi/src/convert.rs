@@ -111,14 +111,14 @@ pub(super) fn name(text: &str) -> AtrousName {
 
 pub(super) fn resource(declaration: &Declaration, id: ResourceId) -> AtrousResource {
     let decl = declaration.resource(id);
-    let allocated = declaration.allocated_extent();
+    let setup = declaration.setup();
     let (kind, format_class, format) = match decl.shape {
         Shape::Image { format: ImageFormat::Exactly(format), .. } => (0, 0, format),
         Shape::Image { format: ImageFormat::Any(Component::Float, format), .. } => (0, 1, format),
         Shape::Image { format: ImageFormat::Any(Component::Uint, format), .. } => (0, 2, format),
         Shape::Buffer { .. } => (1, 0, vk::Format::UNDEFINED),
     };
-    let [width, height] = decl.extent(allocated).unwrap_or_default();
+    let [width, height] = decl.extent(setup).unwrap_or_default();
     let (lifetime, optional) = match decl.lifetime {
         Lifetime::Input { optional } => (0, optional),
         Lifetime::Output => (1, false),
@@ -141,7 +141,7 @@ pub(super) fn resource(declaration: &Declaration, id: ResourceId) -> AtrousResou
         buffer_usage: decl.buffer_usage,
         first_pass: first as u32,
         last_pass: last as u32,
-        bytes: decl.bytes(allocated),
+        bytes: decl.bytes(setup),
         name: name(&decl.name),
     }
 }

@@ -28,7 +28,10 @@ fn config() -> String {
     let mut text = "/// Your choices; `atrous_config_default` fills them in.\n#[repr(C)]\npub struct AtrousConfig {\n".to_owned();
     let mut field = |name: &str, lines: &str| {
         let value = default.split_once(&format!(" {name}: ")).expect(name).1;
-        let value = value.split([',', ' ']).next().unwrap_or_default();
+        let (value, is_pair) = match value.strip_prefix('[') {
+            Some(pair) => (pair.split(']').next().unwrap_or_default(), true),
+            None => (value.split([',', ' ']).next().unwrap_or_default(), false),
+        };
         let mut line = "    ///".to_owned();
         let default = if ["struct_size", "width", "height"].contains(&name) { String::new() } else { format!("Default: {value}.") };
         for word in lines.split_whitespace().chain(default.split_whitespace()) {
@@ -37,7 +40,11 @@ fn config() -> String {
             }
             line = format!("{line} {word}");
         }
-        let kind = if value.contains(['.', 'i']) { "f32" } else { "u32" };
+        let kind = match is_pair {
+            true => "[u32; 2]",
+            false if value.contains(['.', 'i']) => "f32",
+            false => "u32",
+        };
         text += &format!("{line}\n    pub {name}: {kind},\n");
     };
     field("struct_size", "sizeof(AtrousConfig).");
@@ -50,6 +57,7 @@ fn config() -> String {
         let allowed = match *name {
             "eaw_weights" => format!("The sum of any of {}.", bits.join(", ")),
             "levels" => "0 is none.".to_owned(),
+            "output_extent" => "0, 0 is none.".to_owned(),
             _ if list.is_empty() => String::new(),
             _ => format!("{}.", list.join(", ")),
         };

@@ -95,6 +95,7 @@ pub struct Passes {
 }
 
 const TRANSFORMS: &str = "instance_transforms";
+const UPSCALED: &str = "upscaled_radiance";
 
 impl Passes {
     /// The passes on a Vulkan device, by index or part of its name.
@@ -159,8 +160,11 @@ impl Passes {
         Ok(self.runner.run(&frame.params, &frame.tuning)?)
     }
 
-    /// Denoised radiance of the frame that ran: surfaces and volume are the picture together.
+    /// Denoised radiance of the frame that ran, at the size of the output: surfaces and volume are the picture together.
     pub fn radiance(&mut self, frame: &FrameInputs) -> Result<Vec<[f32; 3]>> {
+        if self.runner.declaration().find(UPSCALED).is_some() {
+            return Ok(self.runner.download(UPSCALED)?.iter().map(|[r, g, b, _]| [*r, *g, *b]).collect());
+        }
         let mut radiance = vec![[0.0; 3]; frame.noisy.len()];
         for name in ["denoised_radiance", "denoised_volume"] {
             if self.runner.declaration().find(name).is_some() {

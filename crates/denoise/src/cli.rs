@@ -5,7 +5,7 @@ use crate::roles::Role;
 use crate::sampling::Pattern;
 use crate::setup::{Made, Options};
 use atrous::config::Preset;
-use atrous_options::{tunable, ConfigArgs};
+use atrous_options::{size, tunable, ConfigArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::Parser;
 use std::path::{Path, PathBuf};
@@ -66,6 +66,10 @@ pub struct Cli {
     /// Write 32-bit floats instead of half
     #[arg(long)]
     pub float: bool,
+
+    /// Size of the result, such as 640x360: 1 to 3 times that of the frames, which are jittered; needs `jitter` in sequence.json
+    #[arg(long, value_name = "SIZE", value_parser = size, conflicts_with_all = ["score", "strip", "report", "keep_layers"])]
+    pub output_size: Option<[u32; 2]>,
 
     /// Keep the other layers and parts of the input in the result, such as cryptomattes
     #[arg(long)]
@@ -162,6 +166,7 @@ impl Cli {
             camera: self.camera.clone(),
             conventions: self.conventions.clone(),
             config: self.config.clone(),
+            output_size: self.output_size,
             preset: self.preset,
             keep_samples: self.keep_samples,
             tunables: self.tunables.clone(),

@@ -162,14 +162,14 @@ pub fn finish(inputs: &FrameInputs, setup: &Setup, radiance: &mut [[f32; 3]]) {
     if setup.is_verbatim() {
         return;
     }
-    setup.range.restore(radiance, &inputs.excess);
+    let size = setup.output_size();
+    setup.range.restore(radiance, &inputs.excess, size);
     // Where nothing was rendered, nothing is, whatever the filter let in from beside.
     if inputs.alpha_is_coverage() {
-        for ((pixel, noisy), alpha) in radiance.iter_mut().zip(&inputs.noisy).zip(inputs.alpha.iter().flatten()) {
-            if *alpha == 0.0 && *noisy == [0.0; 3] {
-                *pixel = [0.0; 3];
-            }
-        }
+        let dark = inputs.noisy.iter().zip(inputs.alpha.iter().flatten()).map(|(noisy, alpha)| *alpha == 0.0 && *noisy == [0.0; 3]);
+        let dark: Vec<bool> = dark.collect();
+        let dark = size.map_or(dark.clone(), |size| size.enlarged(&dark));
+        radiance.iter_mut().zip(dark).filter(|(_, dark)| *dark).for_each(|(pixel, _)| *pixel = [0.0; 3]);
     }
 }
 

@@ -74,11 +74,12 @@ impl Need {
         let pieces = 7 * (TEXEL + 1);
         let outputs = if demands.filtered { COLOUR } else { 0 };
         let at_once = (AT_WORK + 2 * queue as u64).min(demands.frames as u64);
+        let of_result = setup.result_pixels() as u64;
         Ok(Self {
-            frames: (frame + outputs) * pixels * at_once,
+            frames: (frame * pixels + outputs * of_result) * at_once,
             reading: (planes + pieces) * pixels + 2 * setup.reading,
             filter: if demands.filtered { filter(setup, demands)? } else { 0 },
-            writing: if demands.filtered { writing(demands) * pixels } else { 0 },
+            writing: if demands.filtered { writing(demands) * of_result } else { 0 },
         })
     }
 
@@ -195,7 +196,7 @@ fn filter(setup: &Setup, demands: &Demands) -> Result<u64> {
     let inputs = (TEXEL * images(setup) + 4 * ids(setup)) * pixels;
     let memory = declaration.memory();
     // Results on their way out: as bytes, as floats, and as colours.
-    let passing = (2 * TEXEL + COLOUR) * pixels;
+    let passing = (2 * TEXEL + COLOUR) * setup.result_pixels() as u64;
     Ok(match demands.reference {
         // The CPU has four floats where a device has four halves, and writes beside what it reads.
         true => inputs + 2 * (memory.history + memory.output + memory.transient) + 2 * TEXEL * pixels + passing,

@@ -19,6 +19,8 @@ pub struct Options {
     pub conventions: Vec<(String, String)>,
     /// Fields of the configuration, on top of those of a capture.
     pub config: ConfigArgs,
+    /// The size of the results, where not that of the frames.
+    pub output_size: Option<[u32; 2]>,
     /// Filter, where not that of a capture, or [`Preset::default`].
     pub preset: Option<Preset>,
     /// Pixels whose samples are kept, where not all.

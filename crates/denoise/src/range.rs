@@ -1,6 +1,7 @@
 //! The range of light: half floats, of which the filter's images are, end at 65504 and lose precision
 //! below 0.0001. A power of two by sequence brings the light into their middle, and the result back.
 
+use crate::output_size::OutputSize;
 use std::collections::BTreeMap;
 
 /// The largest half float.
@@ -116,15 +117,24 @@ impl Range {
         excess
     }
 
-    /// Brings a result back.
-    pub fn restore(self, radiance: &mut [[f32; 3]], excess: &Excess) {
+    /// Brings a result back. `size` is that of the result, where not that of the frame.
+    pub fn restore(self, radiance: &mut [[f32; 3]], excess: &Excess, size: Option<OutputSize>) {
         if self.exponent != 0 {
             let factor = self.factor().recip();
             radiance.iter_mut().flatten().for_each(|v| *v *= factor);
         }
-        for (i, more) in &excess.passed {
-            if let Some(pixel) = radiance.get_mut(*i) {
+        let mut add = |i: usize, more: &[f32; 3]| {
+            if let Some(pixel) = radiance.get_mut(i) {
                 *pixel = std::array::from_fn(|c| pixel[c] + more[c]);
+            }
+        };
+        match size {
+            _ if excess.passed.is_empty() => {}
+            None => excess.passed.iter().for_each(|(i, more)| add(*i, more)),
+            Some(size) => {
+                let mut passed = vec![[0.0; 3]; size.frame_pixels()];
+                excess.passed.iter().for_each(|(i, more)| passed[*i] = std::array::from_fn(|c| passed[*i][c] + more[c]));
+                size.enlarged(&passed).iter().enumerate().for_each(|(i, more)| add(i, more));
             }
         }
     }
@@ -167,7 +177,7 @@ mod tests {
         // The filter passes emission and background, and adds them.
         let mut result: Vec<[f32; 3]> =
             (0..3).map(|i| std::array::from_fn(|c| images["noisy_radiance"][i][c] + images["emission"][i][c])).collect();
-        range.restore(&mut result, &excess);
+        range.restore(&mut result, &excess, None);
         assert_eq!(result[0], [300_002.0, 2.0, 2.0]);
         assert_eq!(result[1], [1_300_000.0, 1e6, 1e6]);
         assert_eq!(result[2][1], 131_008.0);

@@ -3,6 +3,7 @@
 use crate::display_transform::DisplayTransform;
 use crate::error::{Result, ToolError};
 use crate::exr_write::{self, Content, OutputChannels};
+use crate::output_size::OutputSize;
 use crate::pictures;
 use crate::pipeline::{Finished, Sink};
 use crate::plan::Action;
@@ -47,6 +48,8 @@ pub struct Wanted {
     pub shown_as: DisplayTransform,
     /// Whether the other layers of the input are kept.
     pub keeps_layers: bool,
+    /// The size of the results, where not that of the frames.
+    pub size: Option<OutputSize>,
 }
 
 /// Writes frames and collects the report for the end.
@@ -119,7 +122,8 @@ impl Saver {
     fn pictures(&self, finished: &Finished, radiance: &[[f32; 3]]) -> Result<()> {
         let Wanted { existing, exposure, shown_as, .. } = self.wanted;
         let frame = &finished.step.output;
-        let [width, height] = finished.inputs.params.render_extent;
+        let extent = finished.inputs.params.render_extent;
+        let [width, height] = self.wanted.size.map_or(extent, OutputSize::result);
         if self.wanted.png {
             pictures::save(
                 &results::preview(frame),
@@ -163,7 +167,12 @@ impl Sink for Saver {
             (Action::Write, Some(mut radiance)) => {
                 self.bad_results += clean(&mut radiance);
                 let Wanted { channels, existing, record, .. } = &self.wanted;
-                let (header, alpha) = (&finished.inputs.header, finished.inputs.alpha.as_deref());
+                let (frame, size) = (&finished.inputs, self.wanted.size);
+                let enlarged = size.map(|size| (size.header(&frame.header), frame.alpha.as_ref().map(|a| size.enlarged(a))));
+                let (header, alpha) = match &enlarged {
+                    Some((header, alpha)) => (header, alpha.as_deref()),
+                    None => (&frame.header, frame.alpha.as_deref()),
+                };
                 let kept = self.wanted.keeps_layers.then_some(finished.step.files.colour.as_path());
                 let content = Content { header, names: channels, record, radiance: &radiance, alpha, kept };
                 exr_write::write(&finished.step.output, *existing, &content)?;

@@ -9,6 +9,7 @@ use crate::frame_files::FrameFiles;
 use crate::frame_source;
 use crate::mapping::{Mapping, Named};
 use crate::missing::{describe, without};
+use crate::output_size::OutputSize;
 use crate::range::Range;
 use crate::roles::Role;
 use crate::sampling::Pattern;
@@ -96,6 +97,7 @@ impl Setup {
         let (mapping, options) = (&self.mapping, &self.options);
         let mut config = Config::new(self.header.extent);
         config.frames_in_flight = 1;
+        config.output_extent = options.output_size;
         config.surface_id = mapping.has(Role::Id);
         config.object_normal = mapping.has(Role::ObjectNormal);
         config.gradient_source = gradient_source(mapping);
@@ -190,10 +192,20 @@ impl Setup {
         self.decide()
     }
 
+    /// The size of the results, where not that of the frames.
+    pub fn output_size(&self) -> Option<OutputSize> {
+        self.config.output_extent.map(|result| OutputSize::new(self.config.allocated_extent, result))
+    }
+
     /// Pixels of a frame.
     pub fn pixels(&self) -> usize {
         let [width, height] = self.config.allocated_extent;
         width as usize * height as usize
+    }
+
+    /// Pixels of a result.
+    pub fn result_pixels(&self) -> usize {
+        self.output_size().map_or(self.pixels(), OutputSize::pixels)
     }
 
     /// The display window's share of the picture, and its offset in it, in pixels.

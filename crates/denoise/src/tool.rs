@@ -136,6 +136,7 @@ fn wanted(cli: &Cli, setup: &Setup, frames: &[FrameFiles]) -> Result<Wanted> {
         preset: setup.config.preset.title().into(),
         shown_as: setup.shown,
         keeps_layers: cli.keep_layers,
+        size: setup.output_size(),
     })
 }
 
@@ -152,7 +153,7 @@ fn plan(cli: &Cli, setup: &Setup, frames: Vec<FrameFiles>, wanted: &Wanted) -> R
         shown: [wanted.strip, wanted.report],
     };
     let expected = Expected {
-        display: setup.header.shared.display_window.size,
+        display: setup.output_size().map_or(setup.header.shared.display_window.size, |size| size.window().size),
         channels: wanted.channels.clone(),
         record: wanted.record.clone(),
     };

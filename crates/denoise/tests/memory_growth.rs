@@ -83,6 +83,7 @@ fn a_thousand_frames_take_no_more_memory_than_a_hundred() {
         preset: "copy".into(),
         shown_as: setup.shown,
         keeps_layers: false,
+        size: None,
     };
     let saver = Saver::new(wanted, ScoreBook::new(setup.config.conventions, setup.shown, 1), Progress::new(steps.len(), true));
     let mut sink = Watched { saver, resident: Vec::new() };

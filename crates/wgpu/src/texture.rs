@@ -105,8 +105,7 @@ impl Seen {
 /// A texture for an output. wgpu considers it written, so that its first read does not clear it.
 pub fn make_output(device: &wgpu::Device, declaration: &Declaration, resource: &ResourceDecl) -> Result<wgpu::Texture, Error> {
     let name = resource.name.as_str();
-    let (Shape::Image { format, .. }, Some([width, height])) = (resource.shape, resource.extent(declaration.allocated_extent()))
-    else {
+    let (Shape::Image { format, .. }, Some([width, height])) = (resource.shape, resource.extent(declaration.setup())) else {
         return Err(Error::Texture { name: name.to_owned(), problem: "it is a buffer".to_owned() });
     };
     let vulkan = format.preferred();

@@ -39,8 +39,6 @@ const UNREAD: &[(&str, &[&str])] = &[
     ),
     // A sum of a signed and an unsigned number, which SPIR-V allows.
     ("Operation Add can't work", &["volume_motion_resolve_1"]),
-    // An infinite constant.
-    ("Float literal is infinite", &["taa"]),
 ];
 
 fn main() {

@@ -27,6 +27,9 @@ pub struct Options {
     /// Width and height in pixels; default: 320x180, in a window on a device that is not software 1280x720
     #[arg(long, value_parser = size)]
     pub size: Option<[u32; 2]>,
+    /// Jitter the primary rays, and write pictures of this size, 1 to 3 times the other one, such as 640x360: OUT/SCENE/display_FILTER
+    #[arg(long, value_parser = size, conflicts_with = "window")]
+    pub output_size: Option<[u32; 2]>,
     /// Frames of the animation
     #[arg(long, default_value_t = 24, value_parser = clap::value_parser!(u32).range(1..))]
     pub frames: u32,
@@ -174,7 +177,7 @@ impl Options {
     /// What the path tracer is asked for.
     pub fn tracer(&self) -> TracerOptions {
         TracerOptions {
-            jitter: self.taa,
+            jitter: self.taa || self.output_size.is_some(),
             seed: self.seed,
             sun_apart: self.visibility,
             noise: self.noise,
@@ -197,6 +200,7 @@ impl Options {
         self.set(&mut tuning)?;
         let mut config = defaults.config;
         self.config.apply(&mut config)?;
+        config.output_extent = self.output_size;
         // A strip of several filters has no room for the views of each.
         config.debug_view = !self.compare;
         if self.taa {

@@ -1,11 +1,12 @@
 //! One scene from the first frame to the tables.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use atrous::config::Preset;
 use atrous_engine::{FrameDenoiser, Gpu, PathTracer, Scene};
+use atrous_lab::pictures::Picture;
 use atrous_measure::measure::{Frame, Scores};
 use atrous_measure::running::{self, Running};
 use atrous_measure::{files, progress, report, volume};
@@ -59,6 +60,9 @@ fn sequence(
     contenders: &mut [Running],
     folder: &Path,
 ) -> atrous_measure::Result<Vec<Frame>> {
+    if options.output_size.is_some() {
+        contenders.iter().try_for_each(|c| files::make(&display_folder(folder, c)))?;
+    }
     let bar = progress::bar(u64::from(options.frames), &format!("{name}: frames"));
     let kept = options.reference_frames();
     let mut measured = Vec::new();
@@ -66,6 +70,13 @@ fn sequence(
         running::render(gpu, tracer, contenders, index)?;
         let frame = running::read(gpu, tracer, contenders)?;
         report::write_row(&folder.join("sequence").join(format!("{index:04}.png")), &frame)?;
+        if let Some([width, height]) = options.output_size {
+            for c in contenders.iter_mut() {
+                let display: Vec<_> = c.denoiser.read("display")?.iter().map(|&[r, g, b, _]| [r, g, b]).collect();
+                let path = display_folder(folder, c).join(format!("{index:04}.png"));
+                Picture::from_display(width, height, &display)?.write_png(path)?;
+            }
+        }
         if kept.contains(&index) || (kept.is_empty() && index + 1 == options.frames) {
             measured.push(frame);
         }
@@ -73,6 +84,11 @@ fn sequence(
     }
     bar.finish();
     Ok(measured)
+}
+
+/// The folder of the pictures that have the size of the output.
+fn display_folder(folder: &Path, of: &Running) -> PathBuf {
+    folder.join(format!("display_{}", of.denoiser.preset()))
 }
 
 fn references(options: &Options, name: &str, tracer: &mut PathTracer, measured: &mut [Frame]) -> atrous_measure::Result<()> {

@@ -106,6 +106,7 @@ fn configured(choices: &mut Choices<'_>) -> Result<Declaration, Error> {
         post_process: choice(choices),
         float_output: choices.one_in(4),
         debug_view: choices.one_in(2),
+        output_extent: choices.one_in(2).then(|| extent(choices)),
         conventions: conventions(choices),
     };
     let declaration = config.declare()?;

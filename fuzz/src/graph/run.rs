@@ -31,7 +31,7 @@ fn give(engine: &mut Engine, frame: usize) {
     let declaration = engine.declaration().clone();
     for resource in declaration.resources() {
         let (Lifetime::Input { .. }, Shape::Image { format, .. }) = (resource.lifetime, resource.shape) else { continue };
-        let extent = resource.extent(declaration.allocated_extent()).expect("an image");
+        let extent = resource.extent(declaration.setup()).expect("an image");
         let count = extent[0] as usize * extent[1] as usize;
         let noise = |i: usize| ((i * 7 + frame * 3) % 11) as f32 / 16.0;
         let texels: Vec<_> = match resource.name.as_str() {

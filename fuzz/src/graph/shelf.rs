@@ -166,8 +166,12 @@ impl Shelf {
             14 => {
                 let radiance = self.port(choices, &self.radiance)?;
                 let intermediates = Intermediates { confidence: any(choices, &self.confidence), ..Intermediates::new(&radiance) };
+                let radiance = if choices.one_in(2) {
+                    g.temporal_upscale(&guides, &radiance, TemporalUpscale { tone_mapped: choices.one_in(2) })
+                } else {
+                    radiance
+                };
                 let display = if choices.one_in(2) { g.tone_map(&radiance) } else { g.debug_view(&guides, &intermediates) };
-                let display = if choices.one_in(2) { g.taa(&guides, &display) } else { display };
                 g.output(choices.one_of(&["display", "display", "noisy_radiance", ""]), &display);
             }
             15 => {

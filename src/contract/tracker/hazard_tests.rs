@@ -144,7 +144,7 @@ fn share(declaration: &Declaration, tracker: &mut Tracker) -> Vec<Vec<usize>> {
     let is_image = |id: ResourceId| matches!(declaration.resource(id).shape, Shape::Image { .. });
     let transients: Vec<_> = declaration.transients().filter(|t| is_image(t.0)).collect();
     let ids: Vec<_> = transients.iter().map(|t| t.0).collect();
-    let size = |id: ResourceId| declaration.resource(id).bytes(declaration.allocated_extent());
+    let size = |id: ResourceId| declaration.resource(id).bytes(declaration.setup());
     let spans: Vec<_> = transients.iter().map(|&(id, first, last)| Span { first, last, size: size(id), alignment: 64 }).collect();
     let (offsets, _) = alias(&spans);
     let mut shared = vec![Vec::new(); declaration.resources().len()];

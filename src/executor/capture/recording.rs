@@ -1,7 +1,7 @@
 //! Copies of the inputs of a frame, recorded behind the passes that read them.
 
 use super::*;
-use crate::contract::{Phase, ResourceState, Shape};
+use crate::contract::{Phase, ResourceState, Shape, TexelGrid};
 use crate::executor::readback::{COPIED, READ_BY_HOST};
 use crate::executor::storage::{Object, StoredImage};
 use crate::executor::transfer::region;
@@ -37,8 +37,8 @@ impl Executor {
     unsafe fn copy_input(&mut self, cmd: vk::CommandBuffer, frame: &FrameContext, id: ResourceId, name: &str) -> Result<(), Error> {
         let shape = self.denoiser.declaration().resource(id).shape;
         let Some(&object) = self.memory.storages.object(id, 0) else { return Ok(()) };
-        let divisor = if let Shape::Image { divisor, .. } = shape { divisor } else { 1 };
-        let extent = frame.render_extent.map(|side| side.div_ceil(divisor));
+        let texels = if let Shape::Image { texels, .. } = shape { texels } else { TexelGrid::Rendered(1) };
+        let extent = texels.extent(frame.render_extent, frame.output_extent);
         let (format, bytes) = match object {
             Object::Image(image @ StoredImage { format, .. }) => {
                 (format, extent[0] as usize * extent[1] as usize * image.texel_bytes(name)? as usize)

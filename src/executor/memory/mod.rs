@@ -276,7 +276,7 @@ impl Memory {
         options: &ExecutorOptions,
         flags: vk::ImageCreateFlags,
     ) -> Result<StoredImage, Error> {
-        let extent = resource.extent(declaration.allocated_extent()).unwrap_or([1, 1]);
+        let extent = resource.extent(declaration.setup()).unwrap_or([1, 1]);
         let poison = if options.poison { vk::ImageUsageFlags::TRANSFER_DST } else { vk::ImageUsageFlags::empty() };
         let info = vk::ImageCreateInfo::default()
             .flags(flags)

@@ -6,13 +6,13 @@ use crate::reference::compare::Rule;
 use crate::reference::luminance::luminance;
 use crate::reference::rules::{pixels, HALF};
 use crate::reference::Image;
-use crate::{Error, FrameConstants, ToneCurve, Tuning};
+use crate::{Error, ToneCurve, Tuning};
 
 /// Applies exposure and tone curve to the sum of radiances, of surfaces and of a volume. rgb of the result is 0..1 in half
-/// precision, alpha 1. Without any radiance an empty image.
-pub(crate) fn tone_map(frame: &FrameConstants, tuning: &Tuning, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
+/// precision, alpha 1. Only the first `pixels` are mapped. Without any radiance an empty image.
+pub(crate) fn tone_map(pixels: [u32; 2], tuning: &Tuning, denoised: &[&Image<[f32; 4]>]) -> Image<[f32; 4]> {
     let extent = denoised.first().map_or([0; 2], |image| image.extent());
-    Image::compute(extent, frame.render_extent, |p| {
+    Image::compute(extent, pixels, |p| {
         let [r, g, b] = [0, 1, 2].map(|i| denoised.iter().map(|image| image.at(p)[i]).sum::<f32>().min(1e30));
         let [r, g, b] = curve(tuning.tone_curve, [r, g, b].map(|c| c * tuning.exposure)).map(|c| round_to_half(c.clamp(0.0, 1.0)));
         [r, g, b, 1.0]
@@ -36,18 +36,19 @@ pub(crate) const RULES: &[Rule] = &[pixels("tone_mapped", HALF)];
 
 /// Runs the stage on the bindings of a pass.
 pub(crate) fn twin(b: &mut Bindings) -> Result<(), Error> {
-    let mapped = tone_map(b.frame, b.tuning, &b.colours("radiance")?);
+    let pixels = if b.is_on("OUTPUT")? { b.frame.output_extent } else { b.frame.render_extent };
+    let mapped = tone_map(pixels, b.tuning, &b.colours("radiance")?);
     b.write("tone_mapped", mapped)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::test_scene::{frame, svgf_tuning};
+    use crate::reference::test_scene::svgf_tuning;
 
     fn mapped(tone_curve: ToneCurve, exposure: f32, c: [f32; 3]) -> [f32; 4] {
         let tuning = Tuning { tone_curve, exposure, ..svgf_tuning() };
-        tone_map(&frame([1, 1]), &tuning, &[&Image::new([1, 1], [c[0], c[1], c[2], 0.5])]).texels()[0]
+        tone_map([1, 1], &tuning, &[&Image::new([1, 1], [c[0], c[1], c[2], 0.5])]).texels()[0]
     }
 
     #[test]

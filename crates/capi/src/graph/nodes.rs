@@ -114,7 +114,7 @@ nodes! {
         eaw(port guides, port irradiance) Eaw { number levels, weights weights, choice sampling, optional feedback };
         modulate(port guides, port filtered) Modulate { flag albedo, flag specular, flag emission, flag float_output };
         tone_map(port denoised);
-        taa(port guides, port tone_mapped);
+        temporal_upscale(port guides, port radiance) TemporalUpscale { flag tone_mapped };
         volume();
         volume_motion(port guides, port volume);
         volume_points(port volume);

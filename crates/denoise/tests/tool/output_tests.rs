@@ -2,6 +2,7 @@
 
 use crate::samples::{denoise, frame_path, limited, program, sequence, Sample, Type};
 use atrous_denoise::error::ToolError;
+use atrous_denoise::exr_read::read_header;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -124,4 +125,22 @@ fn a_disk_without_room_keeps_what_is_finished() {
     assert_eq!(files(output.path()).into_keys().collect::<Vec<_>>(), ["frame_0000.exr"]);
     denoise(input.path(), output.path(), &[&more[..], &["--resume"]].concat()).expect("resumed");
     assert_eq!(files(output.path()).len(), 3);
+}
+
+#[test]
+fn results_have_the_size_that_is_asked_for() {
+    let (input, output) = (sequence(3), folder());
+    let sized = |size: &'static str| ["--preset", "eaw", "--png", "--output-size", size];
+    denoise(input.path(), output.path(), &sized("64x45")).expect("a run");
+    let header = read_header(&frame_path(output.path(), 1)).expect("a result");
+    assert_eq!((header.extent, header.has_gaps), ([64, 45], false));
+    let png = std::fs::read(output.path().join("frame_0001.png")).expect("a preview");
+    assert_eq!(png[16..24], [0, 0, 0, 64, 0, 0, 0, 45], "width and height of a PNG");
+    let before = files(output.path());
+    denoise(input.path(), output.path(), &[&sized("64x45")[..], &["--resume"]].concat()).expect("nothing to do");
+    assert!(files(output.path()) == before);
+    let error = denoise(input.path(), output.path(), &[&sized("66x45")[..], &["--resume"]].concat()).expect_err("another size");
+    assert!(error.to_string().contains("output_extent"), "{error}");
+    let error = denoise(input.path(), folder().path(), &sized("200x45")).expect_err("too large").to_string();
+    assert!(error.contains("[200, 45]") && error.contains("1 to 3"), "{error}");
 }

@@ -121,8 +121,7 @@ fn what_is_between_the_stages_and_behind_them_can_be_read() {
     assert!(host.engine.download("display").expect_err("not asked for").to_string().contains("denoised_radiance"));
     let mut mapped = Host::new(&Config { post_process: PostProcess::ToneMap, ..config });
     mapped.frame(&camera(EXTENT, Vec3::ZERO), &noise(EXTENT, 1));
-    let constants = frame_with(&config, &FrameParams::new(EXTENT), &FrameParams::new(EXTENT));
-    assert_eq!(mapped.image("display"), tone_map(&constants, &svgf_tuning(), &[&mapped.image("denoised_radiance")]));
+    assert_eq!(mapped.image("display"), tone_map(EXTENT, &svgf_tuning(), &[&mapped.image("denoised_radiance")]));
     assert_eq!(mapped.image("denoised_radiance"), host.image("denoised_radiance"));
 }
 

@@ -39,7 +39,7 @@ fn counted(counter: Counter, input: &Input, is_bad: bool) -> u32 {
         let is_left_out = |other: &Input| input.name == Input::SPECULAR_F0.name && other.name == Input::SPECULAR_ALBEDO.name;
         for other in Input::ALL.iter().filter(|other| !is_left_out(other)) {
             let Some(id) = engine.declaration.find(other.name) else { continue };
-            let Some([width, height]) = engine.declaration.resource(id).extent(EXTENT) else {
+            let Some([width, height]) = engine.declaration.resource(id).extent(engine.declaration.setup()) else {
                 engine.upload_buffer(other.name, bytemuck::cast_slice(&TRANSFORMS)).expect(other.name);
                 continue;
             };

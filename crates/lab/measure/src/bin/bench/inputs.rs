@@ -3,7 +3,7 @@
 use super::content::Content;
 use ash::vk;
 use atrous::executor::{InputSet, Session};
-use atrous::{Declaration, Lifetime, ResourceDecl, Shape};
+use atrous::{Declaration, Lifetime, ResourceDecl, Shape, TexelGrid};
 use atrous_synthetic::moving::Pixel;
 use half::f16;
 use std::error::Error;
@@ -22,7 +22,7 @@ pub fn is_given(resource: &ResourceDecl) -> bool {
 struct Image {
     name: String,
     format: vk::Format,
-    divisor: u32,
+    side: u32,
 }
 
 /// Adds what a session needs and a set lacks, and binds all of it.
@@ -42,8 +42,10 @@ fn missing(set: &InputSet, declaration: &Declaration) -> Vec<Image> {
     let lacking = wanted.filter(|r| !set.contains(&r.name));
     lacking
         .filter_map(|r| match r.shape {
-            Shape::Image { format, divisor } => Some(Image { name: r.name.clone(), format: format.preferred(), divisor }),
-            Shape::Buffer { .. } => None,
+            Shape::Image { format, texels: TexelGrid::Rendered(side) } => {
+                Some(Image { name: r.name.clone(), format: format.preferred(), side })
+            }
+            Shape::Image { .. } | Shape::Buffer { .. } => None,
         })
         .collect()
 }
@@ -72,8 +74,8 @@ fn rows(images: &[Image], content: Content, size: [u32; 2], frame: u32, rows: Ra
     for y in rows {
         let pixels: Vec<Pixel> = (0..size[0]).map(|x| content.pixel(size, frame, x, y)).collect();
         for (image, bytes) in images.iter().zip(&mut bytes) {
-            if y % image.divisor == 0 {
-                pixels.iter().step_by(image.divisor as usize).for_each(|pixel| write(image, pixel, bytes));
+            if y % image.side == 0 {
+                pixels.iter().step_by(image.side as usize).for_each(|pixel| write(image, pixel, bytes));
             }
         }
     }

@@ -144,5 +144,5 @@ impl Measurement<'_> {
 fn bytes(declaration: &Declaration, pass: &PassDecl) -> u64 {
     let resources = pass.uses.iter().map(|u| declaration.resource(u.resource));
     let images = resources.filter(|r| matches!(r.shape, Shape::Image { .. }) && inputs::is_given(r));
-    images.map(|r| r.bytes(declaration.allocated_extent())).sum()
+    images.map(|r| r.bytes(declaration.setup())).sum()
 }

@@ -1,0 +1,402 @@
+//! Fixed points, jitter, light that changes, what is followed and what is dropped, and pictures larger than what is rendered.
+
+use super::*;
+use crate::reference::guide::pack_guide;
+use crate::reference::test_scene::*;
+use crate::reference::{pack_surface_motion, round_to_half};
+use crate::{Config, FrameParams};
+
+const EXTENT: [u32; 2] = [12, 10];
+const OUTPUT: [u32; 2] = [24, 25];
+
+/// Numbers under which a past that moves weighs as much as nine samples, and is hardly clipped.
+fn long_past() -> Tuning {
+    Tuning { taa_alpha: 0.1, taa_gamma: 8.0, ..svgf_tuning() }
+}
+
+/// A frame whose output has an extent of its own, before and now.
+fn frame_to(render: [u32; 2], output: [u32; 2]) -> FrameConstants {
+    let config = Config { output_extent: Some(output), ..Config::new(render) };
+    frame_with(&config, &FrameParams::new(render), &FrameParams::new(render))
+}
+
+fn tuned(
+    frame: &FrameConstants,
+    tuning: &Tuning,
+    guides: &Guides,
+    radiance: &Image<[f32; 4]>,
+    previous: Option<&Image<[f32; 4]>>,
+) -> Upscaled {
+    let previous = previous.map(|history| (&guides.guide, history));
+    let (guide, surface_motion) = (&guides.guide, &guides.surface_motion);
+    let inputs = UpscaleInputs { radiance: &[radiance], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    temporal_upscale(frame, tuning, frame.output_extent, Outgoing::Halves, &inputs)
+}
+
+fn run(frame: &FrameConstants, guides: &Guides, radiance: &Image<[f32; 4]>, previous: Option<&Image<[f32; 4]>>) -> Upscaled {
+    tuned(frame, &svgf_tuning(), guides, radiance, previous)
+}
+
+fn flat(extent: [u32; 2]) -> Guides {
+    guides(extent, |_, _| surface(4.0))
+}
+
+fn largest_difference(a: &Image<[f32; 4]>, b: &Image<[f32; 4]>) -> f32 {
+    a.texels().iter().flatten().zip(b.texels().iter().flatten()).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
+}
+
+/// A history that shows a colour everywhere, under the light of a radiance without albedo.
+fn history_of(frame: &FrameConstants, guides: &Guides, radiance: &Image<[f32; 4]>, colour: impl Fn(i32, i32) -> f32) -> Image<[f32; 4]> {
+    let Upscaled { history, picture } = run(&reset(*frame), guides, radiance, None);
+    paint(history.extent(), |x, y| {
+        let (ratio, now) = (history.at(IVec2::new(x, y)), picture.at(IVec2::new(x, y)));
+        let [r, g, b] = [0, 1, 2].map(|c| ratio[c] / now[c] * colour(x, y));
+        [r, g, b, 100.0]
+    })
+}
+
+#[test]
+fn a_constant_image_is_a_fixed_point() {
+    for output in [EXTENT, OUTPUT, [36, 30]] {
+        for level in [0.0, 0.02, 1.0, 30000.0] {
+            let colour = [0.3, 0.9, 0.001].map(|c: f32| c * level);
+            let constant = Image::new(EXTENT, [colour[0], colour[1], colour[2], 1.0]);
+            let frame = FrameConstants { jitter: [0.3, -0.4], ..frame_to(EXTENT, output) };
+            let mut upscaled = run(&reset(frame), &flat(EXTENT), &constant, None);
+            for _ in 0..20 {
+                upscaled = run(&frame, &flat(EXTENT), &constant, Some(&upscaled.history));
+            }
+            for texel in upscaled.picture.texels() {
+                let error = (0..3).map(|c| (texel[c] - colour[c]).abs() / colour[c].max(1e-4)).fold(0.0, f32::max);
+                assert!(error < 2e-3, "{texel:?} of {colour:?} at {output:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn jittered_samples_are_put_back() {
+    // A ramp, sampled at centre + jitter: its value at the centre must come out nearer than it went in.
+    for jitter in [[0.4, 0.0], [-0.4, 0.0], [0.0, 0.4], [0.25, 0.25]] {
+        let ramp = |x: f32, y: f32| 0.03 * x + 0.02 * y + 0.1;
+        let sampled = paint(EXTENT, |x, y| [ramp(x as f32 + 0.5 + jitter[0], y as f32 + 0.5 + jitter[1]); 4]);
+        let frame = FrameConstants { jitter, ..frame(EXTENT) };
+        let picture = run(&reset(frame), &flat(EXTENT), &sampled, None).picture;
+        let (raw, put_back, right) = (sampled.at(IVec2::new(5, 5))[0], picture.at(IVec2::new(5, 5))[0], ramp(5.5, 5.5));
+        assert!((put_back - right).abs() < 0.7 * (raw - right).abs(), "{jitter:?}: {raw} to {put_back}, right is {right}");
+    }
+}
+
+#[test]
+fn a_sample_weighs_as_much_as_the_past_leaves_it() {
+    let grey = Image::new(EXTENT, [0.5; 4].map(round_to_half));
+    let checks = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.2 } else { 0.8 }; 4]);
+    let p = IVec2::new(5, 5);
+    for (motion, longer) in [([0.0, 0.0], STILL_PAST), ([1.0, 0.0], 1.0)] {
+        for alpha in [0.1, 0.5] {
+            let mut scene = flat(EXTENT);
+            scene.surface_motion = Image::new(EXTENT, pack_surface_motion(motion, Some((0.0, [0.0, 0.0, 1.0]))));
+            let tuning = Tuning { taa_alpha: alpha, taa_gamma: 8.0, ..svgf_tuning() };
+            let frame = frame(EXTENT);
+            let history = history_of(&frame, &scene, &checks, |_, _| 0.5);
+            // The past is of the light of its own pixel; that of the neighbour, where it moved, is nearly the same.
+            let given = tuned(&frame, &tuning, &scene, &checks, Some(&history));
+            let past = (1.0 / alpha - 1.0) * longer;
+            let around = run(&reset(frame), &scene, &checks, None);
+            assert!((given.history.at(p)[3] - past - around.history.at(p)[3]).abs() < 0.01 * past, "{motion:?} {alpha}");
+        }
+    }
+    let first = run(&reset(frame(EXTENT)), &flat(EXTENT), &grey, None);
+    let samples = first.history.at(p)[3];
+    assert!((1.0..3.0).contains(&samples), "one sample in its middle, and parts of its neighbours: {samples}");
+}
+
+#[test]
+fn light_that_changes_causes_no_lag() {
+    let albedo = noise(EXTENT, 3).map(|t| [0.2 + 0.6 * t[0]; 4]);
+    let lit = |light: f32| albedo.map(|a| [a[0] * light, a[0] * light, a[0] * light, 1.0]);
+    let frame = frame_to(EXTENT, OUTPUT);
+    let scene = flat(EXTENT);
+    let step = |light: f32, previous: Option<&Image<[f32; 4]>>| {
+        let previous = previous.map(|history| (&scene.guide, history));
+        let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+        let radiance = lit(light);
+        let inputs = UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, surface_motion, previous };
+        temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
+    };
+    let settle = |light| (0..30).fold(step(light, None), |now, _| step(light, Some(&now.history)));
+    for (before, after) in [(0.3, 2.0), (2.0, 0.3)] {
+        let (switched, settled) = (step(after, Some(&settle(before).history)), settle(after));
+        let error = largest_difference(&switched.picture, &settled.picture) / after;
+        assert!(error < 0.05, "{before} to {after}: {error}");
+    }
+}
+
+#[test]
+fn history_is_clipped_to_the_neighbourhood() {
+    let dark = Image::new(EXTENT, [0.1, 0.2, 0.1, 1.0].map(round_to_half));
+    let ghost = Image::new(EXTENT, [9.0, 0.1, 9.0, 9.0]);
+    let picture = run(&frame(EXTENT), &flat(EXTENT), &dark, Some(&ghost)).picture;
+    assert!(largest_difference(&picture, &dark) < 2e-3, "{:?}", picture.texels()[0]);
+    let checks = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.3 }; 4]);
+    let bright = |gamma| {
+        let tuning = Tuning { taa_gamma: gamma, taa_alpha: 0.01, ..svgf_tuning() };
+        let history = history_of(&frame(EXTENT), &flat(EXTENT), &checks, |_, _| 0.5);
+        tuned(&frame(EXTENT), &tuning, &flat(EXTENT), &checks, Some(&history)).picture.at(IVec2::new(5, 5))[0]
+    };
+    assert!(bright(8.0) > 0.45, "a wide box lets it pass: {}", bright(8.0));
+    assert!(bright(1.0) < 0.35, "a narrow one does not: {}", bright(1.0));
+}
+
+#[test]
+fn a_grey_neighbourhood_keeps_a_history_that_rounding_tinted() {
+    let grey = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.4 } else { 0.6 }; 4].map(round_to_half));
+    let frame = frame(EXTENT);
+    let at = |red: f32| {
+        let history = history_of(&frame, &flat(EXTENT), &grey, |_, _| 0.55).map(|t| [t[0] * red, t[1], t[2], t[3]]);
+        tuned(&frame, &long_past(), &flat(EXTENT), &grey, Some(&history)).picture.at(IVec2::new(5, 5))[1]
+    };
+    let grey = at(1.0);
+    assert!(grey > 0.53, "{grey}");
+    assert!((at(1.0009) - grey).abs() < 1e-3, "{} for {grey}: the next half must not decide", at(1.0009));
+    assert!((at(1.2) - grey).abs() > 0.02, "{} for {grey}: a colour that is there to see is clipped", at(1.2));
+}
+
+#[test]
+fn history_follows_the_nearest_surface() {
+    // A near object moves by 2 pixels to the right: at its edge the background pixel beside it takes the object's motion.
+    let mut scene = guides(EXTENT, |x, _| surface(if x < 6 { 2.0 } else { 9.0 }));
+    for y in 0..10 {
+        for x in 0..6 {
+            *scene.surface_motion.get_mut(x, y).expect("inside") = pack_surface_motion([-2.0, 0.0], Some((0.0, [0.0, 0.0, 1.0])));
+        }
+    }
+    let frame = frame(EXTENT);
+    let checks = paint(EXTENT, |x, y| [if (x + y) % 2 == 0 { 0.1 } else { 0.6 }; 4]);
+    let columns = history_of(&frame, &scene, &Image::new(EXTENT, [0.35; 4]), |x, _| 0.05 * x as f32);
+    let tuning = Tuning { taa_alpha: 0.01, taa_gamma: 8.0, ..svgf_tuning() };
+    let light = run(&reset(frame), &flat(EXTENT), &checks, None);
+    let picture = tuned(&frame, &tuning, &scene, &checks, Some(&columns)).picture;
+    for (x, column) in [(4, 2.0), (6, 4.0), (7, 7.0), (9, 9.0)] {
+        let p = IVec2::new(x, 5);
+        let around = (light.picture.at(p)[0]) / light.history.at(p)[0];
+        let (value, expected) = (picture.at(p)[0], 0.05 * column / 0.36 * around);
+        assert!((value - expected).abs() < 0.03, "{x}: {value} for {expected}");
+    }
+}
+
+#[test]
+fn a_surface_that_was_not_there_has_no_past() {
+    let frame = FrameConstants { jitter: [0.2, 0.1], ..frame_to(EXTENT, OUTPUT) };
+    let image = noise(EXTENT, 3);
+    let run_after = |before: &Guides| {
+        let (guide, surface_motion) = (&flat(EXTENT).guide, &flat(EXTENT).surface_motion);
+        let history = Image::new(OUTPUT, [1.0, 1.0, 1.0, 2.0]);
+        let previous = Some((&before.guide, &history));
+        let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+        temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
+    };
+    let first = run(&reset(frame), &flat(EXTENT), &image, None);
+    assert_eq!(run_after(&guides(EXTENT, |_, _| surface(5.0))), first);
+    assert_ne!(run_after(&flat(EXTENT)), first);
+    assert_eq!(run_after(&guides(EXTENT, |_, _| Surface::default())), first);
+    // Jitter hid the near thing from all pixels but one.
+    let mut thin = guides(EXTENT, |_, _| surface(9.0));
+    *thin.guide.get_mut(6, 5).expect("inside") = pack_guide(&surface(4.0));
+    let after = run_after(&thin);
+    let differs = |x: i32, y: i32| after.picture.at(IVec2::new(x, y)) != first.picture.at(IVec2::new(x, y));
+    assert!(differs(12, 12) && differs(10, 12) && !differs(4, 12) && !differs(20, 12));
+}
+
+#[test]
+fn off_screen_and_reset_take_the_current_colour() {
+    for output in [EXTENT, OUTPUT] {
+        let image = noise(EXTENT, 3);
+        let poison = Image::new(output, [f32::NAN; 4]);
+        let frame = frame_to(EXTENT, output);
+        let first = run(&frame, &flat(EXTENT), &image, None);
+        assert!(all_finite(&first.picture) && all_finite(&first.history));
+        assert_eq!(run(&reset(frame), &flat(EXTENT), &image, Some(&poison)), first);
+        let mut away = flat(EXTENT);
+        away.surface_motion = Image::new(EXTENT, pack_surface_motion([16384.0, 0.0], None));
+        assert_eq!(run(&frame, &away, &image, Some(&poison)), first);
+    }
+}
+
+#[test]
+fn absurd_light_stays_finite() {
+    for output in [EXTENT, OUTPUT] {
+        let frame = frame_to(EXTENT, output);
+        for light in [f32::MAX, -f32::MAX, 65504.0, 1e-30, f32::INFINITY] {
+            let image = paint(EXTENT, |x, y| [if (x + y) % 3 == 0 { light } else { 0.5 }; 4]);
+            let first = run(&reset(frame), &flat(EXTENT), &image, None);
+            let second = run(&frame, &flat(EXTENT), &image, Some(&first.history));
+            for upscaled in [first, second] {
+                assert!(all_finite(&upscaled.picture) && all_finite(&upscaled.history), "{light} at {output:?}");
+                // What is no number would be stored as black.
+                assert!(upscaled.picture.texels().iter().all(|t| t[0] > 0.0), "{light} at {output:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn neither_parity_nor_the_allocation_changes_a_bit() {
+    let large = [29, 23];
+    let image = noise(EXTENT, 4);
+    let history = noise(EXTENT, 5).map(|t| [t[0], t[1], t[2], 2.0]);
+    let mut tight = flat(EXTENT);
+    tight.surface_motion = Image::new(EXTENT, pack_surface_motion([0.75, -3.5], None));
+    let loose = Guides {
+        guide: embed(&tight.guide, large, [0x7fff; 4]),
+        surface_motion: embed(&tight.surface_motion, large, [0x7e00; 4]),
+        depth_gradient: Image::new(large, 0),
+    };
+    let expected = run(&frame(EXTENT), &tight, &image, Some(&history));
+    let in_large = FrameConstants {
+        render_extent: EXTENT,
+        previous_render_extent: EXTENT,
+        output_extent: EXTENT,
+        previous_output_extent: EXTENT,
+        frame_index: 1,
+        ..frame(large)
+    };
+    let [image, history] = [image, history].map(|i| embed(&i, large, [f32::NAN; 4]));
+    assert_eq!(run(&in_large, &loose, &image, Some(&history)), expected);
+}
+
+/// Frames of a still picture under jitter, with or without a past. `render(i)`: the extent of frame i.
+fn gathered(output: [u32; 2], keeps: bool, render: impl Fn(u32) -> [u32; 2], picture: impl Fn(Vec2) -> f32) -> Vec<Image<[f32; 4]>> {
+    let frames = 48;
+    let largest = output;
+    let config = Config { output_extent: Some(output), ..Config::new(render(0)) };
+    let mut state = crate::FrameState::default();
+    let mut past: Option<(Image<[u16; 4]>, Image<[f32; 4]>)> = None;
+    let radical = |base: u32, i: u32| {
+        let (mut i, mut f, mut r) = (i + 1, 1.0, 0.0);
+        while i > 0 {
+            f /= base as f32;
+            r += f * (i % base) as f32;
+            i /= base;
+        }
+        r - 0.5
+    };
+    let mut pictures = Vec::new();
+    for i in 0..frames {
+        let extent = render(i);
+        let jitter = [radical(2, i % 8), radical(3, i % 8)];
+        let params = FrameParams { jitter, ..FrameParams::new(extent) };
+        let frame = state.begin(&crate::Setup { allocated_extent: largest, ..config.setup() }, &params, &svgf_tuning());
+        let frame = frame.expect("valid").constants;
+        let scale = extent[0] as f32 / output[0] as f32;
+        let image = paint(extent, |x, y| {
+            let v = picture((Vec2::new(x as f32, y as f32) + 0.5 + Vec2::from(jitter)) / scale);
+            [v, v, v, 1.0]
+        });
+        let scene = flat(extent);
+        let white = Image::new(extent, [1.0; 4]);
+        let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+        let previous = past.as_ref().filter(|_| keeps).map(|(guide, history)| (guide, history));
+        let inputs = UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, surface_motion, previous };
+        let now = temporal_upscale(&frame, &svgf_tuning(), output, Outgoing::Halves, &inputs);
+        past = Some((scene.guide.clone(), now.history));
+        pictures.push(now.picture);
+    }
+    pictures
+}
+
+/// A line of two output pixels that is not quite level, dark before bright.
+fn slanted(s: Vec2) -> f32 {
+    if (s.y - 10.3 - 0.17 * s.x).abs() < 1.0 { 0.1 } else { 0.9 }
+}
+
+/// Mean of a picture over each pixel.
+fn reference(extent: [u32; 2], picture: impl Fn(Vec2) -> f32) -> Image<[f32; 4]> {
+    paint(extent, |x, y| {
+        let parts = (0..64).map(|i| Vec2::new((i % 8) as f32 + 0.5, (i / 8) as f32 + 0.5) / 8.0);
+        [parts.map(|part| picture(Vec2::new(x as f32, y as f32) + part)).sum::<f32>() / 64.0; 4]
+    })
+}
+
+fn rmse(a: &Image<[f32; 4]>, b: &Image<[f32; 4]>) -> f32 {
+    let squares = a.texels().iter().zip(b.texels()).map(|(a, b)| (a[0] - b[0]).powi(2)).sum::<f32>();
+    (squares / a.texels().len() as f32).sqrt()
+}
+
+#[test]
+fn a_thin_line_is_gathered_without_dashes() {
+    let (render, output) = ([20, 16], [40, 32]);
+    let pictures = gathered(output, true, |_| render, slanted);
+    let right = reference(output, slanted);
+    let (first, last) = (rmse(&pictures[0], &right), rmse(&pictures[47], &right));
+    assert!(last < 0.85 * first, "{first} to {last}");
+    // Power at the period of the jitter: what eight frames do not have in common.
+    let zipper = |pictures: &[Image<[f32; 4]>]| {
+        let last = &pictures[40..];
+        let mean = paint(output, |x, y| [last.iter().map(|p| p.at(IVec2::new(x, y))[0]).sum::<f32>() / 8.0; 4]);
+        last.iter().map(|p| rmse(p, &mean)).sum::<f32>() / 8.0
+    };
+    let (with, without) = (zipper(&pictures), zipper(&gathered(output, false, |_| render, slanted)));
+    assert!(with < 0.65 * without, "{with} of {without} without a past");
+}
+
+#[test]
+fn a_render_extent_that_changes_keeps_the_past() {
+    let output = [40, 32];
+    let steady = gathered(output, true, |_| [20, 16], slanted);
+    let changing = gathered(output, true, |i| if i % 3 == 0 { [24, 19] } else { [20, 16] }, slanted);
+    let right = reference(output, slanted);
+    let [steady, changing] = [&steady[47], &changing[47]].map(|picture| rmse(picture, &right));
+    assert!(changing < 1.25 * steady, "{steady} steady, {changing} changing");
+}
+
+#[test]
+fn colour_transforms_and_filters_are_what_they_claim() {
+    for c in [Vec3::X, Vec3::Y, Vec3::Z, Vec3::new(0.2, 0.5, 0.9)] {
+        assert!(from_ycocg(to_ycocg(c)).distance(c) < 1e-6);
+    }
+    for t in [0.0, 0.25, 0.5, 0.9] {
+        let w = catmull_rom_weights(t);
+        assert!((w.iter().sum::<f32>() - 1.0).abs() < 1e-6);
+        // It interpolates, and reproduces a parabola.
+        let parabola: f32 = w.iter().zip([1.0, 0.0, 1.0, 4.0]).map(|(w, v)| w * v).sum();
+        assert!((parabola - t * t).abs() < 1e-6, "{t}");
+    }
+}
+
+#[test]
+fn one_pixel_stays() {
+    let image = Image::new([1, 1], [0.25, 0.5, 0.75, 1.0]);
+    for output in [[1, 1], [3, 2]] {
+        let frame = frame_to([1, 1], output);
+        let first = run(&reset(frame), &flat([1, 1]), &image, None);
+        let picture = run(&frame, &flat([1, 1]), &image, Some(&first.history)).picture;
+        assert!(largest_difference(&picture, &Image::new(output, [0.25, 0.5, 0.75, 1.0])) < 1e-3, "{picture:?}");
+    }
+}
+
+#[test]
+fn an_edge_of_a_lamp_is_as_smooth_as_a_display_shows_it() {
+    // A bright half plane, its edge in the middle of the pixels of a column.
+    let lamp = |x: f32| if x < 6.0 { 50.0 } else { 0.05 };
+    let scene = flat(EXTENT);
+    for tone_curve in [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear] {
+        let tuning = Tuning { tone_curve, ..svgf_tuning() };
+        let show = |c: [f32; 4]| match tone_curve {
+            ToneCurve::Aces => c[0].min(1e4) * (2.51 * c[0] + 0.03) / (c[0] * (2.43 * c[0] + 0.59) + 0.14),
+            ToneCurve::Reinhard => c[0] / (1.0 + c[0]),
+            ToneCurve::Linear => c[0],
+        }
+        .clamp(0.0, 1.0);
+        let at = |tone_mapped: bool| {
+            let radiance = paint(EXTENT, |x, _| [lamp(x as f32); 4]);
+            let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+            let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped, guide, surface_motion, previous: None };
+            let frame = FrameConstants { jitter: [0.5, 0.0], ..frame(EXTENT) };
+            show(temporal_upscale(&reset(frame), &tuning, EXTENT, Outgoing::Halves, &inputs).picture.at(IVec2::new(6, 5)))
+        };
+        // Half of the samples are of the lamp.
+        let (shown, plain, half) = (at(true), at(false), 0.5 * (show([50.0; 4]) + show([0.05; 4])));
+        assert!((shown - half).abs() < 0.1, "{tone_curve:?}: {shown} for {half}, {plain} without");
+    }
+}

@@ -1,0 +1,159 @@
+//! An output larger than what is rendered.
+
+use super::support::{assert_valid, frame, pixels, rmse, scene::Scene, session, upload};
+use atrous::config::{PostProcess, Preset};
+use atrous::{Config, Error, FrameParams, Lifetime, ResetReason, Setup, Tuning};
+use atrous_harness::DeviceTest;
+
+pub const TESTS: &[DeviceTest] = &[
+    ("the_output_is_better_than_an_enlarged_picture", the_output_is_better_than_an_enlarged_picture),
+    ("a_render_extent_that_changes_resets_nothing", a_render_extent_that_changes_resets_nothing),
+    ("a_cut_is_a_first_frame", a_cut_is_a_first_frame),
+    ("a_ratio_out_of_range_is_refused", a_ratio_out_of_range_is_refused),
+    ("images_of_the_output_have_its_extent", images_of_the_output_have_its_extent),
+];
+
+const EXTENT: [u32; 2] = [96, 54];
+const FRAMES: u32 = 24;
+
+/// Halton's points of the bases 2 and 3, around 0.
+fn jitter(index: u32) -> [f32; 2] {
+    [2, 3].map(|base| {
+        let (mut i, mut digit, mut sum) = (index % 16 + 1, 1.0, 0.0);
+        while i > 0 {
+            digit /= base as f32;
+            sum += digit * (i % base) as f32;
+            i /= base;
+        }
+        sum - 0.5
+    })
+}
+
+fn scene(extent: [u32; 2], speed: f32, jitter: [f32; 2]) -> Scene {
+    Scene { speed, jitter, noise: 0.3, ..Scene::new(extent) }
+}
+
+/// Means over the pixels of the output.
+fn reference(output: [u32; 2], speed: f32, index: u32) -> Vec<[f32; 4]> {
+    let mut sum = vec![[0.0; 4]; (output[0] * output[1]) as usize];
+    for i in 0..16 {
+        let part = [(i % 4) as f32 / 4.0 - 0.375, (i / 4) as f32 / 4.0 - 0.375];
+        let clean = Scene { noise: 0.0, ..scene(output, speed, part) }.frame(index, 0).clean;
+        sum.iter_mut().zip(&clean).for_each(|(sum, c)| (0..3).for_each(|i| sum[i] += c[i] / 16.0));
+    }
+    sum
+}
+
+/// A picture by the four pixels around, moved back by its jitter.
+fn enlarged(image: &[[f32; 4]], extent: [u32; 2], output: [u32; 2], jitter: [f32; 2]) -> Vec<[f32; 4]> {
+    let around = |p: u32, axis: usize| {
+        let s = (p as f32 + 0.5) * extent[axis] as f32 / output[axis] as f32 - 0.5 - jitter[axis];
+        let s = s.clamp(0.0, (extent[axis] - 1) as f32);
+        let first = (s as u32).min(extent[axis] - 2);
+        (first, s - first as f32)
+    };
+    let pixel = |(x, y)| {
+        let ((x, fx), (y, fy)) = (around(x, 0), around(y, 1));
+        let at = |x: u32, y: u32| image[(y * extent[0] + x) as usize];
+        let mix = |a: [f32; 4], b: [f32; 4], t: f32| std::array::from_fn(|i| a[i] + t * (b[i] - a[i]));
+        mix(mix(at(x, y), at(x + 1, y), fx), mix(at(x, y + 1), at(x + 1, y + 1), fx), fy)
+    };
+    pixels(output).map(pixel).collect()
+}
+
+fn the_output_is_better_than_an_enlarged_picture() {
+    for (output, speed) in [([192, 108], 0.0), ([192, 108], 0.02), ([144, 81], 0.02), ([288, 162], 0.0)] {
+        let mut s = session(&Config { output_extent: Some(output), ..Config::new(EXTENT) });
+        let (mut upscaled, mut bilinear) = (0.0, 0.0);
+        for i in 0..FRAMES {
+            let scene = scene(EXTENT, speed, jitter(i));
+            let (_, image) = frame(&mut s, &scene.frame(i, i), &scene.params(i), &Tuning::default());
+            if i >= FRAMES - 4 {
+                let right = reference(output, speed, i);
+                upscaled += rmse(&s.download("upscaled_radiance").expect("an output"), &right);
+                bilinear += rmse(&enlarged(&image, EXTENT, output, jitter(i)), &right);
+            }
+        }
+        println!("{output:?} at speed {speed}: {:.3} of the error of a bilinear enlargement", upscaled / bilinear);
+        assert!(upscaled < 0.75 * bilinear, "{output:?} at speed {speed}: {upscaled} {bilinear}");
+    }
+    assert_valid();
+}
+
+fn a_render_extent_that_changes_resets_nothing() {
+    let output = [192, 108];
+    let error = |extent: &dyn Fn(u32) -> [u32; 2]| {
+        let mut s = session(&Config { output_extent: Some(output), ..Config::new(EXTENT) });
+        for i in 0..FRAMES {
+            let scene = Scene { allocated: EXTENT, ..scene(extent(i), 0.0, jitter(i)) };
+            let (context, _) = frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
+            assert_eq!(context.reset, (i == 0).then_some(ResetReason::Created), "frame {i}");
+            assert_eq!(context.output_extent, output);
+        }
+        rmse(&s.download("upscaled_radiance").expect("an output"), &reference(output, 0.0, 0))
+    };
+    let (steady, changing) = (error(&|_| EXTENT), error(&|i| if i % 3 == 1 { [80, 45] } else { EXTENT }));
+    println!("error with a steady extent {steady:.4}, with one that changes {changing:.4}");
+    assert!(changing < 1.15 * steady, "{steady} {changing}");
+    assert_valid();
+}
+
+fn a_cut_is_a_first_frame() {
+    let config = Config { output_extent: Some([192, 108]), post_process: PostProcess::ToneMap, ..Config::new(EXTENT) };
+    let run = |frames: u32| {
+        let mut s = session(&config);
+        for i in 0..frames {
+            // What was before is a darker place.
+            let scene = Scene { light: if i + 1 == frames { 1.0 } else { 0.3 }, ..scene(EXTENT, 0.0, jitter(7)) };
+            let reset = (i + 1 == frames).then_some(ResetReason::CameraCut);
+            frame(&mut s, &scene.frame(0, 5), &FrameParams { reset, ..scene.params(0) }, &Tuning::default());
+        }
+        s.download("display").expect("an output")
+    };
+    assert!(run(1) == run(4), "a cut shows something of the past");
+    assert_valid();
+}
+
+fn a_ratio_out_of_range_is_refused() {
+    let declare = |output| Config { output_extent: Some(output), ..Config::new(EXTENT) }.declare();
+    for output in [EXTENT, [288, 162], [97, 161]] {
+        declare(output).expect("a ratio from 1 to 3");
+    }
+    for output in [[95, 54], [96, 53], [289, 162], [96, 163]] {
+        let error = declare(output).expect_err("out of range");
+        let text = error.to_string();
+        assert!(matches!(error, Error::OutputExtent { .. }) && text.contains(&format!("{output:?}")), "{text}");
+        assert!(text.contains("[96, 54]") && text.contains("1 to 3"), "{text}");
+    }
+    for output in [[0, 54], [96, 20_000]] {
+        assert!(matches!(declare(output).expect_err("no extent"), Error::Extent { what: "Config::output_extent", .. }));
+    }
+    // A frame that renders too little for its output.
+    let mut s = session(&Config { output_extent: Some([192, 108]), ..Config::new(EXTENT) });
+    upload(&mut s, &Scene::new(EXTENT).frame(0, 0));
+    let error = s.run(&FrameParams::new([63, 54]), &Tuning::default()).expect_err("a ratio above 3");
+    assert!(error.to_string().contains("[63, 54]"), "{error}");
+    let set = |text: &str| Config::new(EXTENT).set("output_extent", text);
+    assert_eq!((set("192x108"), set("none")), (Ok(()), Ok(())));
+    assert!(set("192").expect_err("no extent").to_string().contains("640x360"));
+}
+
+fn images_of_the_output_have_its_extent() {
+    let output = [192, 81];
+    for preset in Preset::ALL {
+        for post_process in [PostProcess::None, PostProcess::ToneMap, PostProcess::ToneMapTaa] {
+            let config = Config { preset, post_process, output_extent: Some(output), ..Config::new(EXTENT) };
+            let declaration = config.declare().expect("valid");
+            let name = if post_process == PostProcess::None { "upscaled_radiance" } else { "display" };
+            for name in [name, "upscale_history"] {
+                let resource = declaration.resource(declaration.find(name).expect(name));
+                assert_eq!(resource.extent(declaration.setup()), Some(output), "{preset}, {name}");
+                assert_eq!(resource.bytes(declaration.setup()), 8 * 192 * 81, "{preset}, {name}");
+            }
+            let guide = declaration.resource(declaration.find("guide").expect("guide"));
+            assert_eq!((guide.lifetime, guide.extent(declaration.setup())), (Lifetime::History, Some(EXTENT)));
+            let larger = declaration.with_extent([100, 60]).expect("another extent");
+            assert_eq!(larger.setup(), &Setup { allocated_extent: [100, 60], ..*declaration.setup() });
+        }
+    }
+}
