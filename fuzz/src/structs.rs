@@ -106,6 +106,9 @@ fn create(choices: &mut Choices<'_>) -> AtrousStatus {
         pipeline_cache: Default::default(),
         legacy_barriers: choices.odd(),
         debug_labels: 0,
+        graph: std::ptr::null(),
+        checks: choices.odd(),
+        check_guides: choices.odd(),
     };
     let mut outer = Given::new(info, choices);
     let mut denoiser = null_mut();

@@ -70,14 +70,12 @@ pub struct FrameParams {
     /// not say.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub complete_frames: Option<u64>,
-    /// The places of the lights of [`crate::Config::visibility`], in world space: x, y, z, 1 of a lamp; x, y, z, 0 is the direction towards
-    /// a sun. With a place the shadows of things and lights that move are followed. Default: 0, not known.
+    /// The first is the place of the light of [`crate::Config::visibility`], in world space: x, y, z, 1 of a lamp; x, y, z, 0 is the
+    /// direction towards a sun. With a place the shadows of things and lights that move are followed. The others are not read yet.
+    /// Default: 0, not known.
     #[cfg_attr(feature = "serde", serde(default))]
-    pub lights: [[f32; 4]; MOST_LIGHTS],
+    pub lights: [[f32; 4]; 4],
 }
-
-/// Lights of which a frame knows the places.
-const MOST_LIGHTS: usize = 4;
 
 /// The exposure ratio of a file that has none.
 #[cfg(feature = "serde")]
@@ -100,7 +98,7 @@ impl FrameParams {
             reshaded: false,
             debug_view: None,
             complete_frames: None,
-            lights: [[0.0; 4]; MOST_LIGHTS],
+            lights: [[0.0; 4]; 4],
         }
     }
 

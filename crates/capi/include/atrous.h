@@ -661,8 +661,8 @@ typedef struct AtrousFrameParams {
   // Number of frames whose GPU work is complete, of those that you began: for example the value of a timeline semaphore that each
   // frame raises by 1. With atrous_set_checks, a slot whose last frame is not among them is refused. UINT64_MAX: you do not say.
   uint64_t complete_frames;
-  // The places of up to four lights whose visibility you give, one after the other: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
-  // in world space. 0: not known.
+  // The first four numbers are the place of the light whose visibility you give: x, y, z, 1 of a lamp, or x, y, z, 0 towards a sun,
+  // in world space. The others are not read yet. 0: not known.
   float lights[16];
 } AtrousFrameParams;
 

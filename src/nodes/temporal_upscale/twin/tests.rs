@@ -265,13 +265,16 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
     assert_eq!(run(&in_large, &loose, &image, Some(&history)), expected);
 }
 
+/// Guide and history of the frame before.
+type Past = (Image<[u16; 4]>, Image<[f32; 4]>);
+
 /// Frames of a still picture under jitter, with or without a past. `render(i)`: the extent of frame i.
 fn gathered(output: [u32; 2], keeps: bool, render: impl Fn(u32) -> [u32; 2], picture: impl Fn(Vec2) -> f32) -> Vec<Image<[f32; 4]>> {
     let frames = 48;
     let largest = output;
     let config = Config { output_extent: Some(output), ..Config::new(render(0)) };
     let mut state = crate::FrameState::default();
-    let mut past: Option<(Image<[u16; 4]>, Image<[f32; 4]>)> = None;
+    let mut past: Option<Past> = None;
     let radical = |base: u32, i: u32| {
         let (mut i, mut f, mut r) = (i + 1, 1.0, 0.0);
         while i > 0 {
