@@ -180,17 +180,24 @@ Neighbourhood neighbourhood(ivec2 p) {
     return around;
 }
 
-// Whether the previous frame showed something at this depth near a position: jitter hides what is thin in every other frame.
-bool was_visible(vec2 position, float expected) {
+const int HIDDEN = 0;
+const int PARTLY_VISIBLE = 1;
+const int VISIBLE = 2;
+
+// How far the previous frame showed something at this depth around a position: in all of 2x2 pixels, or in one of 4x4, since jitter hides
+// what is thin in every other frame.
+int visibility_before(vec2 position, float expected) {
     ivec2 corner = ivec2(floor(position - 0.5)) - 1;
-    bool visible = false;
+    bool some = false, whole = true;
     [[unroll]] for (int y = 0; y < 4; ++y)
         [[unroll]] for (int x = 0; x < 4; ++x) {
             ivec2 q = nearest_inside_previous(corner + ivec2(x, y));
             float z = guide_depth(GuideBits(texelFetch(previous_guide, q, 0)));
-            visible = visible || (expected > 0.0 ? abs(z - expected) <= DEPTH_TOLERANCE * expected : z == 0.0);
+            bool same = expected > 0.0 ? abs(z - expected) <= DEPTH_TOLERANCE * expected : z == 0.0;
+            some = some || same;
+            whole = whole && (same || x == 0 || x == 3 || y == 0 || y == 3);
         }
-    return visible;
+    return !some ? HIDDEN : whole ? VISIBLE : PARTLY_VISIBLE;
 }
 
 // rgb by Catmull and Rom, which blurs less from frame to frame; the weight bilinearly, since it must not overshoot.
@@ -214,12 +221,15 @@ const float SMALLEST_BOX = 1.0 / 512.0;
 
 // The box where the history was divided by light, over that where it was not.
 const float SHOWN_BOX = 3.0;
+// The widest box, in deviations, where the past lies beside another surface: what was just uncovered would keep that one's colour.
+const float WIDEST_BESIDE = 1.5;
 
 // Towards the mean and not per channel, which would shift the hue.
-vec3 clip_to_box(vec3 history, Neighbourhood around) {
+vec3 clip_to_box(vec3 history, Neighbourhood around, int visibility) {
     vec3 offset = ycocg(history * evenness(history)) - around.mean;
     // Light that changes is for the box to find where nothing was divided by it.
     float gamma = SHOWN ? push.taa_gamma / SHOWN_BOX : push.taa_gamma;
+    if (visibility == PARTLY_VISIBLE) gamma = min(gamma, WIDEST_BESIDE);
     vec3 extent = max(gamma * around.deviation, max(SMALLEST_BOX * around.mean.x, 1e-6));
     vec3 ratio = abs(offset) / extent;
     float excess = max(ratio.x, max(ratio.y, ratio.z));
@@ -246,9 +256,10 @@ void main() {
         vec2 position = previous_position(p, motion, frame.output_extent, frame.previous_output_extent);
         bool inside = all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(frame.previous_output_extent)));
         vec2 rendered = position * extent_ratio(frame.previous_output_extent, frame.previous_render_extent);
-        if (inside && was_visible(rendered, around.depth * (1.0 + m.depth_ratio))) {
+        int visibility = visibility_before(rendered, around.depth * (1.0 + m.depth_ratio));
+        if (inside && visibility != HIDDEN) {
             vec4 texel = history_at(position);
-            vec3 history = clip_to_box(texel.rgb * around.light, around);
+            vec3 history = clip_to_box(texel.rgb * around.light, around, visibility);
             past = min(texel.a, past_limit(motion));
             float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
             vec3 new_colour = mix(around.first, around.later, known) * now;

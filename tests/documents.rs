@@ -106,6 +106,7 @@ fn configurations() -> Vec<Config> {
             for gradient_source in GradientSource::ALL {
                 let base = Config { preset, signals, gradient_source, ..Config::new([1920, 1080]) };
                 all.push(base);
+                all.push(Config { output_extent: Some([2880, 1620]), ..base });
                 all.push(Config {
                     post_process: PostProcess::ToneMapTaa,
                     object_normal: true,

@@ -15,13 +15,13 @@ inline void refuse_bad_nodes(AtrousGraph* graph, Refusals& refusals) {
         return atrous_graph_node(graph, name, nullptr, arguments.data(), uint32_t(arguments.size()), &port);
     };
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "node is NULL", atrous_graph_node(graph, nullptr, nullptr, nullptr, 0, &port));
-    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "arguments is NULL", atrous_graph_node(graph, "taa", nullptr, nullptr, 2, &port));
-    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "4000000000 arguments", atrous_graph_node(graph, "taa", nullptr, nullptr, 4000000000u, &port));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "arguments is NULL", atrous_graph_node(graph, "temporal_upscale", nullptr, nullptr, 2, &port));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "4000000000 arguments", atrous_graph_node(graph, "temporal_upscale", nullptr, nullptr, 4000000000u, &port));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "node no_such does not exist; there are: radiance", node("no_such", {}));
-    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "guides is missing; give Guides", node(ATROUS_NODE_TAA, {}));
-    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "name of argument 0 is NULL", node(ATROUS_NODE_TAA, {ATROUS_PORT(nullptr, 0)}));
-    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "port 4000000000 is none of this graph", node(ATROUS_NODE_TAA, {ATROUS_PORT("guides", 4000000000u)}));
-    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "has the kind 99; allowed: 0 (a port)", node(ATROUS_NODE_TAA, {{"guides", 99, 0, 0, nullptr}}));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "guides is missing; give Guides", node(ATROUS_NODE_TEMPORAL_UPSCALE, {}));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "name of argument 0 is NULL", node(ATROUS_NODE_TEMPORAL_UPSCALE, {ATROUS_PORT(nullptr, 0)}));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "port 4000000000 is none of this graph", node(ATROUS_NODE_TEMPORAL_UPSCALE, {ATROUS_PORT("guides", 4000000000u)}));
+    EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "has the kind 99; allowed: 0 (a port)", node(ATROUS_NODE_TEMPORAL_UPSCALE, {{"guides", 99, 0, 0, nullptr}}));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "there is no argument levels; the arguments are: surface_id, object_normal, albedo",
            node(ATROUS_NODE_IMPORT, {ATROUS_NUMBER("levels", 1)}));
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "surface_id is 2", node(ATROUS_NODE_IMPORT, {ATROUS_NUMBER("surface_id", 2)}));
@@ -110,6 +110,6 @@ inline void refuse_bad_graph(const Engine& engine, Refusals& refusals) {
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "at most 63 fit", atrous_create(&info, &denoiser));
     EXPECT(ATROUS_STATUS_OK, "", atrous_graph_destroy(graph));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live graph", atrous_graph_destroy(graph));
-    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live graph", atrous_graph_node(graph, ATROUS_NODE_TAA, nullptr, nullptr, 0, &guides));
+    EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live graph", atrous_graph_node(graph, ATROUS_NODE_TEMPORAL_UPSCALE, nullptr, nullptr, 0, &guides));
     EXPECT(ATROUS_STATUS_INVALID_HANDLE, "no live graph", atrous_create(&info, &denoiser));
 }

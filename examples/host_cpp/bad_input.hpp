@@ -3,6 +3,7 @@
 #include <sys/mman.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <vector>
 
@@ -74,7 +75,7 @@ inline void refuse_bad_creation(const Engine& engine, Refusals& refusals) {
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "get_instance_proc_addr", atrous_create(&info, &denoiser));
     info = good, info.config = nullptr;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "config", atrous_create(&info, &denoiser));
-    config.struct_size = sizeof config - 4;
+    config.struct_size = offsetof(AtrousConfig, output_extent) - 4;
     EXPECT(ATROUS_STATUS_INVALID_ARGUMENT, "struct_size", atrous_create(&good, &denoiser));
     struct { AtrousConfig known; uint32_t unknown; } newer{config, 1};
     newer.known.struct_size = sizeof newer;

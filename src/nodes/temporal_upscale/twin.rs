@@ -42,6 +42,8 @@ const BRIGHTEST_SAMPLE: f32 = 1e30;
 const ACES_STEEPNESS: f32 = 4.0;
 /// The box where the history was divided by light, over that where it was not.
 const SHOWN_BOX: f32 = 3.0;
+/// The widest box, in deviations, where the past lies beside another surface: what was just uncovered would keep that one's colour.
+const WIDEST_BESIDE: f32 = 1.5;
 /// The smallest half side of the box that history is clipped to, over the mean luma: half a step of an 8-bit display in the middle.
 const SMALLEST_BOX: f32 = 1.0 / 512.0;
 
@@ -212,7 +214,11 @@ impl<'a> Scene<'a> {
             }
         }
         first /= total;
-        let colours = || taps().map(|(_, d, s)| ((-BOX_SHARPNESS * d.length_squared()).exp(), to_ycocg(s.radiance * self.shown.evenness(s.radiance))));
+        let colours = || {
+            taps().map(|(_, d, s)| {
+                ((-BOX_SHARPNESS * d.length_squared()).exp(), to_ycocg(s.radiance * self.shown.evenness(s.radiance)))
+            })
+        };
         let light = taps().map(|(_, d, s)| {
             let even = 1.0 / (1.0 + luminance(s.irradiance.to_array()));
             (-BOX_SHARPNESS * d.length_squared()).exp() * even * s.irradiance.extend(1.0)
@@ -242,27 +248,32 @@ impl<'a> Scene<'a> {
         let position = (p.as_vec2() + 0.5) * quotient(frame.previous_output_extent, frame.output_extent) + motion;
         let rect = RenderRect::new(frame.previous_output_extent);
         let rendered = position * quotient(frame.previous_render_extent, frame.previous_output_extent);
-        if !rect.contains_position(position) || !self.was_visible(surfaces, rendered, around.depth * (1.0 + moved.depth_ratio)) {
+        if !rect.contains_position(position) {
             return None;
         }
+        let is_whole = self.was_whole(surfaces, rendered, around.depth * (1.0 + moved.depth_ratio))?;
+        let gamma = self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX };
+        let gamma = if is_whole { gamma } else { gamma.min(WIDEST_BESIDE) };
         let (ratio, weight) = history_at(rect, history, position);
         let moving = 1.0 / self.tuning.taa_alpha - 1.0;
         let still = (-STILL_SHARPNESS * motion.length_squared()).exp();
         let limit = moving * (1.0 + (STILL_PAST - 1.0) * still);
-        Some((clipped(self.shown, self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX }, around, ratio * around.light), weight.min(limit)))
+        Some((clipped(self.shown, gamma, around, ratio * around.light), weight.min(limit)))
     }
 
-    /// Whether one of the 4×4 pixels around a position of the previous frame showed something at this depth.
-    fn was_visible(&self, surfaces: &Image<Surface>, rendered: Vec2, expected: f32) -> bool {
+    /// Whether all of the 2×2 pixels around a position of the previous frame showed something at this depth; none where none of 4×4 did.
+    fn was_whole(&self, surfaces: &Image<Surface>, rendered: Vec2, expected: f32) -> Option<bool> {
         let rect = RenderRect::new(self.frame.previous_render_extent);
         let corner = (rendered - 0.5).floor().as_ivec2();
-        (-1..3).flat_map(|y| (-1..3).map(move |x| IVec2::new(x, y))).any(|offset| {
+        let shows = |offset: IVec2| {
             let z = surfaces.at(rect.clamp(corner + offset)).linear_depth;
             match expected > 0.0 {
                 true => (z - expected).abs() <= DEPTH_TOLERANCE * expected,
                 false => z == 0.0,
             }
-        })
+        };
+        let some = (-1..3).any(|y| (-1..3).any(|x| shows(IVec2::new(x, y))));
+        some.then(|| (0..2).all(|y| (0..2).all(|x| shows(IVec2::new(x, y)))))
     }
 }
 

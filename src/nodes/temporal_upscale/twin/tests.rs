@@ -46,7 +46,12 @@ fn largest_difference(a: &Image<[f32; 4]>, b: &Image<[f32; 4]>) -> f32 {
 }
 
 /// A history that shows a colour everywhere, under the light of a radiance without albedo.
-fn history_of(frame: &FrameConstants, guides: &Guides, radiance: &Image<[f32; 4]>, colour: impl Fn(i32, i32) -> f32) -> Image<[f32; 4]> {
+fn history_of(
+    frame: &FrameConstants,
+    guides: &Guides,
+    radiance: &Image<[f32; 4]>,
+    colour: impl Fn(i32, i32) -> f32,
+) -> Image<[f32; 4]> {
     let Upscaled { history, picture } = run(&reset(*frame), guides, radiance, None);
     paint(history.extent(), |x, y| {
         let (ratio, now) = (history.at(IVec2::new(x, y)), picture.at(IVec2::new(x, y)));
@@ -121,7 +126,8 @@ fn light_that_changes_causes_no_lag() {
         let previous = previous.map(|history| (&scene.guide, history));
         let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
         let radiance = lit(light);
-        let inputs = UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, surface_motion, previous };
+        let inputs =
+            UpscaleInputs { radiance: &[&radiance], albedo: Some(&albedo), tone_mapped: false, guide, surface_motion, previous };
         temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs)
     };
     let settle = |light| (0..30).fold(step(light, None), |now, _| step(light, Some(&now.history)));
@@ -208,6 +214,21 @@ fn a_surface_that_was_not_there_has_no_past() {
     assert!(differs(12, 12) && differs(10, 12) && !differs(4, 12) && !differs(20, 12));
 }
 
+/// A near thing covered the left until now, and its outline is still in the history of what it uncovers.
+#[test]
+fn what_was_just_uncovered_keeps_little_of_the_colour_beside_it() {
+    let (frame, image) = (frame_to(EXTENT, OUTPUT), noise(EXTENT, 3));
+    let covered = guides(EXTENT, |x, _| surface(if x < 6 { 2.0 } else { 4.0 }));
+    let (guide, surface_motion) = (&flat(EXTENT).guide, &flat(EXTENT).surface_motion);
+    let history = Image::new(OUTPUT, [50.0, 50.0, 50.0, 2.0]);
+    let previous = Some((&covered.guide, &history));
+    let inputs = UpscaleInputs { radiance: &[&image], albedo: None, tone_mapped: false, guide, surface_motion, previous };
+    let after = temporal_upscale(&frame, &svgf_tuning(), OUTPUT, Outgoing::Halves, &inputs).picture;
+    let brightest = |x: i32| (2..OUTPUT[1] as i32 - 2).map(|y| after.at(IVec2::new(x, y))[1]).fold(0.0, f32::max);
+    let (beside, away) = (brightest(12), brightest(18));
+    assert!(beside < 0.6 * away, "{beside} beside the outline, {away} away from it");
+}
+
 #[test]
 fn off_screen_and_reset_take_the_current_colour() {
     for output in [EXTENT, OUTPUT] {
@@ -269,7 +290,12 @@ fn neither_parity_nor_the_allocation_changes_a_bit() {
 type Past = (Image<[u16; 4]>, Image<[f32; 4]>);
 
 /// Frames of a still picture under jitter, with or without a past. `render(i)`: the extent of frame i.
-fn gathered(output: [u32; 2], keeps: bool, render: impl Fn(u32) -> [u32; 2], picture: impl Fn(Vec2) -> f32) -> Vec<Image<[f32; 4]>> {
+fn gathered(
+    output: [u32; 2],
+    keeps: bool,
+    render: impl Fn(u32) -> [u32; 2],
+    picture: impl Fn(Vec2) -> f32,
+) -> Vec<Image<[f32; 4]>> {
     let frames = 48;
     let largest = output;
     let config = Config { output_extent: Some(output), ..Config::new(render(0)) };
@@ -300,7 +326,8 @@ fn gathered(output: [u32; 2], keeps: bool, render: impl Fn(u32) -> [u32; 2], pic
         let white = Image::new(extent, [1.0; 4]);
         let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
         let previous = past.as_ref().filter(|_| keeps).map(|(guide, history)| (guide, history));
-        let inputs = UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, surface_motion, previous };
+        let inputs =
+            UpscaleInputs { radiance: &[&image], albedo: Some(&white), tone_mapped: false, guide, surface_motion, previous };
         let now = temporal_upscale(&frame, &svgf_tuning(), output, Outgoing::Halves, &inputs);
         past = Some((scene.guide.clone(), now.history));
         pictures.push(now.picture);
@@ -310,7 +337,11 @@ fn gathered(output: [u32; 2], keeps: bool, render: impl Fn(u32) -> [u32; 2], pic
 
 /// A line of two output pixels that is not quite level, dark before bright.
 fn slanted(s: Vec2) -> f32 {
-    if (s.y - 10.3 - 0.17 * s.x).abs() < 1.0 { 0.1 } else { 0.9 }
+    if (s.y - 10.3 - 0.17 * s.x).abs() < 1.0 {
+        0.1
+    } else {
+        0.9
+    }
 }
 
 /// Mean of a picture over each pixel.
@@ -385,12 +416,14 @@ fn an_edge_of_a_lamp_is_as_smooth_as_a_display_shows_it() {
     let scene = flat(EXTENT);
     for tone_curve in [ToneCurve::Aces, ToneCurve::Reinhard, ToneCurve::Linear] {
         let tuning = Tuning { tone_curve, ..svgf_tuning() };
-        let show = |c: [f32; 4]| match tone_curve {
-            ToneCurve::Aces => c[0].min(1e4) * (2.51 * c[0] + 0.03) / (c[0] * (2.43 * c[0] + 0.59) + 0.14),
-            ToneCurve::Reinhard => c[0] / (1.0 + c[0]),
-            ToneCurve::Linear => c[0],
-        }
-        .clamp(0.0, 1.0);
+        let show = |c: [f32; 4]| {
+            match tone_curve {
+                ToneCurve::Aces => c[0].min(1e4) * (2.51 * c[0] + 0.03) / (c[0] * (2.43 * c[0] + 0.59) + 0.14),
+                ToneCurve::Reinhard => c[0] / (1.0 + c[0]),
+                ToneCurve::Linear => c[0],
+            }
+            .clamp(0.0, 1.0)
+        };
         let at = |tone_mapped: bool| {
             let radiance = paint(EXTENT, |x, _| [lamp(x as f32); 4]);
             let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
