@@ -81,8 +81,8 @@ const float ACES_STEEPNESS = 4.0;
 float display_exposure() { return SHOWN ? push.exposure * frame.inverse_filter_exposure : 1.0; }
 
 float steepness() {
-    if (!SHOWN) return 1.0;
-    return push.tone_curve == CURVE_LINEAR ? 0.0 : display_exposure() * (push.tone_curve == CURVE_ACES ? ACES_STEEPNESS : 1.0);
+    float shown = push.tone_curve == CURVE_LINEAR ? 0.0 : display_exposure() * (push.tone_curve == CURVE_ACES ? ACES_STEEPNESS : 1.0);
+    return SHOWN ? shown : 1.0;
 }
 
 // What a curve without a shoulder shows as white is as bright as all beyond: an edge of a lamp would stay jagged.

@@ -30,6 +30,8 @@ const UNREAD: &[(&str, &[&str])] = &[
             "modulate_float_1",
             "shadowed_light_float_0",
             "shadowed_light_float_1",
+            "temporal_upscale_float_0",
+            "temporal_upscale_float_1",
         ],
     ),
     // Atomics on images.
