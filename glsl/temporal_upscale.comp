@@ -45,8 +45,7 @@ layout(set = 0, binding = 7, rgba16f) uniform restrict readonly image2D previous
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D upscale_history;
 layout(set = 0, binding = 9, OUTGOING_FORMAT) uniform writeonly image2D upscaled_radiance;
 
-// Sharpness of Gaussians: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
-const float FIRST_SHARPNESS = 2.29;
+// Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
 const float SHARPNESS = 2.29;
 // That of the light around and of the box which clips the past, by squared rendered pixels.
 const float BOX_SHARPNESS = 0.5;
@@ -128,7 +127,7 @@ Neighbourhood neighbourhood(ivec2 p) {
     vec3 dx = offset.x + vec3(-1.0, 0.0, 1.0), dy = offset.y + vec3(-1.0, 0.0, 1.0);
     vec2 scale = extent_ratio(frame.render_extent, frame.output_extent);
     vec3 bx = exp(-BOX_SHARPNESS * dx * dx), by = exp(-BOX_SHARPNESS * dy * dy);
-    vec3 fx = exp(-FIRST_SHARPNESS * dx * dx), fy = exp(-FIRST_SHARPNESS * dy * dy);
+    vec3 fx = exp(-SHARPNESS * dx * dx), fy = exp(-SHARPNESS * dy * dy);
     dx *= scale.x;
     dy *= scale.y;
     vec3 lx = exp(-SHARPNESS * dx * dx), ly = exp(-SHARPNESS * dy * dy);

@@ -18,9 +18,7 @@ use glam::{IVec2, Vec2, Vec3, Vec4};
 #[cfg(test)]
 mod tests;
 
-/// Sharpness of the Gaussian of a first picture, by squared rendered pixels.
-const FIRST_SHARPNESS: f32 = 2.29;
-/// Sharpness of that of a picture with a past, by squared pixels of the output.
+/// Sharpness of the Gaussian of samples: of a first picture, by squared rendered pixels; of one with a past, by squared pixels of the output.
 const SHARPNESS: f32 = 2.29;
 /// Sharpness of that of the light around and of the box which clips the past, by squared rendered pixels.
 const BOX_SHARPNESS: f32 = 0.5;
@@ -203,7 +201,7 @@ impl<'a> Scene<'a> {
         };
         for (q, distance, s) in taps() {
             let compressed = s.radiance.extend(1.0) * self.shown.evenness(s.radiance);
-            let wide = (-FIRST_SHARPNESS * distance.length_squared()).exp();
+            let wide = (-SHARPNESS * distance.length_squared()).exp();
             let narrow = (-SHARPNESS * (distance * scale).length_squared()).exp();
             first += wide * compressed;
             total += wide;
