@@ -84,17 +84,22 @@ fn a_render_extent_that_changes_resets_nothing() {
     let output = [192, 108];
     let error = |extent: &dyn Fn(u32) -> [u32; 2]| {
         let mut s = session(&Config { output_extent: Some(output), ..Config::new(EXTENT) });
+        let mut last = Vec::new();
         for i in 0..FRAMES {
             let scene = Scene { allocated: EXTENT, ..scene(extent(i), 0.0, jitter(i)) };
-            let (context, _) = frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
+            let (context, image) = frame(&mut s, &scene.frame(0, i), &scene.params(0), &Tuning::default());
             assert_eq!(context.reset, (i == 0).then_some(ResetReason::Created), "frame {i}");
             assert_eq!(context.output_extent, output);
+            last = image;
         }
-        rmse(&s.download("upscaled_radiance").expect("an output"), &reference(output, 0.0, 0))
+        // The last frame has the whole extent.
+        [s.download("upscaled_radiance").expect("an output"), enlarged(&last, EXTENT, output, jitter(FRAMES - 1))]
+            .map(|picture| rmse(&picture, &reference(output, 0.0, 0)))
     };
-    let (steady, changing) = (error(&|_| EXTENT), error(&|i| if i % 3 == 1 { [80, 45] } else { EXTENT }));
+    let ([steady, _], [changing, bilinear]) = (error(&|_| EXTENT), error(&|i| if i % 3 == 1 { [80, 45] } else { EXTENT }));
     println!("error with a steady extent {steady:.4}, with one that changes {changing:.4}");
     assert!(changing < 1.15 * steady, "{steady} {changing}");
+    assert!(changing < 0.75 * bilinear, "{changing}, of an enlarged picture {bilinear}");
     assert_valid();
 }
 
