@@ -199,19 +199,27 @@ int visibility_before(vec2 position, float expected) {
     return !some ? HIDDEN : whole ? VISIBLE : PARTLY_VISIBLE;
 }
 
-// rgb by Catmull and Rom, which blurs less from frame to frame; the weight bilinearly, since it must not overshoot.
-vec4 history_at(vec2 position) {
+// rgb in this light by Catmull and Rom, which blurs less from frame to frame. Even and within its texels, since beside a lamp negative
+// weights would take all light from what is dark. The weight bilinearly.
+vec4 history_at(vec2 position, vec3 light) {
     vec2 corner = floor(position - 0.5), f = position - 0.5 - corner;
     vec4 wx = cubic_weights(f.x), wy = cubic_weights(f.y);
     vec4 bx = vec4(0.0, 1.0 - f.x, f.x, 0.0), by = vec4(0.0, 1.0 - f.y, f.y, 0.0);
     ivec2 last = ivec2(frame.previous_output_extent) - 1;
-    vec4 sum = vec4(0.0);
+    vec4 sum = vec4(0.0), least = vec4(NOWHERE), most = vec4(0.0);
+    float weight = 0.0;
     [[unroll]] for (int y = 0; y < 4; ++y)
         [[unroll]] for (int x = 0; x < 4; ++x) {
             vec4 texel = imageLoad(previous_history, clamp(ivec2(corner) + ivec2(x, y) - 1, ivec2(0), last));
-            sum += vec4(vec3(wx[x] * wy[y]), bx[x] * by[y]) * texel;
+            vec3 colour = texel.rgb * light;
+            vec4 even = vec4(colour, 1.0) * evenness(colour);
+            sum += wx[x] * wy[y] * even;
+            least = min(least, even);
+            most = max(most, even);
+            weight += bx[x] * by[y] * texel.a;
         }
-    return max(sum, 0.0);
+    sum = clamp(sum, least, most);
+    return vec4(sum.rgb / sum.a, max(weight, 0.0));
 }
 
 // Half a step of an 8-bit display in the middle. Less is the rounding of halves, by which a grey neighbourhood, a box without any width
@@ -257,8 +265,8 @@ void main() {
         vec2 rendered = position * extent_ratio(frame.previous_output_extent, frame.previous_render_extent);
         int visibility = visibility_before(rendered, around.depth * (1.0 + m.depth_ratio));
         if (inside && visibility != HIDDEN) {
-            vec4 texel = history_at(position);
-            vec3 history = clip_to_box(texel.rgb * around.light, around, visibility);
+            vec4 texel = history_at(position, around.light);
+            vec3 history = clip_to_box(texel.rgb, around, visibility);
             past = min(texel.a, past_limit(motion));
             float known = min(past, 1.0), even = evenness(history), now = around.weight + LEAST_WEIGHT;
             vec3 new_colour = mix(around.first, around.later, known) * now;

@@ -252,11 +252,11 @@ impl<'a> Scene<'a> {
         let is_whole = self.was_whole(surfaces, rendered, around.depth * (1.0 + moved.depth_ratio))?;
         let gamma = self.tuning.taa_gamma / if self.shown.divides { 1.0 } else { SHOWN_BOX };
         let gamma = if is_whole { gamma } else { gamma.min(WIDEST_BESIDE) };
-        let (ratio, weight) = history_at(rect, history, position);
+        let (colour, weight) = history_at(self.shown, rect, history, position, around.light);
         let moving = 1.0 / self.tuning.taa_alpha - 1.0;
         let still = (-STILL_SHARPNESS * motion.length_squared()).exp();
         let limit = moving * (1.0 + (STILL_PAST - 1.0) * still);
-        Some((clipped(self.shown, gamma, around, ratio * around.light), weight.min(limit)))
+        Some((clipped(self.shown, gamma, around, colour), weight.min(limit)))
     }
 
     /// Whether all of the 2×2 pixels around a position of the previous frame showed something at this depth; none where none of 4×4 did.
@@ -294,22 +294,26 @@ fn sample(frame: &FrameConstants, shown: Shown, inputs: &UpscaleInputs, p: IVec2
     Sample { radiance: in_range(radiance, shown.brightest), irradiance, surface }
 }
 
-/// The history at a position in pixels: colour by Catmull and Rom, sharper than bilinear; weight bilinear.
-fn history_at(rect: RenderRect, image: &Image<[f32; 4]>, s: Vec2) -> (Vec3, f32) {
+/// The history in this light at a position in pixels: colour by Catmull and Rom, sharper than bilinear; weight bilinear.
+fn history_at(shown: Shown, rect: RenderRect, image: &Image<[f32; 4]>, s: Vec2, light: Vec3) -> (Vec3, f32) {
     let corner = (s - 0.5).floor();
     let f = s - 0.5 - corner;
     let (x, y) = (catmull_rom_weights(f.x), catmull_rom_weights(f.y));
     let linear = |t: f32| [0.0, 1.0 - t, t, 0.0];
     let (linear_x, linear_y) = (linear(f.x), linear(f.y));
-    let (mut colour, mut weight) = (Vec3::ZERO, 0.0);
+    let (mut sum, mut least, mut most, mut weight) = (Vec4::ZERO, Vec4::MAX, Vec4::ZERO, 0.0);
     for j in 0..4 {
         for i in 0..4 {
             let q = rect.clamp(corner.as_ivec2() + IVec2::new(i as i32 - 1, j as i32 - 1));
-            colour += x[i] * y[j] * rgb(image, q);
+            let colour = rgb(image, q) * light;
+            let even = colour.extend(1.0) * shown.evenness(colour);
+            sum += x[i] * y[j] * even;
+            (least, most) = (least.min(even), most.max(even));
             weight += linear_x[i] * linear_y[j] * image.at(q)[3];
         }
     }
-    (colour.max(Vec3::ZERO), weight)
+    let sum = sum.clamp(least, most);
+    (sum.truncate() / sum.w, weight)
 }
 
 fn catmull_rom_weights(t: f32) -> [f32; 4] {

@@ -436,3 +436,21 @@ fn an_edge_of_a_lamp_is_as_smooth_as_a_display_shows_it() {
         assert!((shown - half).abs() < 0.1, "{tone_curve:?}: {shown} for {half}, {plain} without");
     }
 }
+
+#[test]
+fn a_dark_thing_beside_a_lamp_keeps_its_light() {
+    let lamp = |x: i32| if x < 6 { 50.0 } else { 0.05 };
+    let mut scene = flat(EXTENT);
+    // The past lies between pixels, where the weights of Catmull and Rom are negative.
+    scene.surface_motion = Image::new(EXTENT, pack_surface_motion([0.5, 0.0], Some((0.0, [0.0, 0.0, 1.0]))));
+    let radiance = paint(EXTENT, |x, _| [lamp(x); 4]);
+    let history = paint(EXTENT, |x, _| [lamp(x), lamp(x), lamp(x), 100.0]);
+    let (guide, surface_motion) = (&scene.guide, &scene.surface_motion);
+    let previous = Some((guide, &history));
+    let inputs = UpscaleInputs { radiance: &[&radiance], albedo: None, tone_mapped: true, guide, surface_motion, previous };
+    let picture = temporal_upscale(&frame(EXTENT), &long_past(), EXTENT, Outgoing::Halves, &inputs).picture;
+    for x in 0..EXTENT[0] as i32 {
+        let shown = picture.at(IVec2::new(x, 5))[0];
+        assert!((0.045..51.0).contains(&shown), "{shown} at {x}");
+    }
+}
