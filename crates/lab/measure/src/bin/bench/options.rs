@@ -33,6 +33,9 @@ pub struct Options {
     /// All that a game has: reflections and diffuse light, the shadows of one light, and fog, each as a signal of its own
     #[arg(long)]
     pub game: bool,
+    /// Sides of the output over those of what is rendered, 1 to 3: the picture is gathered at that size (`Config::output_extent`)
+    #[arg(long, value_name = "RATIO", value_parser = ratio)]
+    pub output: Option<f64>,
     /// Tone map and temporal anti-aliasing as well
     #[arg(long)]
     pub post_process: bool,
@@ -88,7 +91,7 @@ impl Options {
     pub fn choices(&self) -> Choices {
         let (visibility, volume) = (self.visibility || self.game, self.volume || self.game);
         let post_process = if self.post_process { PostProcess::ToneMapTaa } else { PostProcess::None };
-        Choices { config: self.config.clone(), reflections: self.game, visibility, volume, post_process }
+        Choices { config: self.config.clone(), reflections: self.game, visibility, volume, output: self.output, post_process }
     }
 
     /// Sizes from small to large.
@@ -111,6 +114,11 @@ impl Options {
             vec![self.content]
         }
     }
+}
+
+fn ratio(text: &str) -> Result<f64, String> {
+    let given = text.parse().ok().filter(|ratio| (1.0..=3.0).contains(ratio));
+    given.ok_or_else(|| format!("\"{text}\" is no ratio of an output: give 1 to 3, such as 1.5"))
 }
 
 fn bandwidth(text: &str) -> Result<f64, String> {

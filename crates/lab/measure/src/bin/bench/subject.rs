@@ -23,6 +23,8 @@ pub struct Choices {
     pub visibility: bool,
     /// Fog apart.
     pub volume: bool,
+    /// Sides of the output over those of what is rendered.
+    pub output: Option<f64>,
     pub post_process: PostProcess,
 }
 
@@ -49,6 +51,9 @@ impl Subject {
             (choices.post_process != PostProcess::None, " + post-process"),
         ];
         parts.into_iter().filter(|part| part.0).for_each(|part| label += part.1);
+        if let Some(ratio) = choices.output {
+            label += &format!(" + output x{ratio}");
+        }
         label
     }
 
@@ -58,6 +63,7 @@ impl Subject {
                 let Choices { visibility, volume, post_process, .. } = *choices;
                 let signals = if choices.reflections { Signals::Specular } else { Signals::default() };
                 let mut config = Config { preset, signals, visibility, volume, post_process, ..Config::new(size) };
+                config.output_extent = choices.output.map(|ratio| size.map(|side| (ratio * f64::from(side)).round() as u32));
                 choices.config.apply(&mut config)?;
                 config.declare()
             }
