@@ -39,7 +39,7 @@ layout(set = 0, binding = RADIANCE_1) uniform texture2D radiance_1;
 layout(set = 0, binding = ALBEDO) uniform texture2D albedo;
 // Storage images where neighbours are read, for the reasons that packed_image.glsl has.
 layout(set = 0, binding = 4, rgba16ui) uniform restrict readonly uimage2D guide;
-layout(set = 0, binding = 5) uniform utexture2D previous_guide;
+layout(set = 0, binding = 5, rgba16ui) uniform restrict readonly uimage2D previous_guide;
 layout(set = 0, binding = 6) uniform utexture2D surface_motion;
 layout(set = 0, binding = 7, rgba16f) uniform restrict readonly image2D previous_history;
 layout(set = 0, binding = 8, rgba16f) uniform writeonly image2D upscale_history;
@@ -191,7 +191,7 @@ int visibility_before(vec2 position, float expected) {
     [[unroll]] for (int y = 0; y < 4; ++y)
         [[unroll]] for (int x = 0; x < 4; ++x) {
             ivec2 q = nearest_inside_previous(corner + ivec2(x, y));
-            float z = guide_depth(GuideBits(texelFetch(previous_guide, q, 0)));
+            float z = guide_depth(GuideBits(imageLoad(previous_guide, q)));
             bool same = expected > 0.0 ? abs(z - expected) <= DEPTH_TOLERANCE * expected : z == 0.0;
             some = some || same;
             whole = whole && (same || x == 0 || x == 3 || y == 0 || y == 3);
